@@ -39,6 +39,6 @@ class Record(BaseModel):
         """The record as plain JSON data."""
         return self.model_dump(mode="json")
 
-    def digest(self) -> str:
+    def sha256(self) -> str:
         """SHA-256 of the canonical JSON."""
         return digest(self.plain())

@@ -12,8 +12,8 @@
     <suite>/withheld/<case>/truth.snapshot.json    exported from truth.level.json
     <suite>/withheld/<case>/recipe.json, cameras.json, requirements.bundle.json   in the published formats
 
-``agent/`` and ``withheld/`` are two trees that are never under one mount. Packs are named by id and digest and lie under
-``c4s.home.packs_root()``.
+``agent/`` and ``withheld/`` are two trees that are never under one mount. Packs are named by id and digest and lie
+under ``c4s.home.packs_root()``.
 """
 
 from __future__ import annotations

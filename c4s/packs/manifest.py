@@ -14,8 +14,6 @@ from pydantic import Field
 from c4s.model import Record
 from c4s.scene.level import Transform, Vector
 
-SCHEMA = "c4s.pack.v1"
-
 
 class BoxBody(Record):
     """A box: centre (cm), rotation ([pitch, yaw, roll] degrees), half extents (cm)."""
@@ -123,7 +121,7 @@ class Asset(Record):
 class Pack(Record):
     """A pack: its assets and materials."""
 
-    schema_version: Literal["c4s.pack.v1"] = SCHEMA
+    schema_version: Literal["c4s.pack.v1"] = "c4s.pack.v1"
     pack_id: str
     """Folder-safe id; the content folder is ``/Game/<content_folder>``."""
     content_folder: str

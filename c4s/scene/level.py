@@ -12,7 +12,6 @@ from pydantic import Field
 from c4s.model import Record
 
 Vector = tuple[float, float, float]
-SCHEMA = "c4s.level.v1"
 
 
 class Transform(Record):
@@ -61,7 +60,7 @@ class LevelActor(Record):
 class Level(Record):
     """A level package."""
 
-    schema_version: Literal["c4s.level.v1"] = SCHEMA
+    schema_version: Literal["c4s.level.v1"] = "c4s.level.v1"
     package: str
     """``/Game/...`` package path; the file lies at ``<content root>/Game/....level.json``."""
     actors: list[LevelActor] = Field(default_factory=list)

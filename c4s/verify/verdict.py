@@ -29,7 +29,7 @@ class Verdict(Record):
     population: dict[str, int] = Field(default_factory=dict)
     """How many actors, targets or requirements were eligible, evaluated, unresolved."""
     advisories: list[dict[str, Any]] = Field(default_factory=list)
-    """Known oddities of the protocol that touch this case: ``{"code", "text", "actors"}``. They never change the score."""
+    """Known oddities of the protocol in this case: ``{"code", "text", "actors"}``. They never change the score."""
     inputs: dict[str, str] = Field(default_factory=dict)
     """SHA-256 of each file that was read."""
     reason: str = ""
