@@ -1,0 +1,29 @@
+"""Agent configurations by name: the five baselines, and any from a YAML file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import yaml
+
+from c4s.errors import BadInput
+from c4s.run.records import Configuration
+
+BASELINES = ("noop", "random", "planner", "vandal", "oracle")
+VALIDATING = frozenset({"oracle"})
+"""Clients that read the truth: they validate the evaluator and are never ranked."""
+
+
+def configuration(name: str) -> Configuration:
+    """A baseline by name, or the configuration in a ``.yaml`` file. ``BadInput`` for anything else."""
+    if name in BASELINES:
+        return Configuration(name=name, client=name)
+    path = Path(name)
+    if path.suffix in (".yaml", ".yml") and path.is_file():
+        return Configuration.parse(yaml.safe_load(path.read_text()), where=str(path))
+    raise BadInput(f"unknown agent {name!r}", todo=f"use one of {', '.join(BASELINES)}, or a configuration file")
+
+
+def is_ranked(chosen: Configuration) -> bool:
+    """Whether results of this configuration may have a rank."""
+    return chosen.client not in VALIDATING

@@ -1,0 +1,57 @@
+"""Where the evaluator looks from: four overview views of a whole scene, chosen from its snapshot alone.
+
+The plan is deterministic. It frames the content (not the ground or sky) and lifts each camera until no actor's
+bounds hold it and the line of sight to the target is free at the start (Overview Alignment, paper section
+"Semantic Verifier for Text-to-Scene": a scene-graph and clearance-aware camera plan, exactly four views).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+VIEWS = 4
+HORIZONTAL_FOV_DEG = 60.0
+CLEARANCE_CM = 100.0
+
+
+def _content_boxes(snapshot: Mapping[str, Any]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Origins and half extents (n, 2, 3) of the actors with a real box that is not a plate or a sky dome."""
+    boxes = [(actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"]) for actor in snapshot["actors"]
+             if actor.get("bounds") and actor.get("component_asset_paths")]
+    found = np.asarray(boxes, dtype=float).reshape(-1, 2, 3)
+    solid = found[(found[:, 1].max(axis=1) > 1.0) & (found[:, 1, :2].max(axis=1) < 6000.0)]
+    standing = solid[solid[:, 1, 2] > 0.03 * solid[:, 1, :2].max(axis=1)]
+    return np.asarray(standing if len(standing) else solid)
+
+
+def overview_cameras(snapshot: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Four cameras ``{"name", "location_cm", "target_cm", "fov_deg"}`` around the scene's content.
+
+    A scene without content is framed as a 20 m plate, so that its emptiness is seen.
+    """
+    boxes = _content_boxes(snapshot)
+    if len(boxes):
+        low = np.quantile(boxes[:, 0] - boxes[:, 1], 0.02, axis=0)
+        high = np.quantile(boxes[:, 0] + boxes[:, 1], 0.98, axis=0)
+    else:
+        low, high = np.array([-1000.0, -1000.0, 0.0]), np.array([1000.0, 1000.0, 300.0])
+    centre, half = (low + high) / 2, np.maximum((high - low) / 2, 100.0)
+    radius = float(np.hypot(half[0], half[1]))
+    distance = radius / math.tan(math.radians(HORIZONTAL_FOV_DEG) / 2) * 0.92
+    target = [float(centre[0]), float(centre[1]), float(low[2] + 0.35 * (high[2] - low[2]))]
+    cameras = []
+    for index in range(VIEWS):
+        azimuth = math.radians(45 + 360 / VIEWS * index)
+        elevation = math.radians(24 if index % 2 == 0 else 42)
+        eye = centre + distance * np.array([math.cos(azimuth) * math.cos(elevation),
+                                            math.sin(azimuth) * math.cos(elevation), 0.0])
+        eye[2] = low[2] + distance * math.sin(elevation)
+        while len(boxes) and np.any(np.all(np.abs(boxes[:, 0] - eye) < boxes[:, 1] + CLEARANCE_CM, axis=1)):
+            eye[2] += CLEARANCE_CM
+        cameras.append({"name": f"overview-{index + 1}", "location_cm": [float(v) for v in eye],
+                        "target_cm": target, "fov_deg": HORIZONTAL_FOV_DEG})
+    return cameras

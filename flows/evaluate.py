@@ -1,0 +1,88 @@
+"""The evaluate flow: what the plan asks for and the run folder does not hold yet."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from prefect import flow
+from prefect.futures import PrefectFuture
+from prefect.task_runners import ThreadPoolTaskRunner
+
+from c4s.case.package import SuiteFolder
+from c4s.errors import MachineryFault
+from c4s.home import runs_root, site_root, suites_root, warehouse_root
+from c4s.run.configurations import configuration
+from c4s.run.plan import Trial, make_plan, open_run, trials
+from c4s.run.records import Plan
+from c4s.score.policy import DEFAULT_POLICY
+from tasks.attempt import attempt
+from tasks.integrity import integrity
+from tasks.persist import persist
+from tasks.pool import engine_slots
+from tasks.publish import publish
+from tasks.verify import physics, repair, semantic
+from warehouse.ingest import ingest_schedule, is_stored
+
+WAITING_THREADS = 32
+
+
+def _submit(trial: Trial, plan: Plan, warehouse: Path) -> PrefectFuture[None]:
+    """Submit a trial's stages; each waits for what it reads."""
+    ran_1 = attempt.submit(trial, 1)
+    valid_1 = integrity.submit(trial, plan, 1, ran_1)
+    ran_2 = attempt.submit(trial, 2, valid_1)
+    valid = integrity.submit(trial, plan, 2, ran_2, valid_1)
+    if trial.case.setting == "text-to-scene":
+        verdicts = [physics.submit(trial, plan, valid),
+                    *(semantic.submit(trial, plan, valid, name) for name in ("detailed", "overview"))]
+    else:
+        verdicts = [physics.submit(trial, plan, valid), repair.submit(trial, plan, valid)]
+    return persist.submit(trial, plan, warehouse, wait_for=verdicts)
+
+
+@flow(name="evaluate", task_runner=ThreadPoolTaskRunner(max_workers=WAITING_THREADS), validate_parameters=False)
+def evaluate(suite: str = "starter", agents: list[str] | None = None, run_id: str | None = None,
+             cases: list[str] | None = None, repeats: int = 1, judge: str = "rule", engine: str = "headless",
+             slots: int | None = None) -> str:
+    """Run, verify, store and publish a suite. Returns the address of the leaderboard page.
+
+    Run it again with the same arguments to complete a run that was stopped; finished trials are skipped.
+
+    Args:
+        suite: id of a built suite.
+        agents: configuration names (default: the five baselines).
+        run_id: folder name of the run (default: the suite's id).
+        cases: only these cases.
+        repeats: repeats of each case.
+        judge: ``rule``, the offline judge.
+        engine: ``headless``.
+        slots: engine processes at once (default: one a core).
+    """
+    folder = suites_root() / suite
+    run = runs_root() / (run_id or suite)
+    chosen = [configuration(name) for name in agents or ("noop", "random", "planner", "vandal", "oracle")]
+    plan = open_run(run, make_plan(SuiteFolder(folder), chosen, run_id=run.name, policy=DEFAULT_POLICY.policy_id,
+                                   judge=judge, engine=engine, repeats=repeats, cases=cases or ()))
+    warehouse = warehouse_root()
+    ingest_schedule(run, folder, plan, warehouse)
+    missing = [trial for trial in trials(run, folder, plan) if not is_stored(trial, plan, warehouse)]
+    if missing:
+        with engine_slots(slots or os.cpu_count() or 1):
+            futures = [(trial, _submit(trial, plan, warehouse)) for trial in missing]
+            failed = [(trial, state) for trial, future in futures if (state := _final(future)) is not None]
+    else:
+        failed = []
+    page = publish(warehouse, site_root())
+    if failed:
+        first, reason = failed[0]
+        raise MachineryFault(f"{len(failed)} of {len(missing)} trials are pending; first {first.name}: {reason}",
+                             todo="run the same command again")
+    return page.as_uri()
+
+
+def _final(future: PrefectFuture[None]) -> str | None:
+    """None when the trial is stored, else why not."""
+    future.wait()
+    state = future.state
+    return None if state.is_completed() else (state.message or state.name)

@@ -1,0 +1,137 @@
+"""The outcome tables. These models are the single source of column names, types and units."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from c4s.case.package import Setting
+from c4s.model import Record
+from c4s.run.records import CaseStatus
+
+Visibility = Literal["public", "private"]
+
+
+class TrialKey(Record):
+    """What every row carries: which trial it belongs to."""
+
+    trial_id: str
+    """16 hex digits by content: suite, case, configuration, repeat, policy, judge, engine."""
+    run_id: str
+    suite: str
+    configuration: str
+    case_id: str
+    repeat: int
+
+
+class OutcomeRow(TrialKey):
+    """Table ``outcomes``: one row a trial, its case score and the parts of it. Scores lie in [0, 1]."""
+
+    setting: Setting
+    scene_id: str
+    status: CaseStatus
+    score: float | None
+    reason: str
+    detailed: float | None
+    known_coverage: float | None
+    overview: float | None
+    physics: float | None
+    repair_precision: float | None
+    repair_recall: float | None
+    repair_f1: float | None
+    attempts: int
+    retained_attempt: int | None
+    tool_calls: int | None
+    """Tool calls of the retained attempt."""
+    attempt_wall_s: float | None
+    evaluation_s: float | None
+    """Seconds from the end of the retained attempt's agent run to the score, all stages."""
+    orchestration_s: float | None
+    """The part of ``evaluation_s`` that no stage spent itself."""
+    input_tokens: int | None
+    output_tokens: int | None
+    cost_usd: float | None
+    ranked: bool
+    """False for configurations that only validate the evaluator."""
+    policy: str
+    judge: str
+    engine: str
+    suite_digest: str
+    score_sha256: str
+
+
+class AttemptRow(TrialKey):
+    """Table ``attempts``: every attempt, retained or not."""
+
+    attempt: int
+    ended_by: str
+    submission: str | None
+    valid: bool | None
+    tool_calls: int
+    wall_s: float
+    input_tokens: int | None
+    output_tokens: int | None
+    cost_usd: float | None
+    message: str
+
+
+class VerdictRow(TrialKey):
+    """Table ``verdicts``: one row a verifier and trial; ``document`` is the whole verdict as JSON."""
+
+    verifier: str
+    status: str
+    score: float | None
+    reason: str
+    policy: str
+    document: str
+    sha256: str
+
+
+class FindingRow(TrialKey):
+    """Table ``findings``: an actor or requirement that a verifier decided on."""
+
+    verifier: str
+    subject: str
+    """Actor label or requirement text."""
+    outcome: str
+    """``TP``, ``FP``, ``FN``, ``MATCH``, ``MISMATCH``, ``UNKNOWN``, ``floating``, ``penetrating``."""
+    detail: str
+
+
+class PictureRow(TrialKey):
+    """Table ``pictures``: what the case pages show, as JPEG."""
+
+    role: Literal["start", "truth", "submission"]
+    view: str
+    width: int
+    height: int
+    jpeg: bytes
+
+
+class ScheduleRow(Record):
+    """Table ``schedule``: one row a planned trial, so that a missing outcome is seen."""
+
+    trial_id: str
+    run_id: str
+    suite: str
+    suite_digest: str
+    configuration: str
+    client: str
+    model: str | None
+    case_id: str
+    title: str
+    prompt: str
+    setting: Setting
+    scene_id: str
+    repeat: int
+    operations: str
+    operation_group: str | None
+    difficulty: str | None
+    proxy_assets: bool
+    policy: str
+    judge: str
+    engine: str
+    ranked: bool
+
+
+TABLES: dict[str, type[Record]] = {"outcomes": OutcomeRow, "attempts": AttemptRow, "verdicts": VerdictRow,
+                                   "findings": FindingRow, "pictures": PictureRow, "schedule": ScheduleRow}

@@ -1,0 +1,12 @@
+-- How complete is each configuration, and why is a contribution zero?
+SELECT
+    suite, policy, judge, engine, configuration, setting,
+    count(*) AS planned,
+    count(*) FILTER (WHERE score IS NOT NULL) AS resolved,
+    count(*) FILTER (WHERE status = 'pending') AS pending,
+    count(*) FILTER (WHERE status IN ('measured', 'measured_with_missing_zero')) AS measured,
+    count(*) FILTER (WHERE status = 'zero_invalid_candidate') AS invalid,
+    count(*) FILTER (WHERE status = 'zero_missing_submission') AS no_submission,
+    count(*) FILTER (WHERE status = 'zero_missing_result') AS no_result
+FROM case_scores
+GROUP BY ALL

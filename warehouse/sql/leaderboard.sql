@@ -1,0 +1,47 @@
+-- Which configuration is best? The coverage gate: a setting with a pending trial has no mean, image-to-scene needs
+-- both domains, and only a configuration with an overall score has a rank. Results by different judges, engines,
+-- policies or suites are never ranked together, and configurations that validate the evaluator are never ranked.
+WITH pooled AS (
+    SELECT
+        suite, policy, judge, engine, configuration, ranked,
+        max(mean_score) FILTER (WHERE setting = 'text-to-scene') AS text_to_scene,
+        max(mean_score) FILTER (WHERE setting = 'image-to-scene/indoor') AS indoor,
+        max(mean_score) FILTER (WHERE setting = 'image-to-scene/outdoor') AS outdoor,
+        max(cases) FILTER (WHERE setting = 'image-to-scene/indoor') AS indoor_cases,
+        max(cases) FILTER (WHERE setting = 'image-to-scene/outdoor') AS outdoor_cases,
+        max(detailed) FILTER (WHERE setting = 'text-to-scene') AS detailed,
+        max(overview) FILTER (WHERE setting = 'text-to-scene') AS overview,
+        max(physics) FILTER (WHERE setting = 'text-to-scene') AS text_physics,
+        sum(cases * repair_f1) FILTER (WHERE setting <> 'text-to-scene')
+            / sum(cases) FILTER (WHERE setting <> 'text-to-scene') AS repair_f1,
+        sum(cases * physics) FILTER (WHERE setting <> 'text-to-scene')
+            / sum(cases) FILTER (WHERE setting <> 'text-to-scene') AS image_physics,
+        sum(cases) AS planned,
+        sum(resolved) AS resolved
+    FROM setting_means
+    GROUP BY ALL
+), scored AS (
+    SELECT
+        *,
+        (indoor_cases * indoor + outdoor_cases * outdoor) / (indoor_cases + outdoor_cases) AS image_to_scene
+    FROM pooled
+), overall AS (
+    SELECT
+        *,
+        CASE WHEN resolved = planned THEN 0.5 * text_to_scene + 0.5 * image_to_scene END AS model_score
+    FROM scored
+)
+SELECT
+    suite, policy, judge, engine, configuration, ranked,
+    CASE WHEN ranked AND model_score IS NOT NULL THEN
+        1 + count(*) FILTER (WHERE ranked AND model_score IS NOT NULL) OVER field
+          - count(*) FILTER (WHERE ranked AND model_score IS NOT NULL) OVER not_better
+    END AS rank,
+    model_score, text_to_scene, image_to_scene, indoor, outdoor, detailed, overview, text_physics, repair_f1,
+    image_physics, planned, resolved, indoor_cases, outdoor_cases
+FROM overall
+WINDOW
+    field AS (PARTITION BY suite, policy, judge, engine),
+    not_better AS (PARTITION BY suite, policy, judge, engine ORDER BY model_score NULLS FIRST
+                   RANGE BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW)
+ORDER BY suite, policy, judge, engine, ranked DESC, model_score DESC NULLS LAST, configuration
