@@ -1,0 +1,75 @@
+"""Assets, materials and meshes of a set of pack folders, found by their ``/Game/...`` paths."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from c4s.errors import BadInput
+from c4s.packs import basic_shapes
+from c4s.packs.manifest import Asset, Material, Pack
+from c4s.packs.meshes import Mesh, load_mesh
+
+
+def object_path(path: str) -> str:
+    """``/Game/A/B`` and ``/Game/A/B.B_C`` as ``/Game/A/B.B``: the path of the asset object of a package."""
+    package = path.split(":", 1)[0].rsplit(".", 1)[0] if "." in path.rsplit("/", 1)[-1] else path
+    return f"{package}.{package.rsplit('/', 1)[-1]}"
+
+
+class PackStore:
+    """Read access to packs. Engine basic shapes are always present."""
+
+    def __init__(self, folders: Sequence[Path]) -> None:
+        """Read the manifests; ``BadInput`` when one is missing or wrong, or two packs hold the same path."""
+        self.folders = tuple(Path(folder) for folder in folders)
+        self.packs: dict[Path, Pack] = {folder: Pack.read(folder / "pack.json") for folder in self.folders}
+        self._assets: dict[str, Asset] = dict(basic_shapes.assets())
+        self._materials: dict[str, Material] = {basic_shapes.MATERIAL.path: basic_shapes.MATERIAL}
+        self._home: dict[str, Path] = {}
+        self._meshes: dict[str, Mesh] = dict(basic_shapes.meshes())
+        for folder, pack in self.packs.items():
+            for path in [asset.path for asset in pack.assets] + [material.path for material in pack.materials]:
+                if path in self._home:
+                    raise BadInput(f"{path} is in a pack twice, or in two packs", where=str(folder))
+                self._home[path] = folder
+            self._assets.update({asset.path: asset for asset in pack.assets})
+            self._materials.update({material.path: material for material in pack.materials})
+
+    def asset(self, path: str) -> Asset | None:
+        """The asset of a package, object or Blueprint class path; ``None`` when no pack has it."""
+        if path.endswith("_C") and "." in path:
+            asset = self._assets.get(object_path(path))
+            return asset if asset is not None and asset.kind == "blueprint" and path == f"{asset.path}_C" else None
+        return self._assets.get(path) or self._assets.get(object_path(path))
+
+    def material(self, path: str) -> Material | None:
+        """The material of a package or object path; ``None`` when no pack has it."""
+        return self._materials.get(path) or self._materials.get(object_path(path))
+
+    def texture_file(self, material: Material) -> Path | None:
+        """File of the material's base-colour texture."""
+        return self._home[material.path] / material.texture if material.texture else None
+
+    def mesh(self, path: str) -> Mesh:
+        """The mesh of a static mesh asset (cached); ``BadInput`` when there is no such asset or mesh."""
+        asset = self.asset(path)
+        if asset is None:
+            raise BadInput("no pack has this asset", where=path)
+        if asset.path not in self._meshes:
+            if asset.mesh is None:
+                raise BadInput("this asset has no mesh of its own", where=asset.path)
+            self._meshes[asset.path] = load_mesh(self._home[asset.path], asset)
+        return self._meshes[asset.path]
+
+    def assets(self) -> list[Asset]:
+        """All assets, those of the engine first, then in the order of the packs."""
+        return list(self._assets.values())
+
+    def materials(self) -> list[Material]:
+        """All materials."""
+        return list(self._materials.values())
+
+    def packages(self) -> set[str]:
+        """Names of all packages that resolve, ``/Game/A/B``."""
+        return {path.rsplit(".", 1)[0] for path in (*self._assets, *self._materials)}
