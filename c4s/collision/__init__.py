@@ -1,0 +1,6 @@
+"""Contacts and penetration depths from the collision bodies that a snapshot carries."""
+
+from c4s.collision.contacts import Contact, contacts, scene_contacts
+from c4s.collision.scene import SceneBodies, scene_bodies
+
+__all__ = ["Contact", "SceneBodies", "contacts", "scene_bodies", "scene_contacts"]

@@ -1,0 +1,214 @@
+"""Collision bodies in world space.
+
+A body of a mesh (local cm) becomes a world body by its component's transform. Scale and mirroring are baked into the
+shape; what is left is a rigid pose. Scaling follows Unreal's aggregate geometry: a sphere takes the smallest axis, a
+capsule the larger of its two radial axes and its own length axis, boxes and hulls every axis.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import coal
+import fcl
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+
+from c4s.scene.transform import rotation_matrix
+
+Array: TypeAlias = NDArray[np.float64]
+FLAT = 1e-9
+"""Relative size under which a dimension of a shape counts as zero."""
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A convex body with its rigid pose in the world (cm)."""
+
+    shape: Any
+    """The coal geometry, in the body's own frame."""
+    fcl_shape: Any
+    rotation: Array
+    translation: Array
+    low: Array
+    """World AABB."""
+    high: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Hull:
+    """A convex hull in its own frame: vertices and outward triangles, and both libraries' geometry of it."""
+
+    vertices: Array
+    shape: Any
+    fcl_shape: Any
+
+
+def quaternion_matrix(quaternion_xyzw: Sequence[float]) -> Array:
+    """3x3 rotation of a quaternion (x, y, z, w); it is normalised first. ``ValueError`` when it has no length."""
+    quat = np.asarray(quaternion_xyzw, dtype=float)
+    length = float(np.linalg.norm(quat))
+    if quat.shape != (4,) or not math.isfinite(length) or length < 1e-12:
+        raise ValueError("not a rotation quaternion")
+    x, y, z, w = quat / length
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                     [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                     [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+
+
+def vector(values: Any) -> Array:
+    """Three finite numbers as an array; ``ValueError`` otherwise."""
+    array = np.asarray(values, dtype=float)
+    if array.shape != (3,) or not np.isfinite(array).all():
+        raise ValueError("not three finite numbers")
+    return array
+
+
+def make_hull(vertices: Array) -> Hull | None:
+    """The convex hull of points (n, 3) in cm, solid or flat; None when the points span no area."""
+    points = np.asarray(vertices, dtype=float)
+    if points.ndim != 2 or points.shape[1] != 3 or len(points) < 3 or not np.isfinite(points).all():
+        return None
+    centred = points - points.mean(axis=0)
+    size = float(np.abs(centred).max())
+    if size == 0:
+        return None
+    axes = np.linalg.svd(centred, full_matrices=False)
+    rank = int((axes[1] > FLAT * size * math.sqrt(len(points))).sum())
+    if rank < 2:
+        return None
+    corners, faces = _solid(points) if rank == 3 else _flat(points, centred @ axes[2][:2].T)
+    return Hull(corners, *_geometries(corners, faces))
+
+
+def _solid(points: Array) -> tuple[Array, NDArray[np.int64]]:
+    """Vertices and outward triangles of a solid hull; a hull too thin for Qhull is built as a flat one."""
+    try:
+        hull = ConvexHull(points)
+    except QhullError:
+        centred = points - points.mean(axis=0)
+        return _flat(points, centred @ np.linalg.svd(centred, full_matrices=False)[2][:2].T)
+    used, faces = np.unique(hull.simplices, return_inverse=True)
+    corners, faces = points[used], np.asarray(faces, dtype=np.int64).reshape(-1, 3)
+    sides = np.cross(corners[faces[:, 1]] - corners[faces[:, 0]], corners[faces[:, 2]] - corners[faces[:, 0]])
+    inward = (sides * hull.equations[:, :3]).sum(axis=1) < 0
+    faces[inward] = faces[inward][:, ::-1]
+    return corners, faces
+
+
+def _flat(points: Array, plane: Array) -> tuple[Array, NDArray[np.int64]]:
+    """The polygon of flat points as a two-sided fan of triangles."""
+    corners = points[ConvexHull(plane).vertices]
+    fan = np.array([[0, i, i + 1] for i in range(1, len(corners) - 1)], dtype=np.int64)
+    return corners, np.concatenate([fan, fan[:, ::-1]])
+
+
+def _geometries(corners: Array, faces: NDArray[np.int64]) -> tuple[Any, Any]:
+    points, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
+    for corner in corners:
+        points.append(corner)
+    for face in faces.tolist():
+        triangles.append(coal.Triangle(*face))
+    fcl_faces = np.concatenate([np.full((len(faces), 1), 3, dtype=np.int64), faces], axis=1).ravel()
+    return coal.Convex(points, triangles), fcl.Convex(corners, len(faces), fcl_faces)
+
+
+def body_matrix(body: Mapping[str, Any]) -> Array:
+    """Rotation of a body in its mesh."""
+    return rotation_matrix([float(v) for v in body.get("rotation_deg") or (0.0, 0.0, 0.0)])
+
+
+class BodyFactory:
+    """Places the bodies of meshes in the world. Hulls are built once a mesh, body and scale."""
+
+    def __init__(self, meshes: Mapping[str, Any]) -> None:
+        self._meshes = meshes
+        self._hulls: dict[tuple[str, int, tuple[float, ...]], Hull | None] = {}
+
+    def knows(self, mesh: str) -> bool:
+        """Whether the snapshot describes the mesh."""
+        return isinstance(self._meshes.get(mesh), Mapping)
+
+    def place(self, mesh: str, transform: Mapping[str, Any]) -> list[Body]:
+        """World bodies of a mesh under a component's world transform; ``ValueError`` when its numbers are unusable."""
+        location, scale = vector(transform.get("location_cm")), vector(transform.get("scale"))
+        quaternion = transform.get("quaternion_xyzw")
+        rotation = (quaternion_matrix(quaternion) if quaternion is not None
+                    else rotation_matrix(vector(transform.get("rotation_deg")).tolist()))
+        bodies = self._meshes[mesh].get("collision") or []
+        placed = [self._body(mesh, i, body, location, rotation, scale) for i, body in enumerate(bodies)]
+        return [body for body in placed if body is not None]
+
+    def _body(self, mesh: str, index: int, body: Mapping[str, Any], location: Array, rotation: Array,
+              scale: Array) -> Body | None:
+        kind = body.get("kind")
+        if kind == "hull":
+            return self._hull(mesh, index, np.asarray(body["vertices"], dtype=float), location, rotation, scale)
+        centre = location + rotation @ (scale * vector(body["center"]))
+        if kind == "sphere":
+            radius = abs(float(body["radius"])) * float(np.abs(scale).min())
+            return _round_body(rotation, centre, radius, 0.0)
+        axes = scale[:, None] * body_matrix(body)
+        if kind == "capsule":
+            return _capsule(rotation, centre, axes, abs(float(body["radius"])), abs(float(body["length"])))
+        if kind == "box":
+            half = np.abs(vector(body["half_extent"]))
+            edges = axes * half
+            if np.abs(np.triu(edges.T @ edges, 1)).max() <= 1e-12 * float((edges**2).sum()) and np.all(edges.any(0)):
+                return _box(rotation, centre, edges)
+            signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
+            local = vector(body["center"]) + (signs * half) @ body_matrix(body).T
+            return self._hull(mesh, index, local, location, rotation, scale)
+        raise ValueError(f"unknown collision body kind {kind!r}")
+
+    def _hull(self, mesh: str, index: int, vertices: Array, location: Array, rotation: Array,
+              scale: Array) -> Body | None:
+        key = (mesh, index, tuple(scale.tolist()))
+        if key not in self._hulls:
+            self._hulls[key] = make_hull(vertices * scale)
+        hull = self._hulls[key]
+        if hull is None:
+            return None
+        world = hull.vertices @ rotation.T + location
+        return Body(hull.shape, hull.fcl_shape, rotation, location, world.min(axis=0), world.max(axis=0))
+
+
+def _box(rotation: Array, centre: Array, edges: Array) -> Body:
+    """A box from its three half edges (columns, before the component's rotation); a box has no handedness."""
+    half = np.linalg.norm(edges, axis=0)
+    frame = edges / half
+    if np.linalg.det(frame) < 0:
+        frame[:, 2] = -frame[:, 2]
+    pose = rotation @ frame
+    reach = np.abs(pose) @ half
+    return Body(coal.Box(*(2 * half).tolist()), fcl.Box(*(2 * half).tolist()), pose, centre,
+                centre - reach, centre + reach)
+
+
+def _capsule(rotation: Array, centre: Array, axes: Array, radius: float, length: float) -> Body | None:
+    """A scaled capsule: its ends stay round, the radius takes the larger radial factor, at most the half length."""
+    along = np.linalg.norm(axes, axis=0)
+    half = (length / 2 + radius) * float(along[2])
+    scaled = min(radius * float(max(along[0], along[1])), half)
+    if float(along[2]) == 0:
+        return None
+    direction = rotation @ (axes[:, 2] / along[2])
+    side = np.eye(3)[int(np.argmin(np.abs(direction)))]
+    x = np.cross(side, direction)
+    x /= np.linalg.norm(x)
+    pose = np.column_stack([x, np.cross(direction, x), direction])
+    return _round_body(pose, centre, scaled, 2 * (half - scaled))
+
+
+def _round_body(pose: Array, centre: Array, radius: float, length: float) -> Body | None:
+    """A sphere, or a capsule along the pose's Z when ``length`` is above zero; None without a radius."""
+    if radius <= 0:
+        return None
+    reach = radius + np.abs(pose[:, 2]) * (length / 2)
+    if length <= 0:
+        return Body(coal.Sphere(radius), fcl.Sphere(radius), np.eye(3), centre, centre - reach, centre + reach)
+    return Body(coal.Capsule(radius, length), fcl.Capsule(radius, length), pose, centre, centre - reach, centre + reach)
