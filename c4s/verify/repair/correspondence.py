@@ -1,0 +1,209 @@
+"""Which candidate actor is which input actor, without names or ids (paper, "Matching actors across input and
+generated scenes"; scorer fact 2.5).
+
+Three phases: unchanged actors, then leftovers of one descriptor at minimum cost, then leftovers of one class at one
+pose (an asset swapped or a mesh cleared in place). Actors of a phase are taken in the order of their canonical content,
+so the order of the export does not matter; that order is only computed where there is a choice.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Callable, Hashable, Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from c4s.scene.transform import quat_from_rotator
+from c4s.verify.repair.actors import Actor
+from c4s.verify.repair.assignment import maximum_matching, minimum_cost
+from c4s.verify.repair.difference import changed_fields, property_differences, transform_differences
+from c4s.verify.repair.policy import (
+    ANGLE_COST,
+    FIELD_COST,
+    GUARD,
+    SAME_LOCATION_CM,
+    SAME_ROTATION_DEG,
+    SAME_SCALE,
+)
+
+Method: TypeAlias = Literal["unchanged_semantic", "changed_structural_assignment", "pose_anchored_asset_change"]
+_CELL_CM = 16.0
+"""Edge of the hash cells: far above the 0.1 cm reach, so that nearly every lookup is in one cell."""
+_PROPERTY_FIELDS = ("class", "asset_path", "component_asset_paths", "material_paths", "component_material_slots",
+                    "properties")
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """An input actor and its candidate actor, by index; ``fields`` are those that changed."""
+
+    start: int
+    candidate: int
+    method: Method
+    fields: tuple[str, ...]
+
+
+@dataclass(slots=True)
+class Correspondence:
+    """The pairs, and what is left on either side."""
+
+    pairs: list[Pair] = field(default_factory=list)
+    lost: list[int] = field(default_factory=list)
+    """Input actors without a candidate actor."""
+    new: list[int] = field(default_factory=list)
+    """Candidate actors without an input actor."""
+
+
+class _Near:
+    """Candidate actors by a key and place: finds all within 0.1 cm on every axis."""
+
+    def __init__(self, actors: Iterable[Actor], key: Callable[[Actor], Hashable]) -> None:
+        self._key = key
+        self._cells: dict[Hashable, list[Actor]] = defaultdict(list)
+        for actor in actors:
+            if actor.location is not None and actor.posed:
+                x, y, z = actor.location
+                cell = (math.floor(x / _CELL_CM), math.floor(y / _CELL_CM), math.floor(z / _CELL_CM))
+                self._cells[(key(actor), *cell)].append(actor)
+
+    def around(self, actor: Actor) -> Iterator[Actor]:
+        """Candidates of the same key within reach of an input actor; none when its pose is invalid."""
+        if actor.location is None or not actor.posed:
+            return
+        x, y, z = actor.location
+        kind, reach = self._key(actor), SAME_LOCATION_CM * (1 + 1e-9)
+        spans = [range(math.floor((v - reach) / _CELL_CM), math.floor((v + reach) / _CELL_CM) + 1) for v in (x, y, z)]
+        for i in spans[0]:
+            for j in spans[1]:
+                for k in spans[2]:
+                    for other in self._cells.get((kind, i, j, k), ()):
+                        if other.location is not None and abs(other.location[0] - x) <= reach \
+                                and abs(other.location[1] - y) <= reach and abs(other.location[2] - z) <= reach:
+                            yield other
+
+
+class _Matcher:
+    def __init__(self, start: list[Actor], candidate: list[Actor], target_starts: set[int]) -> None:
+        self.start, self.candidate, self.targets = start, candidate, target_starts
+        self.open_start = dict.fromkeys(range(len(start)))
+        self.open_candidate = dict.fromkeys(range(len(candidate)))
+        self.pairs: list[Pair] = []
+
+    def take(self, start: int, candidate: int, method: Method, fields: tuple[str, ...]) -> None:
+        self.pairs.append(Pair(start, candidate, method, fields))
+        del self.open_start[start], self.open_candidate[candidate]
+
+    def near_edges(self, key: Callable[[Actor], Hashable],
+                   accept: Callable[[Actor, Actor], bool]) -> dict[int, list[int]]:
+        near = _Near((self.candidate[c] for c in self.open_candidate), key)
+        return {s: [c.index for c in near.around(self.start[s]) if accept(self.start[s], c)]
+                for s in self.open_start}
+
+    def match(self, edges: dict[int, list[int]], method: Method) -> None:
+        """Maximum matching over ``edges``: background first, then targets on what is left."""
+        degree: dict[int, int] = defaultdict(int)
+        for options in edges.values():
+            for c in options:
+                degree[c] += 1
+        contested = []
+        for s, options in edges.items():
+            if len(options) == 1 and degree[options[0]] == 1:
+                self.take(s, options[0], method, self.fields(s, options[0], method))
+            elif options:
+                contested.append(s)
+        contested.sort(key=lambda s: self.start[s].order())
+        ordered = {s: sorted(edges[s], key=lambda c: self.candidate[c].order()) for s in contested}
+        background = maximum_matching([s for s in contested if s not in self.targets], ordered.__getitem__)
+        targets = maximum_matching([s for s in contested if s in self.targets], ordered.__getitem__,
+                                   {c: s for s, c in background.items()})
+        for s, c in (background | targets).items():
+            self.take(s, c, method, self.fields(s, c, method))
+
+    def fields(self, s: int, c: int, method: Method) -> tuple[str, ...]:
+        if method == "unchanged_semantic":
+            return ()
+        return tuple(changed_fields(self.start[s].record, self.candidate[c].record))
+
+    def assign_leftovers(self) -> None:
+        """Minimum-cost pairs among leftovers of one descriptor."""
+        starts: dict[Hashable, list[Actor]] = defaultdict(list)
+        candidates: dict[Hashable, list[Actor]] = defaultdict(list)
+        for s in self.open_start:
+            starts[self.start[s].descriptor].append(self.start[s])
+        for c in self.open_candidate:
+            candidates[self.candidate[c].descriptor].append(self.candidate[c])
+        for kind, left in starts.items():
+            right = candidates.get(kind)
+            if not right:
+                continue
+            left.sort(key=Actor.order)
+            right.sort(key=Actor.order)
+            method: Method = "changed_structural_assignment"
+            for i, j in ([(0, 0)] if len(left) == len(right) == 1 else minimum_cost(_costs(left, right))):
+                self.take(left[i].index, right[j].index, method, self.fields(left[i].index, right[j].index, method))
+
+
+def _changed_property_counts(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
+    """Number of changed recorded fields, transform aside, of every pair; computed once per distinct content."""
+    def classes(actors: list[Actor]) -> tuple[list[int], list[Actor]]:
+        known: dict[str, int] = {}
+        members: list[Actor] = []
+        numbers = []
+        for actor in actors:
+            content = repr([actor.record.get(name, "<absent>") for name in _PROPERTY_FIELDS])
+            if content not in known:
+                known[content] = len(known)
+                members.append(actor)
+            numbers.append(known[content])
+        return numbers, members
+
+    left_class, left_members = classes(left)
+    right_class, right_members = classes(right)
+    table = np.array([[len(property_differences(a.record, b.record, target=False)) for b in right_members]
+                      for a in left_members], dtype=float)
+    return table[np.ix_(left_class, right_class)]
+
+
+def _costs(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
+    """Cost of every pair: ``d/(1+d) + 0.2*angle/180 + 0.05*changed fields``; unknown place 1, unknown turn 0.2."""
+    def vectors(actors: list[Actor], name: str) -> NDArray[np.float64]:
+        return np.array([getattr(a, name) or (np.nan,) * 3 for a in actors], dtype=float)
+
+    def turns(actors: list[Actor]) -> NDArray[np.float64]:
+        return np.array([quat_from_rotator(a.rotation) if a.rotation is not None else (np.nan,) * 4 for a in actors])
+
+    place_a, place_b = vectors(left, "location"), vectors(right, "location")
+    offset = np.abs(place_a[:, None, :] - place_b[None, :, :])
+    distance = np.sqrt((offset ** 2).sum(axis=2))
+    angle = np.degrees(2 * np.arccos(np.minimum(1.0, np.abs(turns(left) @ turns(right).T))))
+    stretch = np.abs(vectors(left, "scale")[:, None, :] - vectors(right, "scale")[None, :, :])
+    changed = _changed_property_counts(left, right)
+    with np.errstate(invalid="ignore"):
+        changed += (offset > SAME_LOCATION_CM).any(axis=2)
+        changed += angle > SAME_ROTATION_DEG + GUARD
+        changed += (stretch > SAME_SCALE).any(axis=2)
+        cost = np.where(np.isnan(distance), 1.0, distance / (1 + distance))
+    cost = cost + np.where(np.isnan(angle), ANGLE_COST, ANGLE_COST * angle / 180)
+    odd = [[not a.posed for a in left], [not b.posed for b in right]]
+    for i, j in zip(*np.nonzero(np.logical_or.outer(*odd)), strict=True):
+        changed[i, j] = len(changed_fields(left[i].record, right[j].record))
+    result: NDArray[np.float64] = cost + FIELD_COST * changed
+    return result
+
+
+def correspond(start: list[Actor], candidate: list[Actor], target_starts: set[int]) -> Correspondence:
+    """Match input and candidate actors. ``target_starts`` are the input actors that are repair or removal targets."""
+    matcher = _Matcher(start, candidate, target_starts)
+    matcher.match(matcher.near_edges(lambda a: a.descriptor,
+                                     lambda a, b: not changed_fields(a.record, b.record)), "unchanged_semantic")
+    matcher.assign_leftovers()
+    if matcher.open_start and matcher.open_candidate:
+        matcher.match(matcher.near_edges(lambda a: a.descriptor[0],
+                                         lambda a, b: not transform_differences(a.record, b.record,
+                                                                                as_quaternion=True)),
+                      "pose_anchored_asset_change")
+    return Correspondence(matcher.pairs, list(matcher.open_start), list(matcher.open_candidate))

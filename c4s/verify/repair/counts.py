@@ -1,0 +1,155 @@
+"""From correspondence and acceptance to true positives, false positives and false negatives (paper, equation of the
+repair counts; scorer facts 2.6 and 2.7)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from c4s.verify.repair.acceptance import Errors, measure
+from c4s.verify.repair.actors import Actor, by_identity, is_semantic, prepare, scene_actors
+from c4s.verify.repair.assignment import minimum_cost
+from c4s.verify.repair.correspondence import Correspondence, Pair, correspond
+from c4s.verify.repair.policy import NOMINAL, Tolerances
+from c4s.verify.repair.targets import Target, find_targets
+
+
+@dataclass(slots=True)
+class Repair:
+    """All of a case that does not depend on the tolerance profile."""
+
+    targets: list[Target]
+    start: list[Actor]
+    candidate: list[Actor]
+    matched: Correspondence
+    pool: list[int]
+    """C: candidate actors that are new, changed, or stand for an actor to be restored; in canonical order."""
+    start_of: dict[int, Pair]
+    """Pair of each matched candidate actor."""
+    target_of_start: dict[int, Target]
+
+
+@dataclass(frozen=True, slots=True)
+class RepairResult:
+    """Counts and scores of one case under one tolerance profile, with what explains them.
+
+    Attributes:
+        accepted: index of a target to index of the candidate actor that satisfies it.
+        removed_targets: indices of removal targets that succeeded.
+        losses: input actors of the background that were lost or repurposed (o).
+        rebound: removal targets whose actor was reused for a repair target.
+    """
+
+    case: Repair
+    tolerances: Tolerances
+    tp: int
+    fp: int
+    fn: int
+    accepted: dict[int, int]
+    removed_targets: frozenset[int]
+    losses: tuple[int, ...]
+    repurposed: frozenset[int]
+    rebound: int
+
+    @property
+    def precision(self) -> float:
+        """TP / (TP + FP); 0 when nothing was counted."""
+        return self.tp / (self.tp + self.fp) if self.tp + self.fp else 0.0
+
+    @property
+    def recall(self) -> float:
+        """TP / (TP + FN); targets are never empty."""
+        return self.tp / (self.tp + self.fn)
+
+    @property
+    def f1(self) -> float:
+        """2 TP / (2 TP + FP + FN)."""
+        return 2 * self.tp / (2 * self.tp + self.fp + self.fn)
+
+    def errors(self, target: int, candidate: int) -> Errors:
+        """Measured errors of a candidate actor against a desired-present target."""
+        truth = self.case.targets[target].truth
+        assert truth is not None
+        return measure(truth, self.case.candidate[candidate].record, self.tolerances)
+
+
+def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
+    """Targets, correspondence and candidate pool of a case. Raises ``BadInput`` for scenes that cannot be scored."""
+    start_records, truth_records = scene_actors(start, "input"), scene_actors(truth, "truth")
+    candidate_records = scene_actors(candidate, "candidate")
+    targets = find_targets(start_records, truth_records)
+    before = prepare(by_identity([r for r in start_records if is_semantic(r)], "input"))
+    after = prepare(by_identity([r for r in candidate_records if is_semantic(r)], "candidate"))
+    index_of = {actor.key: actor.index for actor in before}
+    target_of_start = {index_of[t.key]: t for t in targets if t.operation != "add" and t.key in index_of}
+    matched = correspond(before, after, set(target_of_start))
+    start_of = {pair.candidate: pair for pair in matched.pairs}
+    restored = {s for s, t in target_of_start.items() if t.operation == "repair"}
+    pool = matched.new + [p.candidate for p in matched.pairs if p.fields or p.start in restored]
+    pool.sort(key=lambda c: after[c].order())
+    return Repair(targets, before, after, matched, pool, start_of, target_of_start)
+
+
+def _accepted(case: Repair, limits: Tolerances) -> dict[int, int]:
+    """One-to-one matching of desired-present targets to the pool with the most passing pairs."""
+    present = [i for i, t in enumerate(case.targets) if t.truth is not None]
+    if not present or not case.pool:
+        return {}
+    kinds: dict[Any, list[int]] = {}
+    for column, c in enumerate(case.pool):
+        kinds.setdefault(case.candidate[c].descriptor, []).append(column)
+    cost = np.ones((len(present), len(case.pool)))
+    for row, i in enumerate(present):
+        truth = case.targets[i].truth
+        if truth is not None:
+            for column in kinds.get(case.targets[i].descriptor, ()):
+                if measure(truth, case.candidate[case.pool[column]].record, limits).accepted:
+                    cost[row, column] = 0.0
+    return {present[row]: case.pool[column] for row, column in minimum_cost(cost) if cost[row, column] == 0.0}
+
+
+def count(case: Repair, limits: Tolerances = NOMINAL) -> RepairResult:
+    """Counts of a prepared case under a tolerance profile."""
+    accepted = _accepted(case, limits)
+    start_index = {actor.key: actor.index for actor in case.start}
+    lost, mapped = set(case.matched.lost), {p.start for p in case.matched.pairs}
+    rebound = 0
+    for i, c in accepted.items():
+        target = case.targets[i]
+        own = start_index.get(target.key) if target.operation == "repair" else None
+        pair = case.start_of.get(c)
+        if own is None or own in mapped or pair is None:
+            continue
+        other = case.target_of_start.get(pair.start)
+        if other is not None and other.operation == "remove" and pair.start not in lost:
+            mapped.add(own)
+            lost.discard(own)
+            lost.add(pair.start)
+            rebound += 1
+    replaced = {p.start for p in case.matched.pairs
+                if case.start[p.start].descriptor != case.candidate[p.candidate].descriptor}
+    done = frozenset(i for i, t in enumerate(case.targets)
+                     if t.operation == "remove" and start_index.get(t.key) in lost | replaced)
+    repurposed = {pair.start for c in accepted.values() if (pair := case.start_of.get(c)) is not None
+                  and pair.start not in case.target_of_start}
+    losses = sorted((lost - set(case.target_of_start)) | repurposed)
+    m, d = len(accepted), len(done)
+    return RepairResult(case, limits, m + d, len(case.pool) - m + len(losses), len(case.targets) - m - d, accepted,
+                        done, tuple(losses), frozenset(repurposed), rebound)
+
+
+def repair(start: Any, truth: Any, candidate: Any, profile: Tolerances = NOMINAL) -> RepairResult:
+    """Actor Repair F1 of a candidate scene.
+
+    Args:
+        start: snapshot of the corrupted scene that the agent was given.
+        truth: snapshot of the original scene.
+        candidate: snapshot of the saved scene.
+        profile: acceptance limits.
+
+    Raises:
+        BadInput: a scene that cannot be scored, or no target at all.
+    """
+    return count(prepare_case(start, truth, candidate), profile)

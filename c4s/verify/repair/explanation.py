@@ -1,0 +1,109 @@
+"""Why each target is a TP or FN, and what each FP is: plain rows for reports, with measured errors.
+
+Rows name actors by label; labels come from the submission, so they are data to show, never text to judge by.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.verify.repair.acceptance import Errors, measure
+from c4s.verify.repair.actors import Actor
+from c4s.verify.repair.counts import RepairResult
+
+_DIGITS = 6
+
+
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else round(value, _DIGITS)
+
+
+def _label(actor: Actor) -> str:
+    return str(actor.record.get("label") or actor.record.get("name") or actor.key)
+
+
+def _numbers(errors: Errors) -> dict[str, Any]:
+    return {"position_cm": _rounded(errors.position_cm), "rotation_deg": _rounded(errors.rotation_deg),
+            "scale_pct": _rounded(errors.scale_pct), "bounds_center_cm": _rounded(errors.bounds_center_cm),
+            "bounds_extent_pct": _rounded(errors.bounds_extent_pct)}
+
+
+def _best_attempt(result: RepairResult, target: int) -> tuple[int, Errors] | None:
+    """The candidate actor that comes nearest to a missed target: its own actor, else the fewest failed tests."""
+    case = result.case
+    wanted = case.targets[target]
+    if wanted.truth is None:
+        return None
+    own = next((p.candidate for p in case.matched.pairs
+                if wanted.start is not None and case.start[p.start].key == wanted.key), None)
+    if own is not None:
+        return own, result.errors(target, own)
+    alike = [c for c in case.pool if case.candidate[c].descriptor == wanted.descriptor]
+    ranked = []
+    for c in alike:
+        errors = measure(wanted.truth, case.candidate[c].record, result.tolerances)
+        far = float("inf") if errors.position_cm is None else errors.position_cm
+        ranked.append((len(errors.failed), far, c, errors))
+    if not ranked:
+        return None
+    _, _, nearest, errors = min(ranked, key=lambda row: row[:3])
+    return nearest, errors
+
+
+def _missed(result: RepairResult, target: int) -> dict[str, Any]:
+    attempt = _best_attempt(result, target)
+    if attempt is None:
+        return {"reason": "no actor of this kind was added or changed"}
+    candidate, errors = attempt
+    pair = result.case.start_of.get(candidate)
+    reason = ("left as it was" if pair is not None and not pair.fields else
+              "taken by another target" if errors.accepted else "fails: " + ", ".join(errors.failed))
+    return {"reason": reason, "candidate": _label(result.case.candidate[candidate]), "failed": list(errors.failed),
+            "errors": _numbers(errors)}
+
+
+def target_rows(result: RepairResult) -> list[dict[str, Any]]:
+    """One row a target: operation, the fields that were wrong, outcome TP or FN, reason and errors."""
+    rows = []
+    for i, target in enumerate(result.case.targets):
+        row: dict[str, Any] = {"actor": target.label, "identity": target.key, "operation": target.operation,
+                               "fields": list(target.fields)}
+        if i in result.accepted:
+            found = result.accepted[i]
+            row |= {"outcome": "TP", "reason": "restored" if target.operation == "repair" else "added",
+                    "candidate": _label(result.case.candidate[found]), "errors": _numbers(result.errors(i, found))}
+        elif target.operation == "remove":
+            gone = i in result.removed_targets
+            row |= {"outcome": "TP" if gone else "FN", "reason": "removed" if gone else "still there"}
+        else:
+            row |= {"outcome": "FN"} | _missed(result, i)
+        rows.append(row)
+    return rows
+
+
+def false_positive_rows(result: RepairResult) -> list[dict[str, Any]]:
+    """One row a false positive: wrong candidate outputs first, then losses of background actors."""
+    case, used = result.case, set(result.accepted.values())
+    rows: list[dict[str, Any]] = []
+    for c in case.pool:
+        if c in used:
+            continue
+        actor, pair = case.candidate[c], case.start_of.get(c)
+        row: dict[str, Any] = {"actor": _label(actor), "identity": actor.key}
+        if pair is None:
+            row |= {"kind": "added", "reason": "an actor that no target asks for"}
+        else:
+            origin = case.start[pair.start]
+            target = case.target_of_start.get(pair.start)
+            kind = ("background_changed" if target is None else
+                    "removal_target_changed" if target.operation == "remove" else "repair_target_wrong")
+            reason = ("left as it was" if not pair.fields else "changed: " + ", ".join(pair.fields))
+            row |= {"kind": kind, "reason": reason, "input_actor": _label(origin), "method": pair.method}
+        rows.append(row)
+    for s in result.losses:
+        repurposed = s in result.repurposed
+        rows.append({"actor": _label(case.start[s]), "identity": case.start[s].key,
+                     "kind": "background_repurposed" if repurposed else "background_lost",
+                     "reason": "a background actor became a target's actor" if repurposed
+                     else "a background actor is gone"})
+    return rows

@@ -1,0 +1,95 @@
+"""Repair targets: what must be added, removed or restored. Made from the input and the truth alone (scorer fact 2.2)."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias
+
+from c4s.errors import BadInput
+from c4s.verify.repair.actors import Descriptor, Record, by_identity, descriptor, is_semantic, short_class
+from c4s.verify.repair.difference import same_but_for_identity, target_differences
+
+Operation: TypeAlias = Literal["add", "remove", "repair"]
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """One target. ``truth`` is the state to reproduce, cut down to evidence that the input records too."""
+
+    key: str
+    operation: Operation
+    fields: tuple[str, ...]
+    truth: Record | None
+    start: Record | None
+
+    @property
+    def label(self) -> str:
+        """A readable name of the actor concerned."""
+        record = self.truth or self.start or {}
+        return str(record.get("label") or (self.start or {}).get("label") or record.get("name") or self.key)
+
+    @property
+    def descriptor(self) -> Descriptor:
+        """Structural descriptor of the state to reproduce, or of the actor to remove."""
+        return descriptor(self.truth or self.start or {})
+
+
+def _shared_evidence(truth: Record, start: Record) -> Record:
+    cut = {field: value for field, value in truth.items() if field in start}
+    mine, theirs = truth.get("transform"), start.get("transform")
+    if isinstance(mine, dict) and isinstance(theirs, dict):
+        cut["transform"] = {member: value for member, value in mine.items() if member in theirs}
+    return cut
+
+
+def _identical_content(record: Record, other: Record) -> bool:
+    """A fast yes: all fields that are ever compared are equal as recorded (and no NaN hides in them)."""
+    transform: Any = record.get("transform")
+    if type(transform) is not dict or transform != other.get("transform"):
+        return False
+    location = transform.get("location_cm")
+    if type(location) is not list or any(v != v for vector in transform.values() if type(vector) is list
+                                         for v in vector):
+        return False
+    return all(record.get(field) == other.get(field) for field in
+               ("class", "asset_path", "component_asset_paths", "material_paths", "component_material_slots",
+                "properties"))
+
+
+def _without_identity_pairs(added: dict[str, Record], removed: dict[str, Record]) -> None:
+    """Drop pairs of a truth-only and an input-only actor with identical content; first come, first served."""
+    pool: dict[str, dict[str, Record]] = defaultdict(dict)
+    for key, record in removed.items():
+        pool[short_class(record.get("class"))][key] = record
+    for key, truth in list(added.items()):
+        same_class = pool[short_class(truth.get("class"))] if "class" in truth else removed
+        partner = next((k for k, start in same_class.items() if k in removed and same_but_for_identity(truth, start)),
+                       None)
+        if partner is not None:
+            del added[key], removed[partner]
+            same_class.pop(partner, None)
+
+
+def find_targets(start: list[Record], truth: list[Record]) -> list[Target]:
+    """All targets, in their fixed order. Raises ``BadInput`` for ambiguous identities or when there is no target."""
+    before, after = by_identity(start, "input"), by_identity(truth, "truth")
+    added = {key: record for key, record in after.items() if key not in before}
+    removed = {key: record for key, record in before.items() if key not in after}
+    if added and removed:
+        _without_identity_pairs(added, removed)
+    found = [Target(key, "add", ("existence",), record, None) for key, record in added.items() if is_semantic(record)]
+    found += [Target(key, "remove", ("existence",), None, record) for key, record in removed.items()
+              if is_semantic(record)]
+    for key, record in after.items():
+        old = before.get(key)
+        if old is None or _identical_content(record, old):
+            continue
+        cut = _shared_evidence(record, old)
+        fields = target_differences(cut, old)
+        if fields and (is_semantic(record) or is_semantic(old)):
+            found.append(Target(key, "repair", tuple(fields), cut, old))
+    if not found:
+        raise BadInput("input and truth define no repair target", where="truth snapshot",
+                       todo="a case needs at least one difference")
+    return sorted(found, key=lambda t: (t.key.casefold(), t.key, t.operation))

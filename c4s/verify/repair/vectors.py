@@ -1,0 +1,48 @@
+"""Numeric evidence: which vectors are valid, and when two are the same within a tolerance."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, TypeAlias
+
+from c4s.scene.transform import quat_angle_deg, quat_from_rotator
+
+Vector3: TypeAlias = tuple[float, float, float]
+_NUMBER = (int, float)
+
+
+def valid_vector(value: Any) -> Vector3 | None:
+    """Three finite numbers as floats, else None. Booleans and numeric strings are no numbers here."""
+    if not isinstance(value, (list, tuple)) or len(value) != 3:
+        return None
+    x, y, z = value
+    if type(x) is float and type(y) is float and type(z) is float:
+        return (x, y, z) if math.isfinite(x + y + z) or all(map(math.isfinite, value)) else None
+    if any(isinstance(v, bool) or not isinstance(v, _NUMBER) for v in value):
+        return None
+    try:
+        vector = (float(x), float(y), float(z))
+    except OverflowError:
+        return None
+    return vector if all(map(math.isfinite, vector)) else None
+
+
+def same_within(a: Any, b: Any, tolerance: float) -> bool:
+    """Whether two recorded vectors agree component-wise, limit inclusive.
+
+    Numeric strings and booleans count as numbers. What cannot be read as numbers must be equal as recorded.
+    NaN agrees with nothing.
+    """
+    if not isinstance(a, (list, tuple)) or not isinstance(b, (list, tuple)):
+        return bool(a == b)
+    if len(a) != len(b):
+        return False
+    try:
+        return all(abs(float(p) - float(q)) <= tolerance for p, q in zip(a, b, strict=True))
+    except (TypeError, ValueError, OverflowError):
+        return a == b
+
+
+def angle_deg(a: Vector3, b: Vector3) -> float:
+    """Angle in degrees between two rotators ``[pitch, yaw, roll]``, by their quaternions."""
+    return quat_angle_deg(quat_from_rotator(a), quat_from_rotator(b))
