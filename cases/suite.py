@@ -1,0 +1,193 @@
+"""Building a suite: from definitions to the two frozen trees, ``agent/`` and ``withheld/``.
+
+Levels are corrupted here; what a level looks like to the verifiers (its snapshot) and to the agent (reference pictures)
+is exported by the same clean engine process that later reads the submissions. A suite is built beside its place and
+renamed when it is whole, so an interrupted build leaves nothing half done. The digest of the definition decides
+whether a suite that is there is the one that is asked for.
+"""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from c4s.case.package import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
+from c4s.errors import BadInput
+from c4s.files import digest, read_json, write_json, write_text
+from c4s.packs.manifest import Asset, Pack
+from c4s.scene.level import Level
+from cases import exports
+from cases.checks import check_definition, check_repair, check_scene
+from cases.corruption import Recipe, apply, with_identities
+from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, Scene, SuiteDefinition, TextCase
+from cases.prompts import repair_prompt, spawn_path, text_prompt
+from cases.requirements import bundle
+from cases.views import cameras_record
+
+BUILDER_VERSION = 1
+"""Part of the definition's digest: raise it when the same definition is built into other files."""
+BLANK_STAGE = "/Game/SceneBench/BlankStage"
+Progress = Callable[[str], None]
+
+
+def truth_package(scene_id: str) -> str:
+    """Package of a scene's original level."""
+    return f"/Game/Code4SceneGT/{scene_id}/GT"
+
+
+def input_package(case_id: str) -> str:
+    """Package of a case's corrupted level."""
+    return f"/Game/Code4SceneInputs/{case_id}/Input"
+
+
+def least_actors(truth_actors: int) -> int:
+    """Integrity of a repair case: a submission must keep at least half of the original's actors."""
+    return max(1, truth_actors // 2)
+
+
+def definition_digest(definition: SuiteDefinition, packs: Sequence[PackRef]) -> str:
+    """SHA-256 of all that a built suite depends on."""
+    return digest({
+        "builder": BUILDER_VERSION, "suite": [definition.suite_id, definition.title, definition.description],
+        "packs": [pack.plain() for pack in packs],
+        "scenes": [[scene.scene_id, scene.environment, scene.level.plain(), list(scene.packs)]
+                   for scene in definition.scenes],
+        "cases": [_case_digest(case) for case in definition.cases]})
+
+
+def _case_digest(case: RepairCase | TextCase) -> str:
+    if isinstance(case, RepairCase):
+        return digest([repr(case), [operation.model_dump(mode="json", by_alias=True) for operation in case.operations]])
+    return digest(repr(case))
+
+
+def build_suite(definition: SuiteDefinition, root: Path, packs_root: Path, progress: Progress = print) -> Suite:
+    """Build the suite at ``root`` unless the same one is there.
+
+    Args:
+        definition: scenes and cases.
+        root: the suite's folder; an older build of the suite is replaced as a whole.
+        packs_root: where the packs lie, one folder a pack.
+        progress: called with a line for each step.
+
+    Raises:
+        BadInput: a pack is missing, or a case cannot be used (the message names it).
+        MachineryFault: the engine failed.
+    """
+    check_definition(definition)
+    packs = {pack_id: Pack.read(packs_root / pack_id / "pack.json") for pack_id in definition.packs}
+    references = [PackRef(pack_id=pack_id, digest=pack.sha256()) for pack_id, pack in packs.items()]
+    wanted = definition_digest(definition, references)
+    if (root / "suite.json").is_file() and (root / "build.json").is_file() \
+            and read_json(root / "build.json").get("definition") == wanted:
+        progress(f"suite {definition.suite_id}: already built")
+        return SuiteFolder(root).suite()
+    root.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=root.parent, prefix=f".{root.name}.") as scratch:
+        folder = SuiteFolder(Path(scratch) / "suite")
+        builder = _Builder(definition, folder, packs, packs_root, progress)
+        for scene in definition.scenes:
+            builder.scene(scene)
+        suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
+        write_json(folder.root / "build.json", {"definition": wanted})
+        if root.exists():
+            shutil.rmtree(root)
+        folder.root.rename(root)
+    return suite
+
+
+class _Builder:
+    """Writes the cases of a suite, one scene after the other."""
+
+    def __init__(self, definition: SuiteDefinition, folder: SuiteFolder, packs: dict[str, Pack], packs_root: Path,
+                 progress: Progress) -> None:
+        self.definition, self.folder, self.packs = definition, folder, packs
+        self.packs_root, self.progress = packs_root, progress
+
+    def scene(self, scene: Scene) -> None:
+        """Write every case of a scene."""
+        cases = [case for case in self.definition.cases if case.scene_id == scene.scene_id]
+        if not cases:
+            return
+        assets = {asset.path: asset for pack_id in scene.packs for asset in self._pack(pack_id).assets}
+        check_scene(scene, set(assets))
+        truth = with_identities(scene.level, scene.scene_id).model_copy(
+            update={"package": truth_package(scene.scene_id)})
+        repairs = [case for case in cases if isinstance(case, RepairCase)]
+        corrupted = {case.case_id: apply(truth, case.operations, input_package(case.case_id)) for case in repairs}
+        for case in repairs:
+            check_repair(case, truth, corrupted[case.case_id])
+        self.progress(f"scene {scene.scene_id}: {len(truth.actors)} actors, {len(cases)} cases")
+        folders = [self.packs_root / pack_id for pack_id in scene.packs]
+        views = {case.case_id: list(case.views) for case in repairs}
+        with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
+            exported = exports.scene(folders, truth, corrupted, views, Path(scratch), self.progress)
+            for case in cases:
+                if isinstance(case, RepairCase):
+                    self._repair(case, scene, truth, corrupted[case.case_id], assets, exported)
+                else:
+                    self._text(case, scene, truth, assets, exported)
+
+    def _pack(self, pack_id: str) -> Pack:
+        if pack_id not in self.packs:
+            raise BadInput(f"the suite does not name the pack {pack_id!r}", where=self.definition.suite_id)
+        return self.packs[pack_id]
+
+    def _refs(self, scene: Scene) -> list[PackRef]:
+        return [PackRef(pack_id=pack_id, digest=self._pack(pack_id).sha256()) for pack_id in scene.packs]
+
+    def _repair(self, case: RepairCase, scene: Scene, truth: Level, corrupted: Level, assets: dict[str, Asset],
+                exported: exports.Exported) -> None:
+        agent, withheld = self.folder.agent(case.case_id), self.folder.withheld(case.case_id)
+        budget = case.budget or (INDOOR_BUDGET if scene.environment == "indoor" else OUTDOOR_BUDGET)
+        names = []
+        for view, picture in zip(case.views, exported.views[case.case_id], strict=True):
+            names.append(f"references/{view.name}.png")
+            _copy(picture, agent / names[-1])
+        AgentCase(case_id=case.case_id, setting=case.setting, title=case.title, start_map=corrupted.package,
+                  prompt=case.prompt or repair_prompt(scene.environment, len(names)), budget=budget,
+                  packs=self._refs(scene), catalog=[spawn_path(asset) for asset in assets.values()],
+                  reference_views=names).write(agent / "case.json")
+        corrupted.write(agent / "start.level.json")
+        WithheldCase(case_id=case.case_id, scene_id=case.scene_id, minimum_actors=least_actors(len(truth.actors)),
+                     operations=case.kinds, operation_group=case.group,
+                     difficulty=case.difficulty).write(withheld / "case.json")
+        truth.write(withheld / "truth.level.json")
+        _copy(exported.truth, withheld / "truth.snapshot.json")
+        _copy(exported.inputs[case.case_id], withheld / "input.snapshot.json")
+        Recipe(case_id=case.case_id, setting=case.setting, scene_id=case.scene_id, source_map=truth.package,
+               ground_truth_map=truth.package, input_map=corrupted.package,
+               operations=case.operations).write(withheld / "recipe.json")
+        write_json(withheld / "cameras.json", cameras_record(case))
+
+    def _text(self, case: TextCase, scene: Scene, truth: Level, assets: dict[str, Asset],
+              exported: exports.Exported) -> None:
+        agent, withheld = self.folder.agent(case.case_id), self.folder.withheld(case.case_id)
+        palette = [_known(assets, path, case.case_id) for path in case.palette] or list(assets.values())
+        ground = [_known(assets, path, case.case_id) for path in case.ground]
+        prompt = text_prompt(case.description, ground, palette, case.plate_m, case.budget)
+        requirements: dict[str, Any] = bundle(case.case_id, case.description, prompt, case.requirements)
+        AgentCase(case_id=case.case_id, setting=case.setting, title=case.title, prompt=prompt + "\n",
+                  start_map=BLANK_STAGE, budget=case.budget, packs=self._refs(scene),
+                  catalog=[spawn_path(asset) for asset in palette], plate_m=case.plate_m).write(agent / "case.json")
+        Level(package=BLANK_STAGE).write(agent / "start.level.json")
+        WithheldCase(case_id=case.case_id, scene_id=case.scene_id, minimum_actors=case.minimum_actors,
+                     difficulty=case.difficulty).write(withheld / "case.json")
+        truth.write(withheld / "truth.level.json")
+        _copy(exported.truth, withheld / "truth.snapshot.json")
+        write_json(withheld / "requirements.bundle.json", requirements)
+        write_text(withheld / "prompt.txt", prompt + "\n")
+
+
+def _known(assets: dict[str, Asset], path: str, case_id: str) -> Asset:
+    if path not in assets:
+        raise BadInput(f"no pack of the scene holds {path}", where=case_id)
+    return assets[path]
+
+
+def _copy(source: Path, target: Path) -> None:
+    target.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(source, target)
