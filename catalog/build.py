@@ -1,0 +1,153 @@
+"""Writes packs: one GLB an asset, textures, previews on request, and the manifest. Same specification, same bytes.
+
+``python -m catalog.build [pack ...] [--out FOLDER]`` builds the starter packs.
+"""
+
+from __future__ import annotations
+
+import argparse
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+import trimesh
+
+from c4s.errors import BadInput
+from c4s.files import digest_bytes, write_bytes
+from c4s.home import packs_root
+from c4s.packs.manifest import Asset, BlueprintPart, Material, MaterialSlot, Pack
+from c4s.packs.meshes import Mesh
+from c4s.scene.level import Transform
+from c4s.scene.transform import affine, transformed_box
+from catalog.shapes import AssetSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec, Shape
+from catalog.shapes.spec import asset_id, readable
+from catalog.shapes.textures import png
+from catalog.starter import STARTER
+
+
+def glb(mesh: Mesh, slots: list[str], colors: dict[str, tuple[float, float, float]]) -> bytes:
+    """GLB bytes of a mesh: a primitive a slot, the material named like the slot (metres, Y up, right-handed)."""
+    scene = trimesh.Scene()
+    for index, slot in enumerate(slots):
+        faces = mesh.faces[mesh.face_slots == index]
+        used, corners = np.unique(faces, return_inverse=True)
+        swap = [0, 2, 1]
+        color = [*(round(255 * c) for c in colors[slot]), 255]
+        material = trimesh.visual.material.PBRMaterial(name=slot, baseColorFactor=color)
+        visual = trimesh.visual.TextureVisuals(uv=mesh.uvs[used] * [1, -1] + [0, 1], material=material)
+        part = trimesh.Trimesh(mesh.vertices[used][:, swap].astype(np.float64) / 100,
+                               corners.reshape(-1, 3)[:, ::-1], vertex_normals=mesh.normals[used][:, swap],
+                               visual=visual, process=False)
+        scene.add_geometry(part, node_name=f"part_{index:02d}", geom_name=f"part_{index:02d}")
+    return bytes(trimesh.exchange.gltf.export_glb(scene, include_normals=True))
+
+
+def _tiled(shape: Shape, materials: dict[str, MaterialSpec]) -> Mesh:
+    """The mesh with texture coordinates in repeats of each material's texture in place of metres."""
+    mesh = shape.mesh
+    factor = np.ones(len(mesh.vertices), np.float32)
+    for index, name in enumerate(shape.materials):
+        factor[mesh.faces[mesh.face_slots == index].ravel()] = 1 / materials[name].tile_m
+    factor[shape.fitted] = 1
+    return Mesh(mesh.vertices, mesh.faces, mesh.normals, mesh.uvs * factor[:, None], mesh.face_slots)
+
+
+class _Writer:
+    def __init__(self, spec: PackSpec, folder: Path) -> None:
+        self.spec, self.folder = spec, folder
+        self.materials = {material.name: material for material in spec.materials}
+        self.built: dict[str, Asset] = {}
+
+    def path(self, subfolder: str, name: str) -> str:
+        return f"/Game/{self.spec.content_folder}/{subfolder}/{name}.{name}"
+
+    def material(self, spec: MaterialSpec) -> Material:
+        texture = None
+        if spec.texture is not None:
+            data = png(spec.texture())
+            texture = f"textures/T_{spec.name}_{digest_bytes(data)[:12]}.png"
+            write_bytes(self.folder / texture, data)
+        return Material(path=self.path("Materials", f"M_{spec.name}"), base_color=spec.color, roughness=spec.roughness,
+                        metallic=spec.metallic, emissive=spec.emissive, opacity=spec.opacity, texture=texture)
+
+    def asset(self, spec: AssetSpec) -> Asset:
+        builder = Builder()
+        spec.build(builder)
+        shape = builder.shape()
+        unknown = [name for name in shape.materials if name not in self.materials]
+        if unknown:
+            raise BadInput(f"the pack has no material {unknown[0]!r}", where=spec.name)
+        data = glb(_tiled(shape, self.materials), shape.materials,
+                   {name: self.materials[name].color for name in shape.materials})
+        identity = asset_id(spec.name)
+        write_bytes(self.folder / f"meshes/{identity}.glb", data)
+        low, high = shape.mesh.bounds_cm
+        slots = [MaterialSlot(name=name, material=self.path("Materials", f"M_{name}")) for name in shape.materials]
+        asset = Asset(id=identity, name=readable(spec.name), path=self.path(spec.category.title(), f"SM_{spec.name}"),
+                      category=spec.category, description=spec.description, tags=list(spec.tags), bounds_min_cm=low,
+                      bounds_max_cm=high, mesh=f"meshes/{identity}.glb", mesh_sha256=digest_bytes(data), slots=slots,
+                      collision=shape.collision, collision_source="authored" if shape.collision else "none")
+        self.built[spec.name] = asset
+        return asset
+
+    def blueprint(self, spec: BlueprintSpec) -> Asset:
+        parts, lows, highs = [], [], []
+        for number, part in enumerate(spec.parts):
+            if part.asset not in self.built:
+                raise BadInput(f"the pack has no asset {part.asset!r}", where=spec.name)
+            asset = self.built[part.asset]
+            place = Transform(location_cm=part.location_cm, rotation_deg=(0.0, part.yaw_deg, 0.0), scale=part.scale)
+            parts.append(BlueprintPart(name=f"{part.asset}{number}", asset=asset.path, relative=place))
+            origin, extent = transformed_box(affine(place.location_cm, place.rotation_deg, place.scale),
+                                             asset.bounds_min_cm, asset.bounds_max_cm)
+            lows.append(origin - extent)
+            highs.append(origin + extent)
+        low, high = np.min(lows, axis=0).round(3).tolist(), np.max(highs, axis=0).round(3).tolist()
+        return Asset(id=f"{asset_id(spec.name)}_bp", name=f"{readable(spec.name)} BP", kind="blueprint",
+                     path=self.path("Blueprints", f"BP_{spec.name}"), category=spec.category, tags=list(spec.tags),
+                     description=spec.description, bounds_min_cm=tuple(low), bounds_max_cm=tuple(high), parts=parts)
+
+
+def build_pack(spec: PackSpec, root: Path) -> Pack:
+    """Write a pack to ``root/<pack id>`` and return its manifest; ``BadInput`` when the specification is wrong."""
+    writer = _Writer(spec, root / spec.pack_id)
+    materials = [writer.material(material) for material in spec.materials]
+    assets = [writer.asset(asset) for asset in spec.assets]
+    assets += [writer.blueprint(blueprint) for blueprint in spec.blueprints]
+    categories = {asset.category for asset in assets}
+    missing = sorted(categories - set(spec.category_descriptions))
+    if missing:
+        raise BadInput(f"category {missing[0]!r} has no description", where=spec.pack_id)
+    pack = Pack(pack_id=spec.pack_id, content_folder=spec.content_folder, title=spec.title, license=spec.license,
+                description=spec.description, assets=assets, materials=materials,
+                category_descriptions=spec.category_descriptions)
+    pack.write(writer.folder / "pack.json")
+    return pack
+
+
+def starter_pack(pack_id: str) -> PackSpec:
+    """The specification of a starter pack; ``BadInput`` when there is none of this id."""
+    if pack_id not in STARTER:
+        raise BadInput("no such starter pack", where=pack_id, todo=f"there are {', '.join(STARTER)}")
+    spec = import_module(STARTER[pack_id]).pack()
+    assert isinstance(spec, PackSpec)
+    return spec
+
+
+def build_starter(root: Path | None = None, pack_ids: list[str] | None = None) -> list[Pack]:
+    """Build the named starter packs, or all, under ``root`` (default: the packs folder of ``C4S_HOME``)."""
+    return [build_pack(starter_pack(pack_id), root or packs_root()) for pack_id in pack_ids or list(STARTER)]
+
+
+def main() -> None:
+    """Command line of the builder."""
+    parser = argparse.ArgumentParser(description="Build starter packs.")
+    parser.add_argument("packs", nargs="*", help=f"of {', '.join(STARTER)}; all when none is named")
+    parser.add_argument("--out", type=Path, default=None)
+    options = parser.parse_args()
+    for pack in build_starter(options.out, options.packs):
+        print(f"{pack.pack_id}: {len(pack.assets)} assets, {len(pack.materials)} materials, {pack.sha256()[:12]}")
+
+
+if __name__ == "__main__":
+    main()
