@@ -44,9 +44,9 @@ class OutcomeRow(TrialKey):
     """Tool calls of the retained attempt."""
     attempt_wall_s: float | None
     evaluation_s: float | None
-    """Seconds from the end of the retained attempt's agent run to the score, all stages."""
+    """Seconds that exporting evidence, verifying and scoring took, all stages together."""
     orchestration_s: float | None
-    """The part of ``evaluation_s`` that no stage spent itself."""
+    """Seconds that handing the stages to worker processes cost beyond the stages; waiting for a slot not counted."""
     input_tokens: int | None
     output_tokens: int | None
     cost_usd: float | None

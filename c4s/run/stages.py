@@ -52,9 +52,13 @@ def inputs(trial: Trial) -> TrialInputs:
                        agent_folder=suite.agent(case.case_id), withheld_folder=suite.withheld(case.case_id))
 
 
+def record_time(trial: Trial, stage: str, seconds: float) -> None:
+    """Append a stage's duration to the trial's ``stages.jsonl``."""
+    append_json_line(trial.folder.root / "stages.jsonl", {"stage": stage, "seconds": round(seconds, 4)})
+
+
 def _timed(trial: Trial, stage: str, started: float) -> None:
-    append_json_line(trial.folder.root / "stages.jsonl",
-                     {"stage": stage, "seconds": round(time.perf_counter() - started, 4), "ended": time.time()})
+    record_time(trial, stage, time.perf_counter() - started)
 
 
 def attempt(trial: Trial, number: int) -> AttemptOutcome:
@@ -86,7 +90,8 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         return Verdict.read(path).status == "valid"
     outcome = AttemptOutcome.read(attempt_folder / "outcome.json")
     if outcome.submission is None:
-        Verdict(verifier="integrity", status="invalid", policy=plan.policy, reason="no submission was saved").write(path)
+        Verdict(verifier="integrity", status="invalid", policy=plan.policy,
+                reason="no submission was saved").write(path)
         return False
     started, given = time.perf_counter(), inputs(trial)
     evidence = trial.folder.evidence

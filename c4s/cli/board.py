@@ -1,0 +1,29 @@
+"""The leaderboard as a table in the terminal."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.cli.output import console, print_table
+from c4s.home import warehouse_root
+from warehouse.database import rows
+
+COLUMNS = {"rank": "rank", "configuration": "agent", "model_score": "overall", "text_to_scene": "text-to-scene",
+           "image_to_scene": "image-to-scene", "indoor": "indoor", "outdoor": "outdoor", "repair_f1": "repair F1",
+           "text_physics": "physics T2S", "image_physics": "physics I2S", "resolved": "done", "planned": "of"}
+
+
+def leaderboard(suite: str) -> list[dict[str, Any]]:
+    """The leaderboard's rows of one suite."""
+    return [row for row in rows(warehouse_root(), "SELECT * FROM leaderboard") if row["suite"] == suite]
+
+
+def print_leaderboard(suite: str) -> None:
+    """Print the leaderboard of a suite with what it may and may not be compared with."""
+    found = leaderboard(suite)
+    print_table(list(COLUMNS.values()), [[row[name] for name in COLUMNS] for row in found],
+                title=f"Leaderboard: suite {suite}")
+    judges, engines = {row["judge"] for row in found}, {row["engine"] for row in found}
+    console.print(f"Judge: {', '.join(sorted(judges))} (offline; not ranked with results by a model judge). "
+                  f"Engine: {', '.join(sorted(engines))} (not ranked with Unreal). "
+                  "An agent without a rank only validates the evaluator.", style="dim")

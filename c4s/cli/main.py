@@ -1,0 +1,25 @@
+"""The command ``c4s``."""
+
+from __future__ import annotations
+
+from typing import NoReturn
+
+import typer
+
+from c4s.cli import boundary, catalog, demo, report, run, score, sql, suite, verify
+
+app = typer.Typer(name="c4s", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
+                  help="Run coding agents on 3D scene cases, score the scenes they save, publish leaderboards.")
+app.command("demo")(demo.demo)
+app.command("run")(run.run)
+app.add_typer(verify.app, name="verify")
+app.command("score")(score.score)
+app.add_typer(suite.app, name="suite")
+app.add_typer(catalog.app, name="catalog")
+app.command("report")(report.report)
+app.command("sql")(sql.sql)
+
+
+def main() -> NoReturn:
+    """Entry point: exit 0 done, 1 the answer is no, 2 bad usage or bad input, 3 the machinery failed."""
+    boundary.run(lambda: app(standalone_mode=False))

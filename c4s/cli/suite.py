@@ -1,0 +1,97 @@
+"""``c4s suite``: build, list, show and import suites."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from c4s.case.package import Suite, SuiteFolder
+from c4s.cli.output import print_json, print_table
+from c4s.cli.progress import bars
+from c4s.errors import BadInput
+from c4s.home import packs_root, suites_root
+
+app = typer.Typer(help="Suites: build, list, show, import.", no_args_is_help=True)
+importing = typer.Typer(help="Bring other layouts in as a suite.", no_args_is_help=True)
+app.add_typer(importing, name="import")
+
+
+def build_starter_visibly() -> Suite:
+    """Build the starter suite and its packs, or find them built; with progress."""
+    from cases.starter.suite import build_starter
+
+    with bars() as progress:
+        task = progress.add_task("starter suite", total=None)
+
+        def step(message: str, done: int, total: int) -> None:
+            progress.update(task, description=f"building {message:42.42}", completed=done, total=total)
+
+        suite = build_starter(suites_root() / "starter", packs_root(), step)
+        progress.update(task, description=f"{'starter suite ready':51}")
+    return suite
+
+
+@app.command()
+def build(name: Annotated[str, typer.Argument(help="`starter`")],
+          json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    """Build a shipped suite with its asset packs."""
+    if name != "starter":
+        raise BadInput(f"unknown shipped suite {name!r}", todo="the shipped suite is `starter`")
+    _tell(build_starter_visibly(), suites_root() / name, json_output)
+
+
+@app.command("list")
+def list_suites(json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    """The suites built here."""
+    found = [Suite.read(path) for path in sorted(suites_root().glob("*/suite.json"))]
+    if json_output:
+        print_json([{"suite": suite.suite_id, "title": suite.title, "cases": len(suite.cases),
+                     "sha256": suite.sha256()} for suite in found])
+    else:
+        print_table(["suite", "title", "cases", "digest"],
+                    [[suite.suite_id, suite.title, len(suite.cases), suite.sha256()[:12]] for suite in found])
+
+
+@app.command()
+def show(name: Annotated[str, typer.Argument(help="id of a built suite")],
+         json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    """The cases of a suite."""
+    _tell(SuiteFolder(suites_root() / name).suite(), suites_root() / name, json_output)
+
+
+@importing.command()
+def code4scene(folder: Annotated[Path, typer.Argument(help="folder with the published task layout")],
+               out: Annotated[str | None, typer.Option(help="id of the suite to write")] = None,
+               json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes."""
+    from cases.code4scene.importer import import_code4scene
+
+    with bars() as progress:
+        task = progress.add_task("importing", total=None)
+
+        def step(message: str, done: int, total: int) -> None:
+            progress.update(task, description=f"importing {message:42.42}", completed=done, total=total)
+
+        name = out or "code4scene"
+        report = import_code4scene(folder, suites_root() / name, packs_root(), step)
+    if json_output:
+        print_json(report)
+        return
+    print_table(["case", "setting", "assets", "runnable", "note"],
+                [[row["case_id"], row["setting"], row["assets"], row["runnable"], row["note"]]
+                 for row in report["cases"]])
+    print(f"{report['runnable']} of {len(report['cases'])} cases are runnable here: c4s run {name} --agent planner")
+
+
+def _tell(suite: Suite, root: Path, json_output: bool) -> None:
+    if json_output:
+        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root)})
+        return
+    folder = SuiteFolder(root)
+    print_table(["case", "setting", "scene", "operations", "title"],
+                [[case.case_id, case.setting, withheld.scene_id, " ".join(withheld.operations),
+                  folder.agent_case(case.case_id).title]
+                 for case in suite.cases for withheld in [folder.withheld_case(case.case_id)]],
+                title=f"{suite.title} ({suite.suite_id}, {suite.sha256()[:12]})")

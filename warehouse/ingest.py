@@ -1,0 +1,158 @@
+"""From a run folder to rows. The warehouse is derived: ingesting again gives the same files."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from PIL import Image
+
+from c4s.case.package import SuiteFolder
+from c4s.files import canonical_json, digest_file, json_lines, read_json
+from c4s.run.configurations import is_ranked
+from c4s.run.plan import Trial, trial_id, trials
+from c4s.run.records import AttemptOutcome, Plan, TrialScore
+from c4s.verify.verdict import Verdict
+from warehouse.findings import findings
+from warehouse.parquet import part_path, write_part
+from warehouse.records import AttemptRow, FindingRow, OutcomeRow, PictureRow, ScheduleRow, VerdictRow
+
+PICTURE_WIDTH = 960
+CASE_PARTITION = "_case"
+"""Partition of pictures that belong to a case, not to a configuration."""
+
+
+def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None:
+    """Write one row a planned trial, and the pictures of each case."""
+    folder = SuiteFolder(suite)
+    for case in plan.cases:
+        agent, withheld = folder.agent_case(case.case_id), folder.withheld_case(case.case_id)
+        for trial in trials(run, suite, plan.model_copy(update={"cases": [case]})):
+            chosen = trial.configuration
+            row = ScheduleRow(
+                trial_id=trial_id(plan, trial), run_id=plan.run_id, suite=plan.suite_id,
+                suite_digest=plan.suite_digest, configuration=chosen.name, client=chosen.client, model=chosen.model,
+                case_id=case.case_id, title=agent.title, prompt=agent.prompt, setting=case.setting,
+                scene_id=case.scene_id, repeat=trial.repeat, operations=" ".join(withheld.operations),
+                operation_group=withheld.operation_group, difficulty=withheld.difficulty,
+                proxy_assets=withheld.proxy_assets, policy=plan.policy, judge=plan.judge, engine=plan.engine,
+                ranked=is_ranked(chosen))
+            if not part_path(warehouse, "schedule", plan.suite_id, chosen.name, row.trial_id).is_file():
+                write_part(warehouse, "schedule", [row], suite=plan.suite_id, configuration=chosen.name,
+                           key=row.trial_id)
+        key = f"{case.case_id}-{case.withheld_digest[:12]}"
+        if not part_path(warehouse, "pictures", plan.suite_id, CASE_PARTITION, key).is_file():
+            write_part(warehouse, "pictures", list(_case_pictures(folder, plan, case.case_id)), suite=plan.suite_id,
+                       configuration=CASE_PARTITION, key=key)
+
+
+def _case_pictures(folder: SuiteFolder, plan: Plan, case_id: str) -> Iterator[PictureRow]:
+    for role in ("start", "truth"):
+        for path in sorted((folder.withheld(case_id) / "views" / role).glob("*.png")):
+            width, height, jpeg = _jpeg(path)
+            yield PictureRow(trial_id="", run_id=plan.run_id, suite=plan.suite_id, configuration=CASE_PARTITION,
+                             case_id=case_id, repeat=0, role=role, view=path.stem, width=width, height=height,
+                             jpeg=jpeg)
+
+
+def _jpeg(path: Path) -> tuple[int, int, bytes]:
+    """A picture as JPEG, at most ``PICTURE_WIDTH`` pixels wide."""
+    with Image.open(path) as image:
+        picture = image.convert("RGB")
+        if picture.width > PICTURE_WIDTH:
+            picture = picture.resize((PICTURE_WIDTH, round(picture.height * PICTURE_WIDTH / picture.width)))
+        buffer = io.BytesIO()
+        picture.save(buffer, "JPEG", quality=85)
+        return picture.width, picture.height, buffer.getvalue()
+
+
+def is_stored(trial: Trial, plan: Plan, warehouse: Path) -> bool:
+    """Whether the trial's outcome row is there."""
+    return part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name,
+                     trial_id(plan, trial)).is_file()
+
+
+def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
+    """Write all rows of a scored trial; the outcome row comes last, so that it stands for the whole."""
+    key = _key(trial, plan)
+    place: dict[str, str] = {"suite": plan.suite_id, "configuration": trial.configuration.name,
+                             "key": key["trial_id"]}
+    verdicts = {path.stem: path for path in sorted((trial.folder.root / "verdicts").glob("*.json"))}
+    write_part(warehouse, "attempts", list(_attempts(trial, key)), **place)
+    write_part(warehouse, "verdicts", [_verdict_row(path, key) for path in verdicts.values()], **place)
+    write_part(warehouse, "findings", [
+        FindingRow(**key, verifier=name, subject=found.subject, outcome=found.outcome, detail=found.detail)
+        for name, path in verdicts.items() for found in findings(Verdict.read(path))], **place)
+    write_part(warehouse, "pictures", list(_submission_pictures(trial, key)), **place)
+    write_part(warehouse, "outcomes", [_outcome(trial, plan, key)], **place)
+
+
+def _key(trial: Trial, plan: Plan) -> dict[str, Any]:
+    return {"trial_id": trial_id(plan, trial), "run_id": plan.run_id, "suite": plan.suite_id,
+            "configuration": trial.configuration.name, "case_id": trial.case.case_id, "repeat": trial.repeat}
+
+
+def _attempts(trial: Trial, key: dict[str, Any]) -> Iterator[AttemptRow]:
+    for path in sorted(trial.folder.root.glob("attempt-*/outcome.json")):
+        outcome = AttemptOutcome.read(path)
+        gate = path.parent / "integrity.json"
+        yield AttemptRow(**key, attempt=outcome.attempt, ended_by=outcome.ended_by, submission=outcome.submission,
+                         valid=Verdict.read(gate).status == "valid" if gate.is_file() else None,
+                         tool_calls=outcome.tool_calls, wall_s=outcome.wall_s, input_tokens=outcome.input_tokens,
+                         output_tokens=outcome.output_tokens, cost_usd=outcome.cost_usd, message=outcome.message)
+
+
+def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:
+    verdict = Verdict.read(path)
+    return VerdictRow(**key, verifier=verdict.verifier, status=verdict.status, score=verdict.score,
+                      reason=verdict.reason, policy=verdict.policy, document=canonical_json(verdict.plain()),
+                      sha256=digest_file(path))
+
+
+def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureRow]:
+    index = trial.folder.evidence / "captures" / "captures.json"
+    if index.is_file():
+        for capture in read_json(index)["captures"]:
+            width, height, jpeg = _jpeg(index.parent / capture["file"])
+            yield PictureRow(**key, role="submission", view=capture["name"], width=width, height=height, jpeg=jpeg)
+
+
+def _outcome(trial: Trial, plan: Plan, key: dict[str, Any]) -> OutcomeRow:
+    score = TrialScore.read(trial.folder.score)
+    attempts = {outcome.attempt: outcome for outcome in
+                (AttemptOutcome.read(path) for path in trial.folder.root.glob("attempt-*/outcome.json"))}
+    kept = attempts.get(score.retained_attempt or 0)
+    stages = list(json_lines((trial.folder.root / "stages.jsonl").read_text().splitlines()))
+    overhead = sum(stage["seconds"] for stage in stages if stage["stage"] == "orchestration")
+    evaluation = sum(stage["seconds"] for stage in stages
+                     if stage["stage"] != "orchestration" and not stage["stage"].startswith("attempt"))
+    parts = score.model_dump(include={"detailed", "known_coverage", "overview", "physics", "repair_precision",
+                                      "repair_recall", "repair_f1"})
+    return OutcomeRow(
+        **key, **parts, setting=trial.case.setting, scene_id=trial.case.scene_id, status=score.status,
+        score=score.score, reason=score.reason, attempts=len(attempts), retained_attempt=score.retained_attempt,
+        tool_calls=kept.tool_calls if kept else None, attempt_wall_s=kept.wall_s if kept else None,
+        evaluation_s=evaluation, orchestration_s=overhead,
+        input_tokens=kept.input_tokens if kept else None, output_tokens=kept.output_tokens if kept else None,
+        cost_usd=kept.cost_usd if kept else None, ranked=is_ranked(trial.configuration), policy=plan.policy,
+        judge=plan.judge, engine=plan.engine, suite_digest=plan.suite_digest,
+        score_sha256=digest_file(trial.folder.score))
+
+
+def rebuild_from_run(run: Path, suite: Path, warehouse: Path) -> int:
+    """Ingest every scored trial of a run again; returns how many."""
+    plan = Plan.read(run / "plan.json")
+    ingest_schedule(run, suite, plan, warehouse)
+    scored = [trial for trial in trials(run, suite, plan) if trial.folder.score.is_file()]
+    for trial in scored:
+        ingest_trial(trial, plan, warehouse)
+    return len(scored)
+
+
+def document(row: dict[str, Any]) -> dict[str, Any]:
+    """The verdict in a ``verdicts`` row."""
+    found: dict[str, Any] = json.loads(row["document"])
+    return found
