@@ -189,6 +189,11 @@ def _box(rotation: Array, centre: Array, edges: Array) -> Body:
                 centre - reach, centre + reach)
 
 
+def box_body(low: Array, high: Array) -> Body:
+    """An axis-aligned box between two corners (cm)."""
+    return _box(np.eye(3), (low + high) / 2, np.diag(np.maximum((high - low) / 2, FLAT)))
+
+
 def _capsule(rotation: Array, centre: Array, axes: Array, radius: float, length: float) -> Body | None:
     """A scaled capsule: its ends stay round, the radius takes the larger radial factor, at most the half length."""
     along = np.linalg.norm(axes, axis=0)

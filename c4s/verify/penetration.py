@@ -1,0 +1,100 @@
+"""Solid penetration: the share of scored solids without a contact deeper than their tolerance (paper, Physical Safety).
+
+A contact counts for each of its two actors against that actor's own tolerance, once an actor. Contacts inside one
+logical object and with non-solid colliders do not count. An actor whose own bodies or neighbours are not known, or
+whose deep contact is not trusted, is unresolved unless another contact proves a violation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from c4s.collision import Contact, SceneBodies
+from c4s.verify.roles import Role, bounds_of
+
+FIXED_TOLERANCE_CM = 5.0
+MAXIMUM_TOLERANCE_CM = 50.0
+TOLERANCE_SHARE = 0.05
+SHORTEST_SPAN_CM = 10.0
+
+
+@dataclass(frozen=True)
+class Penetration:
+    """Outcome of the check. Actors are positions in the scene."""
+
+    violators: list[int]
+    clean: list[int]
+    unresolved: list[int]
+    tolerances_cm: dict[int, float]
+    contacts: dict[int, list[tuple[int, float, bool]]]
+    """Per scored actor: (other actor, depth in cm, trusted) of each counted contact, deepest first."""
+
+    @property
+    def score(self) -> float | None:
+        """1 - violators / evaluated; None when evidence is missing and nothing is proven, or nothing is evaluated."""
+        evaluated = len(self.violators) + len(self.clean)
+        if not evaluated or (self.unresolved and not self.violators):
+            return None
+        return 1 - len(self.violators) / evaluated
+
+
+def adaptive_tolerance_cm(extent: Sequence[float]) -> float:
+    """Text-to-scene tolerance of an actor from its half extents (cm): 5 % of the shortest span, in [5, 50]."""
+    shortest = max(2 * min(float(half) for half in extent), SHORTEST_SPAN_CM)
+    return min(max(FIXED_TOLERANCE_CM, TOLERANCE_SHARE * shortest), MAXIMUM_TOLERANCE_CM)
+
+
+def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found: Iterable[Contact],
+                scene: SceneBodies, *, scored: Iterable[int], adaptive: bool) -> Penetration:
+    """Judge the scored solids among ``scored``.
+
+    Args:
+        actors: all actors of the scene.
+        role: their roles.
+        found: contacts of the scene (at least those deeper than 5 cm).
+        scene: bodies, for which actors are unresolved.
+        scored: positions of the population; only its ``scored_solid`` members are judged.
+        adaptive: tolerance by size (text-to-scene) or 5 cm for all.
+    """
+    targets = [i for i in scored if role[i] == "scored_solid"]
+    boxes = {i: bounds_of(actor) for i, actor in enumerate(actors)}
+    tolerances = {i: adaptive_tolerance_cm(box[1].tolist()) if adaptive else FIXED_TOLERANCE_CM
+                  for i in targets if (box := boxes[i]) is not None}
+    touching: dict[int, list[tuple[int, float, bool]]] = {i: [] for i in targets}
+    for contact in found:
+        a, b = contact.a_index, contact.b_index
+        logical = actors[a].get("logical_object_id")
+        if "non_solid" in (role[a], role[b]) or (logical and logical == actors[b].get("logical_object_id")):
+            continue
+        for mine, other in ((a, b), (b, a)):
+            if mine in touching:
+                touching[mine].append((other, contact.depth_cm, contact.trusted))
+    doubtful = _near_unknown(targets, boxes, [i for i in scene.unresolved if role[i] != "non_solid"])
+    result = Penetration([], [], [], tolerances, touching)
+    for index in targets:
+        touching[index].sort(key=lambda contact: -contact[1])
+        deep = [trusted for _, depth, trusted in touching[index] if depth > tolerances[index]]
+        if any(deep):
+            result.violators.append(index)
+        elif deep or index in scene.unresolved or index in doubtful:
+            result.unresolved.append(index)
+        else:
+            result.clean.append(index)
+    return result
+
+
+def _near_unknown(targets: Sequence[int], boxes: Mapping[int, Any], unknown: Sequence[int]) -> set[int]:
+    """Targets whose box meets the box of an actor without known bodies (or one without a box at all)."""
+    if not unknown:
+        return set()
+    if any(boxes[i] is None for i in unknown):
+        return set(targets)
+    origins = np.array([boxes[i][0] for i in unknown])
+    extents = np.array([boxes[i][1] for i in unknown])
+    own = np.array(unknown)
+    return {i for i in targets
+            if bool(((np.abs(origins - boxes[i][0]) <= extents + boxes[i][1]).all(axis=1) & (own != i)).any())}

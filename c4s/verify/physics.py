@@ -1,0 +1,182 @@
+"""The physics verifier: support and solid penetration (paper, Physical Safety; scorer facts 3 and 4)."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from c4s.collision import Contact, SceneBodies, scene_bodies, scene_contacts
+from c4s.errors import BadInput
+from c4s.verify.edited import edited_actors
+from c4s.verify.penetration import FIXED_TOLERANCE_CM, Penetration, penetration
+from c4s.verify.roles import Role, bounds_of, roles
+from c4s.verify.support import GAP_CM, Support, edited_support, text_to_scene_support
+from c4s.verify.verdict import Verdict
+
+POLICY = "physics-all-leaves-zero.v2"
+Leaf = dict[str, Any]
+
+
+def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any] | None = None, *,
+                   contacts: Sequence[Contact] | None = None) -> Verdict:
+    """Measure the two physics leaves, ``floating`` and ``solid_penetration``.
+
+    Args:
+        setting: ``text-to-scene`` (all actors), or an image-to-scene setting (actors that differ from the input).
+        snapshot: the candidate scene. Contacts come from its collision bodies.
+        input_snapshot: the start scene; needed by image-to-scene.
+        contacts: contacts that another engine measured, for a snapshot without collision bodies.
+
+    Without bodies and without ``contacts`` an actor is unresolved, and a leaf that rests on it is not evaluated.
+    Raises ``BadInput`` for a scene without an actor list, and for image-to-scene without an input scene.
+    """
+    actors = snapshot.get("actors")
+    if not isinstance(actors, list) or not all(isinstance(actor, Mapping) for actor in actors):
+        raise BadInput("the snapshot has no list of actors", todo="export the scene again")
+    role = roles(actors)
+    scene = scene_bodies(snapshot)
+    whole = setting == "text-to-scene"
+    if whole:
+        chosen = list(range(len(actors)))
+        floating = _scene_floating(snapshot)
+    else:
+        if input_snapshot is None:
+            raise BadInput("image-to-scene physics needs the input snapshot", where=setting)
+        chosen = edited_actors(snapshot, input_snapshot)
+        floating = _edited_floating(actors, role, scene, chosen)
+    if contacts is not None:
+        scene = SceneBodies(scene.bodies, scene.owners, {})
+    names = {str(actors[i].get("name")) for i in chosen}
+    found = list(contacts) if contacts is not None else scene_contacts(
+        snapshot, scene, minimum_depth_cm=FIXED_TOLERANCE_CM, actors=None if whole else names)
+    judged = penetration(actors, role, found, scene, scored=chosen, adaptive=whole)
+    solid = _penetration_leaf(actors, chosen, judged)
+    score = 0.5 * _safety(floating) + 0.5 * _safety(solid)
+    scored = [i for i in chosen if role[i] == "scored_solid"]
+    return Verdict(
+        verifier="physics", status="measured", score=round(score, 4), policy=POLICY,
+        measurements={"leaf_results": [floating, solid],
+                      "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"},
+                      "roles": {_name(actors[i]): role[i] for i in chosen}},
+        population={"actors": len(actors), "selected": len(chosen), **_leaf_population("floating", floating),
+                    **_leaf_population("solid_penetration", solid),
+                    **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())}},
+        advisories=_advisories(actors, chosen, scored, judged, scene, (floating, solid)))
+
+
+def report(verdict: Verdict) -> dict[str, Any]:
+    """The verdict in the published report's shape, as the score package reads it."""
+    return {"report_id": "physical_safety", "status": verdict.status, "score": verdict.score,
+            "metrics": {key: verdict.measurements[key] for key in ("leaf_results", "leaf_score_directions")}}
+
+
+def _leaf(leaf_id: str, status: str, score: float | None, direction: str, **more: Any) -> Leaf:
+    return {"leaf_id": leaf_id, "report_id": f"physical_safety.{leaf_id}", "status": status, "score": score,
+            "metadata": {"score_direction": direction}, **more}
+
+
+def _safety(leaf: Leaf) -> float:
+    """A leaf's worth at its weight: unmeasured is 0."""
+    if leaf["status"] != "measured" or leaf["score"] is None:
+        return 0.0
+    score = float(leaf["score"])
+    return 1 - score if leaf["leaf_id"] == "floating" else score
+
+
+def _leaf_population(name: str, leaf: Leaf) -> dict[str, int]:
+    return {f"{name}_{key}": leaf[key] for key in ("evaluated", "unresolved", "failed")}
+
+
+def _name(actor: Mapping[str, Any]) -> str:
+    return str(actor.get("name") or actor.get("label"))
+
+
+def _scene_floating(snapshot: Mapping[str, Any]) -> Leaf:
+    """Text-to-scene: the box rule over all generated actors."""
+    try:
+        support: Support = text_to_scene_support(snapshot)
+    except ValueError as error:
+        return _floating("error", None, 0, 0, [], reason=str(error))
+    failed = [_name(actor) for actor, state in zip(snapshot["actors"], support.per_actor, strict=True)
+              if state == "floating"]
+    status, score = ("measured", support.rate) if support.evaluated else _empty(len(support.per_actor), 0.0)
+    return _floating(status, score, support.evaluated, 0, failed,
+                     metric="t2s-aabb-floating-contact-5cm.v2", excluded=support.per_actor.count("excluded"))
+
+
+def _edited_floating(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], scene: SceneBodies,
+                     chosen: Sequence[int]) -> Leaf:
+    """Image-to-scene: support of the edited actors, without non-solid ones and broad thin ground surfaces."""
+    tested = [i for i in chosen if role[i] not in ("non_solid", "support_surface")]
+    solid = {i for i in range(len(actors)) if role[i] != "non_solid"}
+    unknown = [(box[0] - box[1], box[0] + box[1]) if (box := bounds_of(actors[i])) is not None
+               else (np.full(3, -math.inf), np.full(3, math.inf)) for i in scene.unresolved if i in solid]
+    boxes = {i: (box[0] - box[1], box[0] + box[1]) for i in tested if (box := bounds_of(actors[i])) is not None}
+    states = edited_support(scene, tested, solid, unknown, boxes)
+    failed = [_name(actors[i]) for i, state in states.items() if state == "floating"]
+    unresolved = [_name(actors[i]) for i, state in states.items() if state == "unresolved"]
+    evaluated = len(states) - len(unresolved)
+    if not tested:
+        status, score = _empty(len(chosen), 0.0)
+    elif not evaluated or (unresolved and not failed):
+        status, score = "not_evaluated", None
+    else:
+        status, score = "measured", len(failed) / evaluated
+    return _floating(status, score, evaluated, len(unresolved), failed, metric="i2s-edited-support-5cm",
+                     gap_cm=GAP_CM, unresolved_actors=unresolved)
+
+
+def _floating(status: str, score: float | None, evaluated: int, unresolved: int, failed: list[str],
+              **more: Any) -> Leaf:
+    return _leaf("floating", status, score, "lower_is_better", evaluated=evaluated, unresolved=unresolved,
+                 failed=len(failed), floating_actors=failed, **more)
+
+
+def _empty(selected: int, neutral: float) -> tuple[str, float | None]:
+    """Nothing to evaluate: neutral when nothing was selected, not applicable when all selected were excluded."""
+    return ("not_applicable", None) if selected else ("measured", neutral)
+
+
+def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int], judged: Penetration) -> Leaf:
+    evaluated = len(judged.violators) + len(judged.clean)
+    score: float | None
+    if not evaluated and not judged.unresolved:
+        status, score = _empty(len(chosen), 1.0)
+    else:
+        status, score = ("measured", judged.score) if judged.score is not None else ("not_evaluated", None)
+    violating = {i: [contact for contact in judged.contacts[i] if contact[1] > judged.tolerances_cm[i]]
+                 for i in [*judged.violators, *judged.unresolved]}
+    return _leaf(
+        "solid_penetration", status, score, "higher_is_better", evaluated=evaluated,
+        unresolved=len(judged.unresolved), failed=len(judged.violators),
+        violations=[{"actor": _name(actors[i]), "tolerance_cm": judged.tolerances_cm[i],
+                     "contacts": [{"actor": _name(actors[other]), "depth_cm": round(depth, 4), "trusted": trusted}
+                                  for other, depth, trusted in deep]}
+                    for i, deep in violating.items() if deep],
+        unresolved_actors=[_name(actors[i]) for i in judged.unresolved])
+
+
+def _advisories(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int], scored: Sequence[int],
+                judged: Penetration, scene: SceneBodies, leaves: tuple[Leaf, Leaf]) -> list[dict[str, Any]]:
+    """Known oddities of the protocol in this scene."""
+    notes: list[dict[str, Any]] = []
+    if not chosen:
+        notes.append({"code": "empty_population", "text": "no actor was selected: both leaves are neutral",
+                      "actors": []})
+    elif any(leaf["status"] == "not_applicable" for leaf in leaves):
+        notes.append({"code": "all_excluded", "text": "every selected actor is excluded from a leaf, which counts 0",
+                      "actors": [_name(actors[i]) for i in chosen]})
+    if judged.unresolved and judged.violators:
+        notes.append({"code": "violation_lifts_unresolved",
+                      "text": "a proven violation makes the leaf measured although other actors are unresolved",
+                      "actors": [_name(actors[i]) for i in judged.unresolved]})
+    owners = set(scene.owners)
+    bare = [_name(actors[i]) for i in scored if i not in owners and i not in scene.unresolved]
+    if bare:
+        notes.append({"code": "no_collision_body", "text": "solid actors whose meshes have no collision body count as "
+                      "clean", "actors": bare})
+    return notes

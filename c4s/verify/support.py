@@ -1,0 +1,179 @@
+"""Support: which actors stand on something.
+
+Text-to-scene uses the published box rule (scorer facts 3): an actor is supported when its bottom is at most 5 cm above
+the world's ground plane z = 0, or when another evaluated actor's top lies 0 to 5 cm below its bottom and that actor's
+plan box, widened by a quarter of the upper actor's own plan size, holds its pivot. Excluded actors support nothing.
+
+Image-to-scene looks at the collision bodies of edited actors (paper, Physical Safety): supported when a body of another
+actor lies within 5 cm straight below, or within 5 cm sideways.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+import shapely
+
+from c4s.collision.contacts import DepthMeter
+from c4s.collision.scene import SceneBodies
+from c4s.collision.shapes import Array, Body, box_body
+
+GAP_CM = 5.0
+"""Support tolerance of both settings, inclusive."""
+TINY_CM = 1.0
+"""Actors whose three half extents are all below this are degenerate helpers; plan half extents are at least this."""
+EXCLUDED_CLASSES = frozenset({
+    "directionallight", "skylight", "skyatmosphere", "exponentialheightfog", "worldsettings", "playerstart",
+    "cameraactor", "reflectioncapture", "brush", "navmeshboundingvolume", "postprocessvolume"})
+EXCLUDED_PREFIXES = (
+    "floor", "sky", "light", "atmo", "fog", "post", "sphere", "world", "brush", "default", "player", "gamemode", "nav",
+    "levelbounds", "landscape", "volume", "note", "camera", "directional", "exponential", "exprunner", "arena_env",
+    "ground_plane")
+
+State = Literal["excluded", "supported", "floating"]
+EditedState = Literal["supported", "floating", "unresolved"]
+
+
+@dataclass(frozen=True)
+class Support:
+    """Outcome of the text-to-scene rule: one state an actor, in scene order."""
+
+    per_actor: list[State]
+    labels: list[Any]
+
+    @property
+    def evaluated(self) -> int:
+        """Number of actors that were tested."""
+        return sum(state != "excluded" for state in self.per_actor)
+
+    @property
+    def floating(self) -> int:
+        """Number of tested actors without support."""
+        return self.per_actor.count("floating")
+
+    @property
+    def floating_labels(self) -> list[Any]:
+        """Labels of the floating actors, in scene order."""
+        return [label for label, state in zip(self.labels, self.per_actor, strict=True) if state == "floating"]
+
+    @property
+    def rate(self) -> float | None:
+        """Share of tested actors that float, rounded to 4 places; None when none was tested."""
+        return round(self.floating / self.evaluated, 4) if self.evaluated else None
+
+
+def measured_vector(record: Any, field: str) -> tuple[float, float, float]:
+    """Three finite numbers of a record's field; ``ValueError`` otherwise (strings and booleans are no numbers)."""
+    values = record.get(field) if isinstance(record, Mapping) else None
+    if not isinstance(values, Sequence) or isinstance(values, str) or len(values) != 3 or not all(
+            isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in values):
+        raise ValueError(f"{field} is not three finite numbers")
+    return float(values[0]), float(values[1]), float(values[2])
+
+
+def excluded_by_name(actor: Mapping[str, Any]) -> bool:
+    """Infrastructure by class name (exact) or by the start of the label."""
+    label = str(actor.get("label", actor.get("name"))).lower()
+    short = str(actor.get("class", "")).rsplit(".", 1)[-1].lower()
+    return short in EXCLUDED_CLASSES or label.startswith(EXCLUDED_PREFIXES)
+
+
+def text_to_scene_support(snapshot: Mapping[str, Any]) -> Support:
+    """The text-to-scene rule on a snapshot. ``ValueError``: an evaluated actor lacks usable bounds or transform."""
+    actors: list[Mapping[str, Any]] = list(snapshot.get("actors") or [])
+    states: list[State] = ["excluded"] * len(actors)
+    evaluated: list[int] = []
+    rows: list[tuple[float, ...]] = []
+    for index, actor in enumerate(actors):
+        if excluded_by_name(actor):
+            continue
+        origin = measured_vector(actor.get("bounds"), "origin_cm")
+        extent = measured_vector(actor.get("bounds"), "extent_cm")
+        if all(half < TINY_CM for half in extent):
+            continue
+        pivot = measured_vector(actor.get("transform"), "location_cm")
+        evaluated.append(index)
+        rows.append((*origin, *extent, *pivot))
+    table = np.array(rows, dtype=float).reshape(-1, 9)
+    for index, standing in zip(evaluated, _standing(table), strict=True):
+        states[index] = "supported" if standing else "floating"
+    return Support(states, [actor.get("label", actor.get("name")) for actor in actors])
+
+
+def _standing(table: Array) -> list[bool]:
+    """Per row (origin, half extent, pivot): on the ground plane or on another row."""
+    bottom, top = table[:, 2] - table[:, 5], table[:, 2] + table[:, 5]
+    half = np.maximum(table[:, 3:5], TINY_CM)
+    order = np.argsort(top, kind="stable")
+    tops = top[order]
+    standing: list[bool] = (bottom <= GAP_CM).tolist()
+    for i in np.flatnonzero(bottom > GAP_CM).tolist():
+        slack = 1e-9 * (abs(bottom[i]) + GAP_CM)
+        first = np.searchsorted(tops, bottom[i] - GAP_CM - slack)
+        near = order[first:np.searchsorted(tops, bottom[i] + slack, side="right")]
+        gap = bottom[i] - top[near]
+        reach = np.abs(table[near, :2] - table[i, 6:8]) < 0.5 * half[i] + half[near]
+        holds = (gap >= 0) & (gap <= GAP_CM) & reach.all(axis=1) & (near != i)
+        standing[i] = bool(holds.any())
+    return standing
+
+
+DIRECTIONS = np.array([(0, 0, -1)] + [(math.cos(a), math.sin(a), 0) for a in np.arange(8) * math.pi / 4])
+"""Straight down, then eight sideways directions."""
+TOUCH_CM = 1e-3
+"""The step goes this far beyond the inclusive gap and half of it must overlap: rounding of flush faces is nothing."""
+
+
+def edited_support(scene: SceneBodies, edited: Sequence[int], solid: Collection[int],
+                   unknown_boxes: Sequence[tuple[Array, Array]],
+                   boxes: Mapping[int, tuple[Array, Array]]) -> dict[int, EditedState]:
+    """The image-to-scene rule: state of each edited actor (an index).
+
+    Args:
+        scene: the bodies of the candidate scene.
+        edited: the actors to test.
+        solid: the actors that can give support.
+        unknown_boxes: world boxes (low, high in cm) of solid actors whose bodies are not known: near one of them a
+            missing support proves nothing.
+        boxes: world boxes (low, high) of the edited actors: the stand-in for one whose meshes have no collision body.
+    """
+    own: dict[int, list[Body]] = {}
+    holders = [i for i, owner in enumerate(scene.owners) if owner in solid]
+    for body, owner in zip(scene.bodies, scene.owners, strict=True):
+        own.setdefault(owner, []).append(body)
+    bodies, owners = [scene.bodies[i] for i in holders], [scene.owners[i] for i in holders]
+    tree = shapely.STRtree([shapely.box(*body.low[:2], *body.high[:2]) for body in bodies])
+    meter = DepthMeter()
+    states: dict[int, EditedState] = {}
+    for index in edited:
+        mine = own.get(index) or ([box_body(*boxes[index])] if index in boxes else [])
+        if index in scene.unresolved or not mine:
+            states[index] = "unresolved"
+        elif any(_held(body, bodies, owners, index, tree, meter) for body in mine):
+            states[index] = "supported"
+        else:
+            blocked = any(bool(np.all(body.low - GAP_CM <= high) and np.all(body.high + GAP_CM >= low))
+                          for body in mine for low, high in unknown_boxes)
+            states[index] = "unresolved" if blocked else "floating"
+    return states
+
+
+def _held(body: Body, others: Sequence[Body], owners: Sequence[int], owner: int, tree: shapely.STRtree,
+          meter: DepthMeter) -> bool:
+    """Whether a body, moved 5 cm down or sideways, meets a body of another actor."""
+    margin = GAP_CM + TOUCH_CM
+    plan = shapely.box(*(body.low[:2] - margin), *(body.high[:2] + margin))
+    for other in (others[i] for i in tree.query(plan).tolist() if owners[i] != owner):
+        if body.low[2] - margin > other.high[2] or body.high[2] < other.low[2]:
+            continue
+        for direction in DIRECTIONS:
+            step = direction * margin
+            moved = Body(body.shape, body.fcl_shape, body.rotation, body.translation + step, body.low + step,
+                         body.high + step)
+            if meter(moved, other)[0] > TOUCH_CM / 2:
+                return True
+    return False
