@@ -1,0 +1,215 @@
+"""A headless engine process and the bridge to it, for as long as the host needs it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from c4s.engine import kernels, sandbox
+from c4s.engine.bridge import FAILED, BridgeFault, SocketBridge
+from c4s.engine.confine import Backend, Limits
+from c4s.errors import BadInput, C4SError, MachineryFault
+
+START_TIMEOUT_S = 120.0
+_STOP_TIMEOUT_S = 5.0
+_POLL_S = 10.0
+_LOG_TAIL_BYTES = 2000
+_WITHHELD = "withheld"
+
+
+class EngineCallError(C4SError):
+    """A function called in the engine raised: its message, and the name of the exception as ``kind``."""
+
+    def __init__(self, message: str, *, function: str, kind: str) -> None:
+        self.kind = kind
+        self.detail = message
+        super().__init__(message.strip().rpartition("\n")[2] or kind, where=function)
+
+
+class EngineDied(MachineryFault):
+    """The engine process ended by itself. ``during`` is the kind of request that it was working on."""
+
+    def __init__(self, what: str, *, during: str, where: str) -> None:
+        self.during = during
+        super().__init__(what, where=where)
+
+
+class EngineSession:
+    """One engine process. Use it as a context manager, or call ``close``."""
+
+    def __init__(self, process: subprocess.Popen[bytes], socket_folder: Path, log: Path) -> None:
+        self._process, self._socket_folder, self._log = process, socket_folder, log
+        self.bridge = SocketBridge(socket_folder / "bridge.sock")
+
+    @classmethod
+    def start(cls, *, packs: Sequence[Path], content: Path, scratch: Path, levels: Sequence[Path] = (),
+              start_map: str | None = None, content_read_only: bool = False, limits: Limits | None = None,
+              use: Backend | None = None) -> EngineSession:
+        """Start an engine and wait until it answers.
+
+        The engine sees the pack folders and the level files (read-only), ``content`` and ``scratch`` (writable unless
+        ``content_read_only``), the Python runtime, and nothing else. Raises ``BadInput`` for what cannot be loaded,
+        ``MachineryFault`` when there is no sandbox or the engine does not come up.
+        """
+        packs, levels = [path.resolve() for path in packs], [path.resolve() for path in levels]
+        content, scratch = content.resolve(), scratch.resolve()
+        _check(packs, levels, content, scratch)
+        content.mkdir(parents=True, exist_ok=True)
+        scratch.mkdir(parents=True, exist_ok=True)
+        chosen = use or sandbox.backend()
+        compiled = kernels.compiled()
+        socket_folder = Path(tempfile.mkdtemp(prefix="c4s-"))
+        listener = socket.socket(socket.AF_UNIX)
+        try:
+            listener.bind(str(socket_folder / "bridge.sock"))
+            listener.listen(64)
+            readable = (*packs, *levels, compiled, *((content,) if content_read_only else ()))
+            paths = sandbox.Paths(readable, (scratch,) if content_read_only else (content, scratch), scratch)
+            log = scratch / "engine.log"
+            with log.open("wb") as output:
+                process = sandbox.start(
+                    "c4s.engine.headless.process",
+                    {"listener": listener.fileno(), "packs": [str(path) for path in packs], "content": str(content),
+                     "levels": [str(path) for path in levels], "start_map": start_map, "scratch": str(scratch)},
+                    paths=paths, log=output, keep_open=[listener.fileno()], limits=limits, use=chosen,
+                    environment=kernels.linked(compiled, scratch))
+        except BaseException:
+            shutil.rmtree(socket_folder)
+            raise
+        finally:
+            listener.close()
+        session = cls(process, socket_folder, log)
+        try:
+            session._wait_until_ready()
+        except BaseException:
+            session.kill()
+            raise
+        return session
+
+    def _wait_until_ready(self) -> None:
+        reply = self.request("editor_status", timeout_s=START_TIMEOUT_S)
+        if reply.get("fault") == "BadInput":
+            raise BadInput(reply["what"], where=reply["where"], todo=reply["todo"])
+        if reply.get("status") != "ok":
+            raise MachineryFault(f"the engine did not start: {reply.get('error')}", where=str(self._log))
+
+    @property
+    def pid(self) -> int:
+        """Process id of the engine (of bubblewrap, where that runs it: it dies with it and the engine with it)."""
+        return self._process.pid
+
+    @property
+    def alive(self) -> bool:
+        """Whether the process runs."""
+        return self._process.poll() is None
+
+    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 60.0) -> dict[str, Any]:
+        """One bridge request; its reply whatever its status. ``EngineDied`` when the process has ended."""
+        try:
+            return self.bridge.request(kind, params, timeout_s=timeout_s)
+        except BridgeFault as fault:
+            self._explain_death(kind, fault)
+            raise
+
+    def _explain_death(self, kind: str, fault: BridgeFault) -> None:
+        """Raise ``EngineDied`` if the process has ended; a broken connection gets a moment to become a death."""
+        try:
+            code = self._process.wait(0.0 if isinstance(fault.__context__, TimeoutError) else 2.0)
+        except subprocess.TimeoutExpired:
+            return
+        what = f"the engine ended with {_exit_text(code)} during {kind}. {self._tail()}".rstrip()
+        raise EngineDied(what, during=kind, where=str(self._log)) from fault
+
+    def _tail(self) -> str:
+        with self._log.open("rb") as log:
+            log.seek(max(0, log.seek(0, os.SEEK_END) - _LOG_TAIL_BYTES))
+            return log.read().decode("utf-8", "replace").strip()
+
+    def execute(self, script: str, timeout_s: float = 600.0) -> dict[str, Any]:
+        """Run a script to its end and return the final reply with all its lines under ``result.python_logs``.
+
+        A script that is still running after ``timeout_s`` is abandoned, and its last reply says ``running``.
+        """
+        return self._run("execute_python_script", {"script": script}, timeout_s)
+
+    def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
+        """Run ``c4s.editor.<module>.<function>(**params)`` in the engine and return its value.
+
+        Raises ``EngineCallError`` when the function raised, ``MachineryFault`` when it took longer than ``timeout_s``.
+        """
+        reply = self._run("call_function", {"function": function, "params": params}, timeout_s)
+        if reply["status"] == "running":
+            raise MachineryFault(f"no result in {timeout_s:g} s", where=function)
+        if reply["status"] in FAILED:
+            raise EngineCallError(str(reply.get("error")), function=function, kind=str(reply.get("fault")))
+        return reply.get("value")
+
+    def _run(self, kind: str, params: Mapping[str, Any], timeout_s: float) -> dict[str, Any]:
+        deadline = time.monotonic() + timeout_s
+        reply = self.request(kind, {**params, "wait_s": min(_POLL_S, timeout_s)}, timeout_s + _POLL_S)
+        lines: list[str] = []
+        while "job_id" in reply:
+            page = reply["result"]
+            lines += page["python_logs"]
+            late = time.monotonic() >= deadline
+            if not page["more"] and (reply["status"] != "running" or late):
+                break
+            wait_s = 0.0 if page["more"] or late else min(_POLL_S, deadline - time.monotonic())
+            reply = self.request("read_job_log", {"job_id": reply["job_id"], "offset": page["next_offset"],
+                                                  "wait_s": max(0.0, wait_s)})
+        if reply.get("status") == "running":
+            self.request("abandon_job", {"job_id": reply["job_id"]})
+        if "result" in reply:
+            reply["result"]["python_logs"] = lines
+        return reply
+
+    def close(self) -> None:
+        """Ask the engine to end, and end it if it does not."""
+        if self.alive:
+            try:
+                self.bridge.request("shutdown", timeout_s=_STOP_TIMEOUT_S)
+                self._process.wait(_STOP_TIMEOUT_S)
+            except (MachineryFault, subprocess.TimeoutExpired):
+                self.kill()
+        self.kill()
+
+    def kill(self) -> None:
+        """End the process at once and remove its socket."""
+        if self.alive:
+            os.killpg(self._process.pid, signal.SIGKILL)
+        self._process.wait()
+        shutil.rmtree(self._socket_folder, ignore_errors=True)
+
+    def __enter__(self) -> EngineSession:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+
+def _check(packs: Sequence[Path], levels: Sequence[Path], content: Path, scratch: Path) -> None:
+    for pack in packs:
+        if not (pack / "pack.json").is_file():
+            raise BadInput("no asset pack here", where=str(pack), todo="build it with `c4s catalog build`")
+    for level in levels:
+        if not level.is_file():
+            raise BadInput("no such level file", where=str(level))
+    for path in (*packs, *levels, content, scratch):
+        if _WITHHELD in path.parts:
+            raise MachineryFault("withheld files are never shown to an engine that may run agent code", where=str(path))
+
+
+def _exit_text(code: int) -> str:
+    if code < 0:
+        return signal.Signals(-code).name
+    return signal.Signals(code - 128).name if code > 128 and code - 128 in list(signal.Signals) else f"exit code {code}"
