@@ -33,8 +33,10 @@ def ground_block(tiles: Sequence[Asset], plate_m: float) -> str:
     lines = [f"The plate is bare: without a floor everything hangs over nothing. Call `ground_pass` before anything "
              f"else to carpet the whole {plate_m:g} m plate,",
              "or lay these flat tiles edge to edge yourself:", ""]
-    lines += [f"  - {tile.path.rsplit('.', 1)[-1]} | {tile.size_m[0]:.1f}x{tile.size_m[1]:.1f}x{tile.size_m[2]:.2f} m | "
-              f"{spawn_path(tile)}" for tile in tiles]
+    for tile in tiles:
+        width, depth, height = tile.size_m
+        name = tile.path.rsplit(".", 1)[-1]
+        lines.append(f"  - {name} | {width:.1f}x{depth:.1f}x{height:.2f} m | {spawn_path(tile)}")
     return "\n".join(["    === GROUND ===", *(f"    {line}".rstrip() for line in lines)])
 
 
@@ -43,19 +45,18 @@ def palette_block(assets: Sequence[Asset]) -> str:
     rows = [palette_line(asset) for asset in sorted(assets, key=lambda a: (a.category, a.id))]
     return "\n".join([
         "=== ASSET PALETTE ===",
-        "These assets are the whole library of this case; there is no search beyond them. Use any of them as often as",
-        "you like and leave out what you do not need. Scene graphs name an asset by its id, the engine by its spawn path.",
-        "A line reads", "", "  id | name | category | width x depth x height (m) | spawn path", "", *rows])
+        "These assets are the whole library of this case; there is no search beyond them. Use any of them as",
+        "often as you like and leave out what you do not need. Scene graphs name an asset by its id, the engine",
+        "by its spawn path. A line reads", "", "  id | name | category | width x depth x height (m) | spawn path", "", *rows])
 
 
 def task_block(plate_m: float, budget: Budget) -> str:
     """What to do, and with how much."""
     return "\n".join([
         "=== THE TASK ===",
-        f"Build the described place on the {plate_m:g} m x {plate_m:g} m plate, as dense and as ordered as the text says,",
-        f"and save it. You have {budget.tool_calls} tool calls and {budget.wall_minutes:g} minutes; every tool result says "
-        "how much is",
-        "left. You need not use it all: stop when the scene is what the text describes."])
+        f"Build the described place on the {plate_m:g} m x {plate_m:g} m plate, as dense and as ordered as the text",
+        f"says, and save it. You have {budget.tool_calls} tool calls and {budget.wall_minutes:g} minutes; every tool",
+        "result says how much is left. You need not use it all: stop when the scene is what the text describes."])
 
 
 def text_prompt(description: str, ground: Sequence[Asset], assets: Sequence[Asset], plate_m: float,
