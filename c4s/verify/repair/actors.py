@@ -41,19 +41,21 @@ def short_class(value: Any) -> str:
 
 
 @lru_cache(maxsize=65536)
-def _descriptor(class_path: str, asset: str, components: tuple[str, ...]) -> Descriptor:
-    kind = _normalized_text(class_path)
+def _descriptor(class_path: Any, asset: Any, components: tuple[Any, ...]) -> Descriptor:
+    kind = normalized_path(class_path)
     blueprint = kind if kind.startswith("/game/") else ""
-    mesh = "" if blueprint else _normalized_text(asset)
-    return kind, mesh, blueprint, tuple(sorted({_normalized_text(part) for part in components}))
+    mesh = "" if blueprint else normalized_path(asset)
+    return kind, mesh, blueprint, tuple(sorted({normalized_path(part) for part in components}))
 
 
 def descriptor(record: Record) -> Descriptor:
     """The normalised structural descriptor (scorer fact 1): what the actor is, not where or how it is called."""
     parts = record.get("component_asset_paths")
-    kind, asset = record.get("class"), record.get("asset_path")
-    names = tuple("" if part is None else str(part) for part in parts) if isinstance(parts, list) else ()
-    return _descriptor("" if kind is None else str(kind), "" if asset is None else str(asset), names)
+    raw = record.get("class"), record.get("asset_path"), tuple(parts) if isinstance(parts, list) else ()
+    try:
+        return _descriptor(*raw)
+    except TypeError:
+        return _descriptor(str(raw[0] or ""), str(raw[1] or ""), tuple(map(str, raw[2])))
 
 
 @lru_cache(maxsize=65536)
@@ -129,12 +131,9 @@ class Actor:
     location: Vector3 | None
     rotation: Vector3 | None
     scale: Vector3 | None
+    posed: bool
+    """Whether location, rotation and scale are all valid."""
     _order: str | None = None
-
-    @property
-    def posed(self) -> bool:
-        """Whether location, rotation and scale are all valid."""
-        return self.location is not None and self.rotation is not None and self.scale is not None
 
     def order(self) -> tuple[str, int]:
         """Sort key that makes results independent of export order: canonical content, then position in the export."""
@@ -148,8 +147,9 @@ def prepare(records: dict[str, Record]) -> list[Actor]:
     """Actors ready for matching, in export order."""
     actors = []
     for index, (key, record) in enumerate(records.items()):
-        transform = record.get("transform")
-        pose = transform if isinstance(transform, dict) else {}
-        actors.append(Actor(record, key, index, descriptor(record), valid_vector(pose.get("location_cm")),
-                            valid_vector(pose.get("rotation_deg")), valid_vector(pose.get("scale"))))
+        pose = record.get("transform")
+        pose = pose if isinstance(pose, dict) else {}
+        location, rotation, scale = (valid_vector(pose.get(name)) for name in ("location_cm", "rotation_deg", "scale"))
+        actors.append(Actor(record, key, index, descriptor(record), location, rotation, scale,
+                            location is not None and rotation is not None and scale is not None))
     return actors

@@ -7,14 +7,9 @@ one by one, and among columns of equal reduced cost the lower index wins. SciPy'
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-
-_COMPILE_FROM = 4000
-"""Entries of a cost matrix from which the compiled loop repays loading the compiler."""
 
 
 def maximum_matching(left: Iterable[int], edges: Callable[[int], Sequence[int]],
@@ -31,7 +26,7 @@ def maximum_matching(left: Iterable[int], edges: Callable[[int], Sequence[int]],
         seen: set[int] = set()
         path = [(root, iter(edges(root)))]
         while path:
-            node, options = path[-1]
+            options = path[-1][1]
             right = next((r for r in options if r not in seen and r not in reserved), None)
             if right is None:
                 path.pop()
@@ -47,54 +42,43 @@ def maximum_matching(left: Iterable[int], edges: Callable[[int], Sequence[int]],
     return held
 
 
-def _solve(cost: Any) -> Any:
-    """Column of each row for ``rows <= columns``, by shortest augmenting paths with dual potentials."""
+def _solve(cost: NDArray[np.float64]) -> list[int]:
+    """Column of each row for ``rows <= columns``, by shortest augmenting paths with dual potentials.
+
+    Column 0 stands for "the row that enters"; rows and columns of the matrix count from 1.
+    """
     rows, columns = cost.shape
     row_dual, column_dual = np.zeros(rows + 1), np.zeros(columns + 1)
     row_of, previous = np.zeros(columns + 1, np.int64), np.zeros(columns + 1, np.int64)
     for row in range(1, rows + 1):
-        row_of[0] = row
-        column = 0
+        row_of[0], column = row, 0
         slack = np.full(columns + 1, np.inf)
         seen = np.zeros(columns + 1, np.bool_)
         while True:
             seen[column] = True
-            current, step, best = row_of[column], np.inf, -1
-            for j in range(1, columns + 1):
-                if seen[j]:
-                    continue
-                reduced = cost[current - 1, j - 1] - row_dual[current] - column_dual[j]
-                if reduced < slack[j]:
-                    slack[j] = reduced
-                    previous[j] = column
-                if slack[j] < step:
-                    step = slack[j]
-                    best = j
-            for j in range(columns + 1):
-                if seen[j]:
-                    row_dual[row_of[j]] += step
-                    column_dual[j] -= step
-                else:
-                    slack[j] -= step
-            column = best
+            current = row_of[column]
+            reduced = np.empty(columns + 1)
+            reduced[0] = np.inf
+            np.subtract(cost[current - 1], row_dual[current], out=reduced[1:])
+            reduced[1:] -= column_dual[1:]
+            better = (reduced < slack) & ~seen
+            slack[better], previous[better] = reduced[better], column
+            nearest = int(np.argmin(np.where(seen, np.inf, slack)))
+            step = slack[nearest]
+            row_dual[row_of[seen]] += step
+            column_dual[seen] -= step
+            slack[~seen] -= step
+            column = nearest
             if row_of[column] == 0:
                 break
         while column != 0:
             row_of[column] = row_of[previous[column]]
-            column = previous[column]
-    result = np.zeros(rows, np.int64)
-    for j in range(1, columns + 1):
-        if row_of[j] > 0:
-            result[row_of[j] - 1] = j - 1
+            column = int(previous[column])
+    result = [0] * rows
+    for column in map(int, np.nonzero(row_of)[0]):
+        if column:
+            result[row_of[column] - 1] = column - 1
     return result
-
-
-@cache
-def _compiled() -> Callable[[Any], Any]:
-    from numba import njit
-
-    compiled: Callable[[Any], Any] = njit(cache=True)(_solve)
-    return compiled
 
 
 def minimum_cost(cost: NDArray[np.float64]) -> list[tuple[int, int]]:
@@ -103,5 +87,4 @@ def minimum_cost(cost: NDArray[np.float64]) -> list[tuple[int, int]]:
         return []
     if cost.shape[0] > cost.shape[1]:
         return sorted((row, column) for column, row in minimum_cost(np.ascontiguousarray(cost.T)))
-    solve = _compiled() if cost.size >= _COMPILE_FROM else _solve
-    return [(row, int(column)) for row, column in enumerate(solve(np.ascontiguousarray(cost, dtype=np.float64)))]
+    return list(enumerate(_solve(cost)))

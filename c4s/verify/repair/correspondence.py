@@ -8,10 +8,11 @@ so the order of the export does not matter; that order is only computed where th
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
-from collections.abc import Callable, Hashable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable
 from dataclasses import dataclass, field
+from itertools import product
+from math import floor
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 from c4s.scene.transform import quat_from_rotator
 from c4s.verify.repair.actors import Actor
 from c4s.verify.repair.assignment import maximum_matching, minimum_cost
-from c4s.verify.repair.difference import changed_fields, property_differences, transform_differences
+from c4s.verify.repair.difference import changed_fields, property_differences, recorded_alike, transform_differences
 from c4s.verify.repair.policy import (
     ANGLE_COST,
     FIELD_COST,
@@ -33,6 +34,7 @@ from c4s.verify.repair.policy import (
 Method: TypeAlias = Literal["unchanged_semantic", "changed_structural_assignment", "pose_anchored_asset_change"]
 _CELL_CM = 16.0
 """Edge of the hash cells: far above the 0.1 cm reach, so that nearly every lookup is in one cell."""
+_REACH_CM = SAME_LOCATION_CM * (1 + 1e-9)
 _PROPERTY_FIELDS = ("class", "asset_path", "component_asset_paths", "material_paths", "component_material_slots",
                     "properties")
 
@@ -67,23 +69,23 @@ class _Near:
         for actor in actors:
             if actor.location is not None and actor.posed:
                 x, y, z = actor.location
-                cell = (math.floor(x / _CELL_CM), math.floor(y / _CELL_CM), math.floor(z / _CELL_CM))
-                self._cells[(key(actor), *cell)].append(actor)
+                self._cells[key(actor), floor(x / _CELL_CM), floor(y / _CELL_CM), floor(z / _CELL_CM)].append(actor)
 
-    def around(self, actor: Actor) -> Iterator[Actor]:
+    def around(self, actor: Actor) -> list[Actor]:
         """Candidates of the same key within reach of an input actor; none when its pose is invalid."""
         if actor.location is None or not actor.posed:
-            return
+            return []
         x, y, z = actor.location
-        kind, reach = self._key(actor), SAME_LOCATION_CM * (1 + 1e-9)
-        spans = [range(math.floor((v - reach) / _CELL_CM), math.floor((v + reach) / _CELL_CM) + 1) for v in (x, y, z)]
-        for i in spans[0]:
-            for j in spans[1]:
-                for k in spans[2]:
-                    for other in self._cells.get((kind, i, j, k), ()):
-                        if other.location is not None and abs(other.location[0] - x) <= reach \
-                                and abs(other.location[1] - y) <= reach and abs(other.location[2] - z) <= reach:
-                            yield other
+        low = (floor((x - _REACH_CM) / _CELL_CM), floor((y - _REACH_CM) / _CELL_CM), floor((z - _REACH_CM) / _CELL_CM))
+        high = (floor((x + _REACH_CM) / _CELL_CM), floor((y + _REACH_CM) / _CELL_CM), floor((z + _REACH_CM) / _CELL_CM))
+        kind = self._key(actor)
+        if low == high:
+            inside: Iterable[Actor] = self._cells.get((kind, *low), ())
+        else:
+            inside = [other for cell in product(*map(range, low, (v + 1 for v in high)))
+                      for other in self._cells.get((kind, *cell), ())]
+        return [other for other in inside if other.location is not None and abs(other.location[0] - x) <= _REACH_CM
+                and abs(other.location[1] - y) <= _REACH_CM and abs(other.location[2] - z) <= _REACH_CM]
 
 
 class _Matcher:
@@ -199,7 +201,8 @@ def correspond(start: list[Actor], candidate: list[Actor], target_starts: set[in
     """Match input and candidate actors. ``target_starts`` are the input actors that are repair or removal targets."""
     matcher = _Matcher(start, candidate, target_starts)
     matcher.match(matcher.near_edges(lambda a: a.descriptor,
-                                     lambda a, b: not changed_fields(a.record, b.record)), "unchanged_semantic")
+                                     lambda a, b: recorded_alike(a.record, b.record)
+                                     or not changed_fields(a.record, b.record)), "unchanged_semantic")
     matcher.assign_leftovers()
     if matcher.open_start and matcher.open_candidate:
         matcher.match(matcher.near_edges(lambda a: a.descriptor[0],

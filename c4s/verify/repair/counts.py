@@ -29,6 +29,10 @@ class Repair:
     start_of: dict[int, Pair]
     """Pair of each matched candidate actor."""
     target_of_start: dict[int, Target]
+    start_index: dict[str, int]
+    """Index of an input actor by identity."""
+    replaced: set[int]
+    """Input actors whose candidate actor is of another kind."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +93,9 @@ def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     restored = {s for s, t in target_of_start.items() if t.operation == "repair"}
     pool = matched.new + [p.candidate for p in matched.pairs if p.fields or p.start in restored]
     pool.sort(key=lambda c: after[c].order())
-    return Repair(targets, before, after, matched, pool, start_of, target_of_start)
+    replaced = {p.start for p in matched.pairs if p.method == "pose_anchored_asset_change"
+                and before[p.start].descriptor != after[p.candidate].descriptor}
+    return Repair(targets, before, after, matched, pool, start_of, target_of_start, index_of, replaced)
 
 
 def _accepted(case: Repair, limits: Tolerances) -> dict[int, int]:
@@ -113,25 +119,21 @@ def _accepted(case: Repair, limits: Tolerances) -> dict[int, int]:
 def count(case: Repair, limits: Tolerances = NOMINAL) -> RepairResult:
     """Counts of a prepared case under a tolerance profile."""
     accepted = _accepted(case, limits)
-    start_index = {actor.key: actor.index for actor in case.start}
-    lost, mapped = set(case.matched.lost), {p.start for p in case.matched.pairs}
+    start_index, lost = case.start_index, set(case.matched.lost)
     rebound = 0
     for i, c in accepted.items():
         target = case.targets[i]
         own = start_index.get(target.key) if target.operation == "repair" else None
         pair = case.start_of.get(c)
-        if own is None or own in mapped or pair is None:
+        if own is None or own not in lost or pair is None:
             continue
         other = case.target_of_start.get(pair.start)
         if other is not None and other.operation == "remove" and pair.start not in lost:
-            mapped.add(own)
             lost.discard(own)
             lost.add(pair.start)
             rebound += 1
-    replaced = {p.start for p in case.matched.pairs
-                if case.start[p.start].descriptor != case.candidate[p.candidate].descriptor}
     done = frozenset(i for i, t in enumerate(case.targets)
-                     if t.operation == "remove" and start_index.get(t.key) in lost | replaced)
+                     if t.operation == "remove" and start_index.get(t.key) in lost | case.replaced)
     repurposed = {pair.start for c in accepted.values() if (pair := case.start_of.get(c)) is not None
                   and pair.start not in case.target_of_start}
     losses = sorted((lost - set(case.target_of_start)) | repurposed)

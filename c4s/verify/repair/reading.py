@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -11,10 +12,11 @@ from typing import Any
 from pydantic_core import from_json
 
 from c4s.errors import BadInput
+from c4s.files import digest_bytes
 
 
 @contextmanager
-def _without_cycle_search() -> Iterator[None]:
+def without_cycle_search() -> Iterator[None]:
     """Millions of new containers and no garbage: searching for cycles meanwhile only costs time."""
     enabled = gc.isenabled()
     gc.disable()
@@ -25,16 +27,29 @@ def _without_cycle_search() -> Iterator[None]:
             gc.enable()
 
 
-def read_snapshot(path: Path) -> tuple[Any, bytes]:
-    """A snapshot's JSON value and the bytes it was read from. Raises ``BadInput`` with one clear line."""
+def _read(path: Path) -> bytes:
     try:
-        data = path.read_bytes()
+        return path.read_bytes()
     except FileNotFoundError:
         raise BadInput("no such snapshot", where=str(path)) from None
     except OSError as error:
         raise BadInput(f"cannot read this snapshot: {error}", where=str(path)) from None
+
+
+def _parse(data: bytes, path: Path) -> Any:
     try:
-        with _without_cycle_search():
-            return from_json(data, allow_inf_nan=True), data
+        return from_json(data, allow_inf_nan=True)
     except ValueError as error:
         raise BadInput(f"this snapshot is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
+
+
+def read_snapshots(paths: dict[str, Path]) -> tuple[dict[str, Any], dict[str, str]]:
+    """The JSON values of named snapshots, and the SHA-256 of each file as ``<name>_snapshot``.
+
+    Digests are made in a second thread while the first one parses. Raises ``BadInput`` with one clear line.
+    """
+    with ThreadPoolExecutor(max_workers=1) as hashing:
+        data = {name: _read(path) for name, path in paths.items()}
+        digests = {name: hashing.submit(digest_bytes, content) for name, content in data.items()}
+        values = {name: _parse(content, paths[name]) for name, content in data.items()}
+        return values, {f"{name}_snapshot": digest.result() for name, digest in digests.items()}

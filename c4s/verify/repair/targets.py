@@ -1,14 +1,14 @@
-"""Repair targets: what must be added, removed or restored. Made from the input and the truth alone (scorer fact 2.2)."""
+"""Repair targets: what must be added, removed or restored, made from input and truth alone (scorer fact 2.2)."""
 
 from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
 from c4s.errors import BadInput
 from c4s.verify.repair.actors import Descriptor, Record, by_identity, descriptor, is_semantic, short_class
-from c4s.verify.repair.difference import same_but_for_identity, target_differences
+from c4s.verify.repair.difference import recorded_alike, same_but_for_identity, surely_finite, target_differences
 
 Operation: TypeAlias = Literal["add", "remove", "repair"]
 
@@ -43,20 +43,6 @@ def _shared_evidence(truth: Record, start: Record) -> Record:
     return cut
 
 
-def _identical_content(record: Record, other: Record) -> bool:
-    """A fast yes: all fields that are ever compared are equal as recorded (and no NaN hides in them)."""
-    transform: Any = record.get("transform")
-    if type(transform) is not dict or transform != other.get("transform"):
-        return False
-    location = transform.get("location_cm")
-    if type(location) is not list or any(v != v for vector in transform.values() if type(vector) is list
-                                         for v in vector):
-        return False
-    return all(record.get(field) == other.get(field) for field in
-               ("class", "asset_path", "component_asset_paths", "material_paths", "component_material_slots",
-                "properties"))
-
-
 def _without_identity_pairs(added: dict[str, Record], removed: dict[str, Record]) -> None:
     """Drop pairs of a truth-only and an input-only actor with identical content; first come, first served."""
     pool: dict[str, dict[str, Record]] = defaultdict(dict)
@@ -83,7 +69,7 @@ def find_targets(start: list[Record], truth: list[Record]) -> list[Target]:
               if is_semantic(record)]
     for key, record in after.items():
         old = before.get(key)
-        if old is None or _identical_content(record, old):
+        if old is None or (recorded_alike(record, old) and surely_finite(record["transform"])):
             continue
         cut = _shared_evidence(record, old)
         fields = target_differences(cut, old)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from c4s.errors import BadInput
-from c4s.files import digest_bytes
+from c4s.verify.repair.actors import scene_actors
 from c4s.verify.repair.advisories import advisories
 from c4s.verify.repair.counts import RepairResult, count, prepare_case
 from c4s.verify.repair.explanation import false_positive_rows, target_rows
 from c4s.verify.repair.policy import NOMINAL, PROFILES, REPAIR_POLICY
-from c4s.verify.repair.reading import read_snapshot
+from c4s.verify.repair.reading import read_snapshots, without_cycle_search
 from c4s.verify.verdict import Verdict
 
 
@@ -41,20 +41,28 @@ def repair_verdict(start: Any, truth: Any, candidate: Any, *, policy: str = REPA
                    population=population, advisories=advisories(nominal), inputs=inputs or {})
 
 
+def _failure(candidate: Any) -> Literal["error", "not_evaluated"]:
+    """Whose failure it is that a candidate snapshot cannot be scored."""
+    try:
+        scene_actors(candidate, "candidate")
+    except BadInput:
+        return "error"
+    return "not_evaluated"
+
+
 def verify_repair(input_path: Path, truth_path: Path, candidate_path: Path, policy: str = REPAIR_POLICY) -> Verdict:
     """Score snapshot files.
 
-    A candidate that cannot be scored (an export that failed, ambiguous identities) is a verdict ``error`` with its
-    reason: evidence is made by the evaluator's own engine, so it is never the agent's score. A wrong input or truth
-    raises ``BadInput``.
+    A wrong input or truth raises ``BadInput``. A candidate that cannot be scored is a verdict with its reason:
+    ``error`` when its export failed (the evaluator's fault), ``not_evaluated`` when the saved scene itself is
+    ambiguous, such as two actors under one identity.
     """
-    values, inputs = {}, {}
-    for name, path in (("input", input_path), ("truth", truth_path), ("candidate", candidate_path)):
-        values[name], data = read_snapshot(path)
-        inputs[f"{name}_snapshot"] = digest_bytes(data)
-    try:
-        return repair_verdict(values["input"], values["truth"], values["candidate"], policy=policy, inputs=inputs)
-    except BadInput as error:
-        if error.where != "candidate snapshot":
-            raise
-        return Verdict(verifier="repair", status="error", policy=policy, inputs=inputs, reason=error.line())
+    with without_cycle_search():
+        values, inputs = read_snapshots({"input": input_path, "truth": truth_path, "candidate": candidate_path})
+        try:
+            return repair_verdict(values["input"], values["truth"], values["candidate"], policy=policy, inputs=inputs)
+        except BadInput as error:
+            if error.where != "candidate snapshot":
+                raise
+            return Verdict(verifier="repair", status=_failure(values["candidate"]), policy=policy, inputs=inputs,
+                           reason=error.line())
