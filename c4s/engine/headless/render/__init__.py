@@ -1,0 +1,15 @@
+"""Pictures of a headless scene, with actor masks and depth in the same pass (see DESIGN.md)."""
+
+from c4s.engine.headless.render.renderer import Renderer
+from c4s.engine.headless.render.types import (
+    Camera,
+    Instance,
+    Lights,
+    LocalLight,
+    Picture,
+    Sky,
+    Sun,
+    SurfaceMaterial,
+)
+
+__all__ = ["Camera", "Instance", "Lights", "LocalLight", "Picture", "Renderer", "Sky", "Sun", "SurfaceMaterial"]

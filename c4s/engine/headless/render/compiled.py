@@ -1,0 +1,85 @@
+"""Compiling the kernels once: where the machine code is kept, and what happens when nothing can be written.
+
+The kept code belongs to exactly these sources (the folder's name carries their digest), so a changed helper never
+leaves a stale kernel. Folders are tried in order: ``NUMBA_CACHE_DIR``, this package's ``__pycache__``, the cache under
+``C4S_HOME``. A folder that holds the code but is read-only is copied to a temporary one; with nowhere to write, the
+process compiles for itself.
+"""
+
+from __future__ import annotations
+
+import atexit
+import functools
+import hashlib
+import os
+import shutil
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+from numba.core import config
+
+from c4s.home import cache_root
+
+_Kernel = TypeVar("_Kernel", bound=Callable[..., Any])
+
+
+@functools.cache
+def sources_digest() -> str:
+    """Digest of this package's Python files and of the compiler's version."""
+    digest = hashlib.sha256(numba.__version__.encode())
+    for path in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _writable(folder: Path) -> bool:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(dir=folder):
+            return True
+    except OSError:
+        return False
+
+
+@functools.cache
+def code_folder() -> Path | None:
+    """A writable folder for compiled code, with the code in it if any candidate has it; ``None`` when there is none."""
+    named = os.environ.get("NUMBA_CACHE_DIR")
+    roots = [*([Path(named)] if named else []), Path(__file__).parent / "__pycache__", cache_root()]
+    folders = [root / f"kernels-{sources_digest()}" for root in roots]
+    holders = [folder for folder in folders if next(folder.glob("*/*.nbi"), None)]
+    for folder in [*holders[:1], *([] if holders else folders)]:
+        if _writable(folder):
+            return folder
+    try:
+        scratch = Path(tempfile.mkdtemp(prefix="c4s-kernels-"))
+    except OSError:
+        return None
+    atexit.register(shutil.rmtree, scratch, ignore_errors=True)
+    if holders:
+        shutil.copytree(holders[0], scratch, dirs_exist_ok=True)
+    return scratch
+
+
+def kernel(function: _Kernel) -> _Kernel:
+    """Compile a function with numba at its first call, without the interpreter lock, and keep the machine code."""
+    folder = code_folder()
+    if folder is None:
+        compiled: _Kernel = numba.njit(nogil=True)(function)
+        return compiled
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(folder)
+    try:
+        kept: _Kernel = numba.njit(nogil=True, cache=True)(function)
+    finally:
+        config.CACHE_DIR = before
+    return kept
+
+
+def inner(function: _Kernel) -> _Kernel:
+    """Compile a function that only kernels call."""
+    compiled: _Kernel = numba.njit(nogil=True)(function)
+    return compiled
