@@ -66,7 +66,8 @@ def pictures(warehouse: Path, suite: str) -> list[Row]:
 def findings(warehouse: Path, suite: str) -> dict[tuple[str, str, int], list[Row]]:
     """Findings by (case, configuration, repeat)."""
     found: dict[tuple[str, str, int], list[Row]] = defaultdict(list)
-    for row in rows(warehouse, f"SELECT * FROM judged WHERE suite = {_text(suite)} ORDER BY verifier, outcome, subject"):
+    query = f"SELECT * FROM judged WHERE suite = {_text(suite)} ORDER BY verifier, outcome, subject"
+    for row in rows(warehouse, query):
         found[(row["case_id"], row["configuration"], row["repeat"])].append(row)
     return found
 

@@ -6,7 +6,6 @@ import os
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 from c4s.case.package import SuiteFolder
 from c4s.cli.progress import watch
