@@ -43,7 +43,7 @@ def encode(message: Mapping[str, Any]) -> bytes:
 def read_line(connection: socket.socket, limit: int, deadline: float) -> bytes:
     """Read up to the first line break or the end of the stream.
 
-    ``deadline`` is a ``time.monotonic()`` value. Raises ``TimeoutError`` behind it, ``ValueError`` over ``limit`` bytes.
+    ``deadline`` is a ``time.monotonic()`` value. ``TimeoutError`` behind it, ``ValueError`` over ``limit`` bytes.
     """
     parts: list[bytes] = []
     size = 0

@@ -1,7 +1,8 @@
 """What the engine process does to itself before it runs anything else: limits, privileges, Landlock, system calls.
 
-The host (``c4s.engine.sandbox``) starts the process in an empty environment, under bubblewrap or bare; this module closes
-the rest from inside, in one thread, before any agent code. It imports the standard library and its own two parts only.
+The host (``c4s.engine.sandbox``) starts the process in an empty environment, under bubblewrap or bare; this module
+closes the rest from inside, in one thread, before any agent code. It imports the standard library and two parts of its
+own only.
 """
 
 from __future__ import annotations

@@ -27,6 +27,7 @@ def serve(listener: socket.socket, settings: dict[str, Any]) -> None:
     """Build the world of ``settings`` and answer requests; bad input is told to the first that asks."""
     from c4s.engine.headless.boot import boot, tick
     from c4s.engine.headless.jobs import JobRunner
+    from c4s.engine.headless.render_scene import attach
     from c4s.engine.headless.server import BridgeServer
     from c4s.errors import BadInput
 
@@ -37,6 +38,7 @@ def serve(listener: socket.socket, settings: dict[str, Any]) -> None:
     except BadInput as error:
         _refuse(listener, error.what, error.where, error.todo)
         return
+    attach()
     runner = JobRunner(scratch / "jobs", tick)
     BridgeServer(listener, runner, scratch).start()
     runner.run_forever()

@@ -1,0 +1,140 @@
+"""Pictures of the open level: viewport screenshots, and views with, for every pixel, the actor that it shows.
+
+A host that renders by itself sets ``source``: a function from cameras to pictures. Without one, pictures come from a
+SceneCapture2D of the editor, which has no actor mask.
+
+A camera is ``{"name", "location_cm", "rotation_deg" ([pitch, yaw, roll]) or "target_cm", "fov_deg" (horizontal),
+"width", "height"}``. A shot is the bridge's: ``camera_location``, ``camera_rotation`` ([roll, pitch, yaw]),
+``field_of_view``, ``width``, ``height``, ``filepath``; without a location it is the viewport's camera.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import unreal
+
+Camera = Mapping[str, Any]
+Record = dict[str, Any]
+
+WIDTH, HEIGHT, FIELD_OF_VIEW = 1280, 720, 90.0
+MODES = ("lit", "base_color")
+_CAPTURES_OF_ONE = 4
+_PNG_END = b"IEND\xaeB`\x82"
+
+source: Callable[[Sequence[Camera], Sequence[str], str, bool], list[Record]] | None = None
+"""``source(cameras, files, mode, masks)`` writes a PNG a file, with ``masks`` also the file's ``.actors.npz``, and
+returns a list of ``{"visible": {actor name: pixels}}``."""
+
+
+def take_screenshots(shots: Sequence[Mapping[str, Any]], folder: str) -> Record:
+    """Take shots, one file each (default ``folder/shot-<n>.png``); the bridge's ``take_screenshot_batch`` reply."""
+    results, missing = [], []
+    for number, shot in enumerate(shots, 1):
+        path = Path(folder, str(shot.get("filepath") or f"shot-{number}.png"))
+        extras = _pictures([_shot_camera(shot)], [path], shot.get("mode", "lit"), bool(shot.get("actors")))
+        if path.is_file():
+            results.append({"filepath": str(path), "filename": path.name, **extras[0]})
+        else:
+            missing.append(str(path))
+    return {"status": "partial" if missing else "success", "results": results, "missing": missing}
+
+
+def capture_views(cameras: Sequence[Camera], folder: str, mode: str = "lit", actors: bool = True) -> list[Record]:
+    """Write ``folder/<name>.png`` a camera, and with ``actors`` ``<name>.actors.npz``; a record a view.
+
+    The npz holds ``actor`` (H, W) int32, an index into ``names`` and ``labels`` or -1, and ``depth_cm`` (H, W) float32.
+    A record's ``visible`` counts the pixels of each actor by object name.
+    """
+    named = [{**camera, **_pose(camera), "name": str(camera.get("name") or f"view-{number}")}
+             for number, camera in enumerate(cameras, 1)]
+    files = [Path(folder, f"{camera['name']}.png") for camera in named]
+    records = []
+    for camera, path, extra in zip(named, files, _pictures(named, files, mode, actors), strict=True):
+        kept = {key: camera[key] for key in ("location_cm", "rotation_deg", "fov_deg", "width", "height")}
+        record = {"name": camera["name"], "file": path.name, "mode": mode, "camera": kept, **extra}
+        if actors and source is not None:
+            record["actors"] = f"{camera['name']}.actors.npz"
+        records.append(record)
+    return records
+
+
+def viewport_camera() -> Record:
+    """The place and rotation of the level viewport's camera."""
+    info = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_level_viewport_camera_info()
+    if not info:
+        raise RuntimeError("the editor has no level viewport")
+    location, rotation = info[-2], info[-1]
+    return {"location_cm": [location.x, location.y, location.z],
+            "rotation_deg": [rotation.pitch, rotation.yaw, rotation.roll]}
+
+
+def _shot_camera(shot: Mapping[str, Any]) -> Record:
+    camera = {"width": int(shot.get("width") or WIDTH), "height": int(shot.get("height") or HEIGHT),
+              "fov_deg": float(shot.get("field_of_view") or FIELD_OF_VIEW),
+              "exposure_bias_ev": float(shot.get("exposure_bias_ev") or 0.0)}
+    if shot.get("camera_location") is None:
+        return {**viewport_camera(), **camera}
+    roll, pitch, yaw = shot.get("camera_rotation") or (0.0, 0.0, 0.0)
+    return {**camera, "location_cm": list(shot["camera_location"]), "rotation_deg": [pitch, yaw, roll]}
+
+
+def _pose(camera: Camera) -> Record:
+    """Rotation, field of view and size of a camera, with what it leaves out."""
+    rotation = camera.get("rotation_deg")
+    if rotation is None:
+        x, y, z = (t - e for e, t in zip(camera["location_cm"], camera["target_cm"], strict=True))
+        rotation = [math.degrees(math.atan2(z, math.hypot(x, y))), math.degrees(math.atan2(y, x)), 0.0]
+    size = camera.get("publish") or {}
+    return {"rotation_deg": list(rotation), "fov_deg": float(camera.get("fov_deg") or FIELD_OF_VIEW),
+            "width": int(camera.get("width") or size.get("width") or WIDTH),
+            "height": int(camera.get("height") or size.get("height") or HEIGHT)}
+
+
+def _pictures(cameras: Sequence[Camera], files: Sequence[Path], mode: str, actors: bool) -> list[Record]:
+    if mode not in MODES:
+        raise ValueError(f"mode must be one of {', '.join(MODES)}")
+    for path in files:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    if source is not None:
+        return source(cameras, [str(path) for path in files], mode, actors)
+    for camera, path in zip(cameras, files, strict=True):
+        _scene_capture(camera, path, mode)
+    return [{} for _ in cameras]
+
+
+def _scene_capture(camera: Camera, path: Path, mode: str) -> None:
+    """A picture by a SceneCapture2D, which is destroyed again."""
+    world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
+    actors = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+    pitch, yaw, roll = camera["rotation_deg"]
+    capture = actors.spawn_actor_from_class(unreal.SceneCapture2D, unreal.Vector(*camera["location_cm"]),
+                                            unreal.Rotator(roll=roll, pitch=pitch, yaw=yaw))
+    target = unreal.RenderingLibrary.create_render_target2d(world, camera["width"], camera["height"],
+                                                            unreal.TextureRenderTargetFormat.RTF_RGBA8)
+    try:
+        component = capture.capture_component2d
+        component.set_editor_property("capture_every_frame", False)
+        component.set_editor_property("capture_on_movement", False)
+        component.set_editor_property("fov_angle", camera["fov_deg"])
+        component.set_editor_property("capture_source", unreal.SceneCaptureSource.SCS_BASE_COLOR if mode == "base_color"
+                                      else unreal.SceneCaptureSource.SCS_FINAL_COLOR_LDR)
+        component.set_editor_property("texture_target", target)
+        for _ in range(_CAPTURES_OF_ONE):
+            component.capture_scene()
+        unreal.RenderingLibrary.export_render_target(world, target, str(path.parent), path.name)
+        _trim(path)
+    finally:
+        unreal.RenderingLibrary.release_render_target2d(target)
+        actors.destroy_actor(capture)
+
+
+def _trim(path: Path) -> None:
+    """Cut what some engine versions leave behind the end of a PNG."""
+    data = path.read_bytes()
+    end = data.find(_PNG_END)
+    if end >= 0 and end + len(_PNG_END) < len(data):
+        path.write_bytes(data[:end + len(_PNG_END)])
