@@ -25,8 +25,8 @@ def build_starter_visibly() -> Suite:
     with bars() as progress:
         task = progress.add_task("starter suite", total=None)
 
-        def step(message: str, done: int, total: int) -> None:
-            progress.update(task, description=f"building {message:42.42}", completed=done, total=total)
+        def step(message: str) -> None:
+            progress.update(task, description=f"building {message:42.42}")
 
         suite = build_starter(suites_root() / "starter", packs_root(), step)
         progress.update(task, description=f"{'starter suite ready':51}")
@@ -71,8 +71,8 @@ def code4scene(folder: Annotated[Path, typer.Argument(help="folder with the publ
     with bars() as progress:
         task = progress.add_task("importing", total=None)
 
-        def step(message: str, done: int, total: int) -> None:
-            progress.update(task, description=f"importing {message:42.42}", completed=done, total=total)
+        def step(message: str) -> None:
+            progress.update(task, description=f"importing {message:41.41}")
 
         name = out or "code4scene"
         report = import_code4scene(folder, suites_root() / name, packs_root(), step)

@@ -8,7 +8,8 @@ A graph is ``{"nodes": [...]}``. A node places one asset, or ``count`` copies of
 
 ``at`` is metres from the plate's centre (X, Y, optionally Z of the bottom); without it ``relation`` or ``on``
 decides, else the centre. ``on`` stands the copies on top of another node's first copy. Layout kinds: ``row``,
-``grid``, ``ring``, ``scatter``. Relation kinds: ``next_to``, ``left_of``, ``right_of``, ``in_front_of``, ``behind``, ``around``.
+``grid``, ``ring``, ``scatter``. Relation kinds:
+``next_to``, ``left_of``, ``right_of``, ``in_front_of``, ``behind``, ``around``.
 """
 
 from __future__ import annotations

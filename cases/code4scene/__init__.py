@@ -1,0 +1,1 @@
+"""Importing the benchmark's published task layout."""
