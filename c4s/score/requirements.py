@@ -1,0 +1,269 @@
+"""From verified requirements to decided rows: families, exclusions, conjunction caps and clauses (scorer fact 5)."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from c4s.errors import BadInput
+from c4s.files import canonical_json
+from c4s.score.detailed import clauses_of, detailed_score, row_score, weighted_mean
+from c4s.score.numbers import unit_number
+from c4s.score.policy import (
+    COMPOSITE_TYPES,
+    CONJUNCTIVE_TYPES,
+    DETAILED_DIGITS,
+    FAMILY_OF_TYPE,
+    FAMILY_WEIGHTS,
+    SEMANTIC_CASE_POLICY,
+    SEMANTIC_CASE_SCHEMA,
+    SEMANTIC_FAMILY_POLICY,
+    Family,
+)
+
+Row = dict[str, Any]
+_CLAUSE = re.compile(r"[^.!?;]+[.!?;]*")
+_DECIDED = frozenset({"MATCH", "MISMATCH"})
+_STATUSES = _DECIDED | {"ERROR", "NOT_EVALUATED"}
+
+
+def predicate_type(requirement: Mapping[str, Any]) -> str:
+    """The requirement's type in lower case; ``presence`` is ``existence``."""
+    kind = requirement.get("predicate_type")
+    if not kind:
+        binding = requirement.get("evaluation_binding")
+        parameters = binding.get("parameters") if isinstance(binding, Mapping) else None
+        kind = parameters.get("predicate_type") if isinstance(parameters, Mapping) else None
+    text = str(kind or "").strip().lower()
+    return "existence" if text == "presence" else text
+
+
+def family_of(requirement: Mapping[str, Any]) -> Family | None:
+    """Family of a requirement: the one attached to it, else by its type; None when neither names one."""
+    attached = requirement.get("semantic_family")
+    for family in FAMILY_WEIGHTS:
+        if attached == family:
+            return family
+    return FAMILY_OF_TYPE.get(predicate_type(requirement))
+
+
+def clause_spans(prompt: str) -> list[tuple[int, int]]:
+    """Spans of the prompt's clauses: split behind runs of ``. ! ? ;``, blanks trimmed, empty ones dropped."""
+    spans = []
+    for match in _CLAUSE.finditer(prompt):
+        text = match.group()
+        start = match.start() + len(text) - len(text.lstrip())
+        if text.strip():
+            spans.append((start, start + len(text.strip())))
+    return spans
+
+
+def _span(requirement: Mapping[str, Any], length: int) -> tuple[int, int]:
+    span = requirement.get("source_span")
+    if isinstance(span, Mapping):
+        span = [span.get("start"), span.get("end")]
+    if isinstance(span, Sequence) and not isinstance(span, str) and len(span) == 2 \
+            and all(isinstance(v, int) and not isinstance(v, bool) for v in span):
+        return span[0], span[1]
+    return 0, length
+
+
+def _decision(requirement: Mapping[str, Any]) -> tuple[str, float, bool]:
+    """Status, score and whether it is known. What was not decided is worth zero and stays in the denominator."""
+    status = str(requirement.get("evaluation_status") or "").upper()
+    status = status if status in _STATUSES else "NOT_EVALUATED"
+    if status not in _DECIDED:
+        return status, 0.0, False
+    check = requirement.get("check")
+    for value in (requirement.get("score"), check.get("score") if isinstance(check, Mapping) else None):
+        score = unit_number(value)
+        if score is not None:
+            return status, score, True
+    return status, 1.0 if status == "MATCH" else 0.0, True
+
+
+def _inside(inner: Row, outer: Row) -> bool:
+    a, b = inner["source_span"], outer["source_span"]
+    return bool(b[0] <= a[0] and a[1] <= b[1] and a != b)
+
+
+def _exclude(rows: list[Row], requirements: Sequence[Mapping[str, Any]]) -> None:
+    first: set[str] = set()
+    for row, requirement in zip(rows, requirements, strict=True):
+        identity = canonical_json([row["source_span"], row["text"], row["predicate_type"],
+                                   requirement.get("entity_scopes") or {}])
+        if identity in first:
+            row["exclusion_reason"] = "exact_duplicate"
+        first.add(identity)
+    distinct = [row for row in rows if row["exclusion_reason"] is None]
+    for row, requirement in zip(rows, requirements, strict=True):
+        if row["exclusion_reason"] is not None:
+            continue
+        composite = row["predicate_type"] in COMPOSITE_TYPES
+        if composite and (requirement.get("semantic_replaced_by_children") is True
+                          or any(_inside(other, row) for other in distinct)):
+            row["exclusion_reason"] = "composite_replaced_by_children"
+        elif row["semantic_family"] is None:
+            row["exclusion_reason"] = "unassigned_semantic_family"
+
+
+def _cap(rows: list[Row]) -> None:
+    """A conjunction is worth at most its direct span-children, recursively."""
+    inner = {id(row): [other for other in rows if _inside(other, row)] for row in rows}
+    done: dict[int, tuple[float, bool]] = {}
+    for row in sorted(rows, key=lambda r: r["source_span"][1] - r["source_span"][0]):
+        own = (row["value"], row["score_known"])
+        children = inner[id(row)]
+        if row["predicate_type"] in CONJUNCTIVE_TYPES and children:
+            direct = [c for c in children if not any(_inside(c, middle) for middle in children)]
+            parts = [own, *(done[id(c)] for c in direct)]
+            value = min(score for score, _ in parts)
+            known = all(k for _, k in parts) or any(k and score == 0 for score, k in parts)
+            row["parent_constrained"] = (value, known) != own
+            own = (value, known)
+        done[id(row)] = own
+    for row in rows:
+        row["value"], row["score_known"] = done[id(row)]
+
+
+def decided_rows(prompt: str, requirements: Sequence[Mapping[str, Any]]) -> list[Row]:
+    """The rows of ``detailed_score`` for verified requirements, excluded ones included with their reason."""
+    rows: list[Row] = []
+    for requirement in requirements:
+        status, score, known = _decision(requirement)
+        rows.append({"node_id": requirement.get("node_id"), "text": requirement.get("text"),
+                     "source_span": list(_span(requirement, len(prompt))),
+                     "predicate_type": predicate_type(requirement), "semantic_family": family_of(requirement),
+                     "predicate_weight": 1.0, "evaluation_status": status, "value": score, "score_known": known,
+                     "included": True, "exclusion_reason": None, "clause_index": None, "parent_constrained": False})
+    _exclude(rows, requirements)
+    active = [row for row in rows if row["exclusion_reason"] is None]
+    _cap(active)
+    spans = clause_spans(prompt)
+    for row in rows:
+        row["included"] = row["exclusion_reason"] is None
+        if row["included"]:
+            start, end = row["source_span"]
+            overlaps = [min(end, b) - max(start, a) for a, b in spans]
+            row["clause_index"] = max(range(len(spans)), key=lambda i: (max(0, overlaps[i]), -i)) if spans else 0
+        row["effective_score"] = round(row["value"], DETAILED_DIGITS)
+    return rows
+
+
+def _clause_report(rows: Sequence[Mapping[str, Any]], texts: list[str], family: str) -> Row:
+    index = rows[0]["clause_index"]
+    return {"index": index, "text": texts[index] if index < len(texts) else "", "semantic_family": family,
+            "clause_weight": 1.0, "score": weighted_mean((1.0, row["value"]) for row in rows),
+            "known_coverage": weighted_mean((1.0, float(row["score_known"])) for row in rows),
+            "active_requirement_count": len(rows)}
+
+
+def _rounded(record: Row) -> Row:
+    return record | {key: round(record[key], DETAILED_DIGITS) for key in ("score", "known_coverage")
+                     if record[key] is not None}
+
+
+def semantic_case(prompt: str, requirements: Sequence[Mapping[str, Any]],
+                  family_weights: Mapping[str, float] | None = None) -> Row:
+    """The verifier's own case report: rows, clauses and families, with equal family weights unless given.
+
+    Family values are not rounded before they are averaged, so it can differ by 0.0001 from ``detailed_score``.
+    Raises ``BadInput`` for unknown families or when requirements exist but none counts.
+    """
+    unknown = sorted(set(family_weights or {}) - set(FAMILY_WEIGHTS))
+    if unknown:
+        raise BadInput(f"unknown semantic family weights: {', '.join(unknown)}")
+    weights = {family: float((family_weights or {}).get(family, 1.0)) for family in FAMILY_WEIGHTS}
+    rows = decided_rows(prompt, requirements)
+    active = [row for row in rows if row["included"]]
+    head = {"schema_version": SEMANTIC_CASE_SCHEMA, "score_policy": SEMANTIC_CASE_POLICY,
+            "family_score_policy": SEMANTIC_FAMILY_POLICY, "family_weights": weights}
+    counts = {"source_requirement_count": len(rows), "active_requirement_count": len(active),
+              "excluded_requirement_count": len(rows) - len(active),
+              "parent_adjustment_count": sum(row["parent_constrained"] for row in rows)}
+    if not rows:
+        return head | {"score": None, "known_coverage": 0.0} | counts | {"clauses": [], "families": {},
+                                                                         "requirements": []}
+    if not active:
+        raise BadInput("no active semantic requirement maps to a declared family")
+    texts = [prompt[a:b] for a, b in clause_spans(prompt)]
+    families: dict[str, Row] = {}
+    for family, weight in weights.items():
+        mine = [row for row in active if row["semantic_family"] == family]
+        if not mine:
+            families[family] = {"score_policy": SEMANTIC_FAMILY_POLICY, "family_weight": weight, "applicable": False,
+                                "score": None, "known_coverage": 0.0, "active_requirement_count": 0,
+                                "clause_count": 0, "clauses": []}
+            continue
+        clauses = [_clause_report(clause, texts, family) for clause in clauses_of(mine)]
+        families[family] = {"score_policy": SEMANTIC_FAMILY_POLICY, "family_weight": weight, "applicable": True,
+                            "score": weighted_mean((1.0, c["score"]) for c in clauses),
+                            "known_coverage": weighted_mean((1.0, c["known_coverage"]) for c in clauses),
+                            "active_requirement_count": len(mine), "clause_count": len(clauses),
+                            "clauses": [_rounded(c) for c in clauses]}
+    shown = [{key: value for key, value in row.items() if key != "value"} for row in rows]
+    present = [f for f in families.values() if f["applicable"]]
+    total = {name: round(weighted_mean((f["family_weight"], f[name]) for f in present), DETAILED_DIGITS)
+             for name in ("score", "known_coverage")}
+    return head | total | counts | {
+        "applicable_family_count": len(present), "clauses": [c for f in families.values() for c in f["clauses"]],
+        "families": {name: _rounded(f) for name, f in families.items()}, "requirements": shown}
+
+
+def families_from_graph(graph: Mapping[str, Any]) -> dict[str, Family]:
+    """Family of each predicate node. A logic node has one only if all that it scopes over share it."""
+    nodes = {str(node["id"]): predicate_type(node) for node in graph.get("nodes", ())
+             if isinstance(node, Mapping) and predicate_type(node)}
+    scoped: dict[str, list[str]] = defaultdict(list)
+    for edge in graph.get("edges", ()):
+        if edge.get("edge_type") == "scope":
+            scoped[str(edge.get("source_id"))].append(str(edge.get("target_id")))
+    found: dict[str, Family] = {}
+    for node, kind in nodes.items():
+        if kind != "logic":
+            if kind in FAMILY_OF_TYPE:
+                found[node] = FAMILY_OF_TYPE[kind]
+            continue
+        shared = {FAMILY_OF_TYPE.get(nodes[child]) for child in _descendants(node, scoped)
+                  if nodes.get(child, "logic") != "logic"}
+        only = next(iter(shared)) if len(shared) == 1 else None
+        if only is not None:
+            found[node] = only
+    return found
+
+
+def _descendants(node: str, scoped: Mapping[str, Iterable[str]]) -> list[str]:
+    seen: list[str] = []
+    pending = list(scoped.get(node, ()))
+    while pending:
+        child = pending.pop()
+        if child not in seen and child != node:
+            seen.append(child)
+            pending.extend(scoped.get(child, ()))
+    return seen
+
+
+def attach_families(graph: Mapping[str, Any], requirements: Sequence[Mapping[str, Any]]) -> list[Row]:
+    """Requirements with their node's family, and a mark on those whose scoped children replace them."""
+    families = families_from_graph(graph)
+    parents = {str(edge.get("source_id")) for edge in graph.get("edges", ()) if edge.get("edge_type") == "scope"}
+    attached = []
+    for requirement in requirements:
+        row, node = dict(requirement), str(requirement.get("node_id"))
+        if node in families:
+            row["semantic_family"] = families[node]
+        if node in parents:
+            row["semantic_replaced_by_children"] = True
+        attached.append(row)
+    return attached
+
+
+def protocol_detailed(case: Mapping[str, Any]) -> Row | None:
+    """Detailed Alignment of a ``semantic_case`` report under the benchmark's family weights; None when it is empty."""
+    return detailed_score(case["requirements"]) if case["requirements"] else None
+
+
+__all__ = ["attach_families", "clause_spans", "decided_rows", "families_from_graph", "family_of", "predicate_type",
+           "protocol_detailed", "row_score", "semantic_case"]
