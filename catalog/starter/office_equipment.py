@@ -59,7 +59,7 @@ def _laptop(b: Builder) -> None:
     b.box("Steel", (33, 23, 1.4), bevel=0.4)
     b.box("BlackPlastic", (29, 11, 0.2), (0, -2.5, 1.35), body=None)
     b.box("GreyPlastic", (10, 6, 0.2), (0, 7.5, 1.35), body=None)
-    with b.moved((0, -11.3, 1.2), (0, 0, 14)):
+    with b.moved((0, -11.3, 1.2), (0, 0, -14)):
         b.box("Steel", (33, 0.9, 22), bevel=0.3)
         b.panel("ScreenSheet", 31, 19.5, (0, 0.5, 1.4))
 
@@ -79,11 +79,11 @@ def _tower(b: Builder) -> None:
 @KIT.asset("DeskPhone", "equipment", "Desk telephone with a handset and keys.", "phone telephone desk")
 def _phone(b: Builder) -> None:
     b.wedge("BlackPlastic", (20, 18, 7), (0, 0, 0), (0, -90, 0), body="hull")
-    b.box("BlackPlastic", (5, 20, 4), (-6, 0, 5), (0, 0, -19), bevel=1.5, body=None)
-    b.box("ScreenSheet", (9, 5, 0.4), (4, -5, 6.1), (0, 0, -19), body=None)
+    b.box("BlackPlastic", (5, 20, 4), (-6, 0, 5), (0, 0, 19), bevel=1.5, body=None)
+    b.box("ScreenSheet", (9, 5, 0.4), (4, -5, 6.1), (0, 0, 19), body=None)
     for row in range(3):
         for key in range(3):
-            b.box("WhitePlastic", (2, 1.6, 0.6), (1.4 + 2.7 * key, 0.5 + row * 2.6, 4.0 - row * 0.85), (0, 0, -19),
+            b.box("WhitePlastic", (2, 1.6, 0.6), (1.4 + 2.7 * key, 0.5 + row * 2.6, 4.0 - row * 0.85), (0, 0, 19),
                   body=None)
 
 
@@ -100,7 +100,7 @@ def _printer(b: Builder) -> None:
     b.box("BlackPlastic", (44, 56, 1), (0, 0, 66), body=None)
     b.box("WhitePlastic", (60, 60, 14), (0, 0, 84), bevel=1.5)
     b.box("GreyPlastic", (58, 52, 10), (0, -3, 98), bevel=2)
-    b.box("ScreenCode", (20, 8, 1), (18, 30, 96), (0, 0, -35), body=None)
+    b.box("ScreenCode", (20, 8, 1), (18, 30, 96), (0, 0, 35), body=None)
     b.box("Paper", (21, 30, 1.5), (-2, 4, 67), body=None)
 
 
@@ -196,7 +196,7 @@ def _binders(b: Builder) -> None:
         x = -25.2 + 7.2 * i
         b.box(("BookBlue", "GreyPlastic", "BookBlue", "AccentRed")[i % 4], (7, 26, 32), (x, 0, 0), bevel=0.3, body=None)
         b.box("Paper", (5, 0.3, 14), (x, 13.1, 13), body=None)
-        b.cylinder("Steel", 1.2, 0.4, (x, 13, 6), (0, 0, -90), segments=10, body=None)
+        b.cylinder("Steel", 1.2, 0.4, (x, 13, 6), (0, 0, 90), segments=10, body=None)
     b.body_box((57.6, 26, 32))
 
 
@@ -286,8 +286,8 @@ def _pinboard(b: Builder) -> None:
 
 @KIT.asset("WallClock", "decor", "Round wall clock, 34 cm across; pivot at the back.", "clock wall time")
 def _clock(b: Builder) -> None:
-    b.cylinder("BlackPlastic", 17, 4, (0, 0, 0), (0, 0, -90), segments=32)
-    b.cylinder("Whiteboard", 15.4, 0.3, (0, 4, 0), (0, 0, -90), segments=32, body=None)
+    b.cylinder("BlackPlastic", 17, 4, (0, 0, 0), (0, 0, 90), segments=32)
+    b.cylinder("Whiteboard", 15.4, 0.3, (0, 4, 0), (0, 0, 90), segments=32, body=None)
     for i in range(12):
         a = i * math.pi / 6
         b.box("BlackPlastic", (1, 0.3, 3), (13 * math.sin(a), 4.5, 13 * math.cos(a) - 1.5), body=None)

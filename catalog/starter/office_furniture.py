@@ -88,7 +88,7 @@ def _task(b: Builder) -> None:
     _castor_base(b, 43)
     b.box("BlueFabric", (48, 47, 7), (0, 0, 43), bevel=3)
     b.box("BlackPlastic", (6, 4, 34), (0, -25, 42), (-6, 90, 0), body=None)
-    with b.moved((0, -24, 54), (0, 0, 8)):
+    with b.moved((0, -24, 54), (0, 0, -8)):
         b.box("MeshFabric", (44, 5, 48), bevel=2.4)
         b.box("BlackPlastic", (30, 2, 8), (0, -3, 8), bevel=0.8, body=None)
     for x in (-27, 27):
@@ -106,7 +106,7 @@ def _conference(b: Builder) -> None:
         b.body_box((3, 3, 42), (x, 25, 0))
     b.tube("Steel", [(-24, -22, 1.3), (24, -22, 1.3)], 1.3)
     b.box("TealFabric", (47, 46, 6), (0, 2, 42), bevel=2)
-    with b.moved((0, -22, 50), (0, 0, 9)):
+    with b.moved((0, -22, 50), (0, 0, -9)):
         b.box("TealFabric", (47, 5, 42), bevel=2)
 
 
@@ -114,7 +114,7 @@ def _conference(b: Builder) -> None:
 def _visitor(b: Builder) -> None:
     legs(b, "Steel", (46, 44), 43, 2.6, round_=True)
     b.box("OrangeFabric", (46, 44, 3.5), (0, 0, 43), bevel=1.4)
-    with b.moved((0, -20.5, 46), (0, 0, 10)):
+    with b.moved((0, -20.5, 46), (0, 0, -10)):
         b.box("OrangeFabric", (44, 3.5, 36), bevel=1.4)
 
 
@@ -136,7 +136,7 @@ def _sofa(b: Builder) -> None:
     b.box("TealFabric", (150, 78, 20), (0, 0, 12), bevel=3)
     for x in (-32, 32):
         b.box("TealFabric", (62, 60, 12), (x, 7, 32), bevel=4)
-        with b.moved((x, -22, 42), (0, 0, 12)):
+        with b.moved((x, -22, 42), (0, 0, -12)):
             b.box("TealFabric", (61, 14, 36), bevel=5)
     b.box("TealFabric", (150, 14, 46), (0, -33, 30), bevel=4)
     for x in (-69, 69):

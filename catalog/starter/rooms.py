@@ -53,7 +53,7 @@ def door_leaf(b: Builder, material: str, handle: str, width: float = 88.0, heigh
     for face in (-1, 1):
         for low, high in ((14, 88), (100, 190)):
             b.box(material, (width - 26, 1.2, high - low), (0, face * 2.4, low), bevel=0.5, body=None)
-        b.cylinder(handle, 2.4, 2, (width / 2 - 8, face * 2, 103), (0, 0, -90 * face), segments=12, body=None)
+        b.cylinder(handle, 2.4, 2, (width / 2 - 8, face * 2, 103), (0, 0, 90 * face), segments=12, body=None)
         b.box(handle, (13, 1.6, 1.8), (width / 2 - 13, face * 4.8, 102), bevel=0.4, body=None)
 
 
