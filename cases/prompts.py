@@ -47,7 +47,8 @@ def palette_block(assets: Sequence[Asset]) -> str:
         "=== ASSET PALETTE ===",
         "These assets are the whole library of this case; there is no search beyond them. Use any of them as",
         "often as you like and leave out what you do not need. Scene graphs name an asset by its id, the engine",
-        "by its spawn path. A line reads", "", "  id | name | category | width x depth x height (m) | spawn path", "", *rows])
+        "by its spawn path. A line reads", "",
+        "  id | name | category | width x depth x height (m) | spawn path", "", *rows])
 
 
 def task_block(plate_m: float, budget: Budget) -> str:
