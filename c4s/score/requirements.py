@@ -65,7 +65,7 @@ def _span(requirement: Mapping[str, Any], length: int) -> tuple[int, int]:
     if isinstance(span, Mapping):
         span = [span.get("start"), span.get("end")]
     if isinstance(span, Sequence) and not isinstance(span, str) and len(span) == 2 \
-            and all(isinstance(v, int) and not isinstance(v, bool) for v in span):
+            and all(isinstance(v, int) and not isinstance(v, bool) for v in span) and 0 <= span[0] < span[1]:
         return span[0], span[1]
     return 0, length
 
