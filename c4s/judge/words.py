@@ -1,0 +1,79 @@
+"""Words and phrases: whole-word, plural-tolerant matching of a named object against names of assets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+
+def word_set(text: str) -> frozenset[str]:
+    """The words of a text, as a set."""
+    return frozenset(text.split())
+
+
+_TOKEN = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_IRREGULAR = {"people": "person", "men": "man", "women": "woman", "children": "child", "leaves": "leaf",
+              "shelves": "shelf", "knives": "knife", "loaves": "loaf", "wolves": "wolf", "geese": "goose",
+              "mice": "mouse", "feet": "foot", "benches": "bench", "axes": "axe", "movies": "movie"}
+_UNCHANGED = ("ss", "us", "is")
+CUTS = frozenset({"with", "of", "on", "for", "in", "and", "at"})
+"""A name's head noun stands before the first of these."""
+VARIANTS = word_set("""
+    large small big little tall short long wide narrow tiny huge medium mini left right front back
+    straight curved corner open closed broken old new worn rusty dirty clean ruined empty full single double triple
+    red orange yellow green blue purple pink brown black white grey gray beige dark pale bright gold silver
+    wood wooden metal metallic steel concrete plastic leather fabric marble variant version bp sm lod""")
+"""Words behind a head noun that only name a variant: ``Crate_Large_02`` is a crate."""
+_PREFIXES = frozenset({"sm", "bp", "sk", "s", "mesh"})
+
+
+def singular(word: str) -> str:
+    """A noun's singular by common English rules; anything else as it is."""
+    if word in _IRREGULAR:
+        return _IRREGULAR[word]
+    if len(word) <= 3 or not word.endswith("s") or word.endswith(_UNCHANGED):
+        return word
+    if word.endswith("ies"):
+        return word[:-3] + "y"
+    if word.endswith(("ches", "shes", "sses", "xes", "zes", "oes")):
+        return word[:-2]
+    return word[:-1]
+
+
+def tokens(text: str) -> tuple[str, ...]:
+    """Lower-case singular words of a text, split at capitals, digits and punctuation."""
+    return tuple(singular(part.lower()) for part in _TOKEN.findall(text))
+
+
+def head(text: str) -> tuple[str, ...]:
+    """The words of a name up to and including its head noun: prefixes, what follows ``with``, variants dropped."""
+    words = list(tokens(text))
+    while words and words[0] in _PREFIXES:
+        words.pop(0)
+    cut = next((i for i, word in enumerate(words) if i and word in CUTS), len(words))
+    words = words[:cut]
+    while len(words) > 1 and (words[-1].isdigit() or len(words[-1]) == 1 or words[-1] in VARIANTS):
+        words.pop()
+    return tuple(words)
+
+
+def names_object(name: str, phrases: Iterable[tuple[str, ...]]) -> bool:
+    """Whether a name's head noun phrase ends with one of the phrases: a ``table lamp`` is a lamp and no table."""
+    noun = head(name)
+    return any(phrase and noun[-len(phrase):] == phrase for phrase in phrases)
+
+
+def phrases_of(names: Iterable[str]) -> list[tuple[str, ...]]:
+    """Phrases of an entity's name and aliases, articles dropped, without repeats."""
+    found = []
+    for name in names:
+        words = tuple(word for word in tokens(name) if word not in ("a", "an", "the"))
+        if words and words not in found:
+            found.append(words)
+    return found
+
+
+def has_phrase(text: str, phrase: tuple[str, ...]) -> bool:
+    """Whether the phrase occurs in the text as whole words in a row."""
+    words = tokens(text)
+    return any(words[i:i + len(phrase)] == phrase for i in range(len(words) - len(phrase) + 1))
