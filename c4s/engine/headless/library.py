@@ -1,0 +1,218 @@
+"""Assets by path: those of packs, the engine's own, and those that scripts create.
+
+A created asset lives in memory until it is saved, as ``<content>/Game/.../Name.asset.json``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field
+
+from c4s.engine.headless import level_io
+from c4s.engine.headless.log import EngineLog
+from c4s.engine.headless.unreal.actors import Actor
+from c4s.engine.headless.unreal.assets import (
+    AssetObject,
+    Blueprint,
+    Material,
+    MaterialInstanceConstant,
+    MaterialInterface,
+    StaticMesh,
+)
+from c4s.engine.headless.unreal.core import Class
+from c4s.model import Record
+from c4s.packs import manifest
+from c4s.packs.store import PackStore, object_path
+
+_PACKAGE = re.compile(r"/Game(/[A-Za-z0-9_\-]+)+")
+
+
+class AssetDocument(Record):
+    """A saved asset that a script created."""
+
+    schema_version: Literal["c4s.asset.v1"] = "c4s.asset.v1"
+    path: str
+    """``/Game/.../M_X.M_X``."""
+    class_path: str
+    parent: str | None = None
+    """Parent material of an instance, or the static mesh that this one is a copy of."""
+    material: manifest.Material | None = None
+    vectors: dict[str, tuple[float, float, float, float]] = Field(default_factory=dict)
+    scalars: dict[str, float] = Field(default_factory=dict)
+
+
+class AssetLibrary:
+    """Finds, creates, saves and deletes assets."""
+
+    log: EngineLog
+
+    def __init__(self, store: PackStore, content: Path) -> None:
+        self.store = store
+        self.content = content
+        self.created: dict[str, AssetObject] = {}
+        """Assets made in this session, and saved ones that were loaded, by object path."""
+        self._cache: dict[str, AssetObject | Class] = {}
+        self.folders: set[str] = set()
+        """Folders that scripts made."""
+
+    def content_file(self, package: str, suffix: str) -> Path | None:
+        """File of a package under the writable content root, or None when that is no package path under /Game/."""
+        return self.content / f"{package[1:]}{suffix}" if _PACKAGE.fullmatch(package) else None
+
+    def find(self, path: str) -> AssetObject | Class | None:
+        """The asset of ``/Game/A/B`` or ``/Game/A/B.B``, the class of ``/Game/A/B.B_C``, or None."""
+        found = self._cache.get(path)
+        if found is None:
+            found = self._made(path) or self._of_pack(path)
+            if found is not None and not (isinstance(found, AssetObject) and found._created):
+                self._cache[path] = found
+        return found
+
+    def _made(self, path: str) -> AssetObject | None:
+        full = object_path(path) if path.startswith("/Game/") and not path.endswith("_C") else path
+        if full in self.created:
+            return self.created[full]
+        file = self.content_file(full.rsplit(".", 1)[0], ".asset.json")
+        if file is None or not file.is_file():
+            return None
+        made = self._from_document(AssetDocument.read(file))
+        self.created[full] = made
+        made._dirty = False
+        return made
+
+    def _of_pack(self, path: str) -> AssetObject | Class | None:
+        material = self.store.material(path)
+        if material is not None:
+            return self._shared(material.path, lambda: self._pack_material(material))
+        asset = self.store.asset(path)
+        if asset is None:
+            return None
+        if asset.kind == "static_mesh":
+            return self._shared(asset.path, lambda: StaticMesh._at(asset.path)._bind(asset))
+        generated = self._shared(f"{asset.path}_C", lambda: self._generated(asset))
+        if path.endswith("_C"):
+            return generated
+        return self._shared(asset.path, lambda: Blueprint._at(asset.path)._bind(asset, generated))
+
+    def _shared(self, path: str, make: Callable[[], Any]) -> Any:
+        if path not in self._cache:
+            self._cache[path] = make()
+        return self._cache[path]
+
+    @staticmethod
+    def _pack_material(record: manifest.Material) -> Material | MaterialInstanceConstant:
+        if record.class_path.endswith(".MaterialInstanceConstant"):
+            return _PackInstance._at(record.path)._bind(record)  # type: ignore[no-any-return]
+        return Material._at(record.path)._bind(record)  # type: ignore[no-any-return]
+
+    @staticmethod
+    def _generated(asset: manifest.Asset) -> Class:
+        made: Class = Class._make(asset.path.rsplit(".", 1)[-1] + "_C", None)
+        made._bind(Actor, f"{asset.path}_C", asset.path)
+        return made
+
+    def exists(self, path: str) -> bool:
+        """Whether an asset (not a class) resolves."""
+        return isinstance(self.find(path), AssetObject)
+
+    def create(self, made: AssetObject) -> None:
+        """Register a new asset in memory."""
+        self.created[made._path()] = made
+
+    def save(self, asset: AssetObject) -> bool:
+        """Write a created asset; assets of packs are read-only and need no saving (True)."""
+        if not asset._created:
+            return True
+        file = self.content_file(asset._path().rsplit(".", 1)[0], ".asset.json")
+        if file is None:
+            self.log.error(f"SaveAsset: '{asset._path()}' does not lie under /Game/")
+            return False
+        self._document(asset).write(file)
+        asset._dirty = False
+        return True
+
+    def delete(self, path: str) -> bool:
+        """Delete a created asset, in memory and on disk; packs are read-only (False)."""
+        asset = self.find(path)
+        if not isinstance(asset, AssetObject) or not asset._created:
+            return False
+        full = asset._path()
+        self.created.pop(full)
+        file = self.content_file(full.rsplit(".", 1)[0], ".asset.json")
+        if file is not None:
+            file.unlink(missing_ok=True)
+        asset._dead = True
+        return True
+
+    def assets(self) -> list[AssetObject]:
+        """All assets that resolve: the engine's, the packs', then created ones, each group in path order."""
+        paths = [a.path for a in self.store.assets()] + [m.path for m in self.store.materials()]
+        for file in sorted(self.content.rglob("*.asset.json")):
+            package = "/" + file.relative_to(self.content).as_posix().removesuffix(".asset.json")
+            self.find(package)
+        found = [self.find(path) for path in sorted(paths)] + [self.created[path] for path in sorted(self.created)]
+        return [asset for asset in found if isinstance(asset, AssetObject)]
+
+    def disk_references(self, package: str) -> list[str] | None:
+        """Object paths that a saved package names (levels, created assets, packs), or None when it is not on disk."""
+        level = self.level_file(package)
+        if level is not None:
+            return level_io.references(level_io.read(level))
+        asset = self.find(package)
+        if isinstance(asset, AssetObject) and (not asset._created or self._is_saved(package)):
+            return asset._references()
+        return None
+
+    def level_file(self, package: str) -> Path | None:
+        """Document of a level, or None."""
+        raise NotImplementedError
+
+    def _is_saved(self, package: str) -> bool:
+        file = self.content_file(package, ".asset.json")
+        return file is not None and file.is_file()
+
+    @staticmethod
+    def _document(asset: AssetObject) -> AssetDocument:
+        common: dict[str, Any] = {"path": asset._path(), "class_path": asset._class_path()}
+        if isinstance(asset, MaterialInstanceConstant):
+            parent = asset._parent()
+            return AssetDocument(**common, parent=parent._path() if parent is not None else None,
+                                 vectors=asset._vectors, scalars=asset._scalars)
+        if isinstance(asset, Material):
+            return AssetDocument(**common, material=asset._surface())
+        return AssetDocument(**common, parent=asset._asset.path)
+
+    def _from_document(self, document: AssetDocument) -> AssetObject:
+        if document.class_path == MaterialInstanceConstant._class_path():
+            instance = MaterialInstanceConstant._at(document.path, created=True)
+            parent = self.find(document.parent) if document.parent else None
+            instance._values["parent"] = parent if isinstance(parent, MaterialInterface) else None
+            instance._vectors, instance._scalars = dict(document.vectors), dict(document.scalars)
+            return instance  # type: ignore[no-any-return]
+        if document.material is not None:
+            return Material._at(document.path, created=True)._bind(document.material)  # type: ignore[no-any-return]
+        source = self.store.asset(document.parent or "")
+        if source is None:
+            self.log.warning(f"{document.path}: the mesh '{document.parent}' that it copies is missing")
+            source = manifest.Asset(id="missing", name="missing", path=document.parent or "", category="",
+                                    bounds_min_cm=(0, 0, 0), bounds_max_cm=(0, 0, 0))
+        return StaticMesh._at(document.path, created=True)._bind(source)  # type: ignore[no-any-return]
+
+
+class _PackInstance(MaterialInstanceConstant):
+    """A material instance of a pack, whose surface the pack states in full."""
+
+    def _bind(self, record: manifest.Material) -> Any:
+        self._record = record
+        return self
+
+    def _surface(self) -> manifest.Material:
+        record: manifest.Material = self._record
+        return record
+
+    def _class(self) -> Class:
+        return MaterialInstanceConstant.static_class()

@@ -1,0 +1,540 @@
+"""Actors: identity, transforms, attachment, components, bounds."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+from c4s.engine.headless.pose import Pose
+from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.components import (
+    ActorComponent,
+    PrimitiveComponent,
+    SceneComponent,
+    StaticMeshComponent,
+    of_class,
+)
+from c4s.engine.headless.unreal.containers import Array, Name
+from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public
+from c4s.engine.headless.unreal.enums import AttachmentRule, ComponentMobility, DetachmentRule
+from c4s.engine.headless.unreal.lights import (
+    BrushComponent,
+    CameraComponent,
+    CapsuleComponent,
+    DirectionalLightComponent,
+    ExponentialHeightFogComponent,
+    PointLightComponent,
+    PostProcessSettings,
+    RectLightComponent,
+    SkyAtmosphereComponent,
+    SkyLightComponent,
+    SpotLightComponent,
+)
+from c4s.engine.headless.unreal.structs import Guid, Rotator, Transform, Vector
+
+Parts = tuple[tuple[str, type[SceneComponent]], ...]
+
+
+@public
+class Actor(Object):
+    """Base of everything that is placed in a level."""
+
+    _parts: ClassVar[Parts] = (("DefaultSceneRoot", SceneComponent),)
+    """Default components by name; the first is the root."""
+
+    _declares = {
+        "root_component": Prop("SceneComponent | None", get="_get_root", writable=False, saved=False),
+        "tags": Prop("Sequence[Name]", lambda: Array._of("Name", []), saved=False),
+        "actor_guid": Prop("Guid", get="_get_guid", writable=False, attribute=False, saved=False),
+        "hidden": Prop("bool", False, attribute=False, saved=False),
+        "actor_enable_collision": Prop("bool", True, attribute=False),
+        "is_spatially_loaded": Prop("bool", True, attribute=False, saved=False),
+        "custom_time_dilation": Prop("float", 1.0), "can_be_damaged": Prop("bool", True),
+    }
+
+    @classmethod
+    def _abstract(cls) -> bool:
+        return True
+
+    def _start(self, name: str, outer: Object | None) -> None:
+        super()._start(name, outer)
+        self._label = ""
+        self._guid = "0" * 32
+        self._folder = ""
+        self._hidden_ed = False
+        self._blueprint: Class | None = None
+        self._components: list[ActorComponent] = []
+        self._spawned = False
+        for part_name, part in type(self)._parts:
+            self._add(part, part_name)
+
+    def _add(self, part: type[ActorComponent], name: str) -> Any:
+        made = part._make(name, self)
+        root = self._get_root()
+        self._components.append(made)
+        if root is not None and isinstance(made, SceneComponent):
+            made._attach(root)
+        return made
+
+    def _drop(self, component: ActorComponent) -> None:
+        if component is self._components[0]:
+            raise Exception(f"{self._name}: the root component cannot be destroyed")
+        if isinstance(component, SceneComponent):
+            for child in list(component._children):
+                child._attach(component._parent)
+            component._attach(None)
+        self._components.remove(component)
+        component._dead = True
+        self._changed("components")
+
+    def _changed(self, name: str) -> None:
+        world().touch()
+
+    def _kill(self) -> None:
+        for component in self._components:
+            component._dead = True
+        self._dead = True
+
+    def _class(self) -> Class:
+        return self._blueprint or super()._class()
+
+    def _path(self) -> str:
+        return f"{world().map_path()}:PersistentLevel.{self._name}"
+
+    def _get_root(self) -> SceneComponent | None:
+        first = self._components[0] if self._components else None
+        return first if isinstance(first, SceneComponent) else None
+
+    def _root(self) -> SceneComponent:
+        root = self._get_root()
+        if root is None:
+            raise Exception(f"{self._name}: no root component")
+        return root
+
+    def _get_guid(self) -> Guid:
+        return Guid._of(self._guid)
+
+    def _pose(self) -> Pose:
+        return self._root()._world_pose()
+
+    def _move(self, pose: Pose) -> None:
+        self._root()._set_world(pose)
+
+    # identity
+
+    @api
+    def get_actor_label(self, create_if_none: bool = True) -> str:
+        """What people read; not unique."""
+        return str(self._label)
+
+    @api
+    def set_actor_label(self, new_actor_label: str, mark_dirty: bool = True) -> None:
+        """Set the label."""
+        self._label = str(new_actor_label).strip() or self._label
+        self._changed("label")
+
+    @api
+    def rename(self, name: Name | str | None = None, outer: Object | None = None) -> bool:
+        """Change the object name; False when it is taken or not a name."""
+        return world().rename(self, str(name)) if name is not None else False
+
+    @api
+    def get_folder_path(self) -> Name:
+        """Folder in the outliner."""
+        return Name(self._folder)
+
+    @api
+    def set_folder_path(self, new_folder_path: Name | str) -> None:
+        """Set the folder in the outliner."""
+        text = str(new_folder_path)
+        self._folder = "" if text == "None" else text
+        self._changed("folder")
+
+    @api
+    def actor_has_tag(self, tag: Name | str) -> bool:
+        """Whether a tag is set."""
+        return Name(str(tag)) in self.get_editor_property("tags")
+
+    @api
+    def is_hidden_ed(self) -> bool:
+        """Whether the editor hides it."""
+        return bool(self._hidden_ed)
+
+    @api
+    def set_is_temporarily_hidden_in_editor(self, is_hidden: bool) -> None:
+        """Hide in the editor, for this session."""
+        self._hidden_ed = bool(is_hidden)
+
+    @api
+    def is_temporarily_hidden_in_editor(self, include_parent: bool = False) -> bool:
+        """Whether it is hidden in the editor for this session."""
+        return bool(self._hidden_ed)
+
+    @api
+    def set_actor_hidden_in_game(self, new_hidden: bool) -> None:
+        """Hide in the game and in pictures."""
+        self.set_editor_property("hidden", new_hidden)
+
+    @api
+    def set_actor_enable_collision(self, new_actor_enable_collision: bool) -> None:
+        """Switch the collision of all components."""
+        self.set_editor_property("actor_enable_collision", new_actor_enable_collision)
+
+    @api
+    def get_actor_enable_collision(self) -> bool:
+        """Whether collision is on."""
+        return bool(self.get_editor_property("actor_enable_collision"))
+
+    @api
+    def destroy_actor(self) -> bool:
+        """Take the actor out of the level."""
+        return world().destroy(self)
+
+    @api
+    def get_level(self) -> Any:
+        """The level."""
+        return world().map.get_level()
+
+    # transforms
+
+    @api
+    def get_actor_location(self) -> Vector:
+        """World location in cm."""
+        return Vector(*self._pose().location)
+
+    @api
+    def get_actor_rotation(self) -> Rotator:
+        """World rotation in degrees."""
+        return Rotator._of(self._pose().rotation_deg)
+
+    @api
+    def get_actor_scale3d(self) -> Vector:
+        """World scale."""
+        return Vector(*self._pose().scale)
+
+    @api
+    def get_actor_relative_scale3d(self) -> Vector:
+        """Scale relative to the parent."""
+        return Vector(*self._root()._relative.scale)
+
+    @api
+    def get_actor_transform(self) -> Transform:
+        """World transform."""
+        return Transform._of(self._pose())
+
+    @api
+    def get_actor_forward_vector(self) -> Vector:
+        """World direction of +X."""
+        return self.get_actor_rotation().get_forward_vector()
+
+    @api
+    def get_actor_right_vector(self) -> Vector:
+        """World direction of +Y."""
+        return self.get_actor_rotation().get_right_vector()
+
+    @api
+    def get_actor_up_vector(self) -> Vector:
+        """World direction of +Z."""
+        return self.get_actor_rotation().get_up_vector()
+
+    @api
+    def set_actor_location(self, new_location: Vector, sweep: bool, teleport: bool) -> None:
+        """Move (nothing is swept here: no hit is returned)."""
+        self._move(self._pose().moved(new_location._triple()))
+
+    @api
+    def set_actor_rotation(self, new_rotation: Rotator, teleport_physics: bool) -> bool:
+        """Turn."""
+        self._move(self._pose().turned(new_rotation._triple()))
+        return True
+
+    @api
+    def set_actor_scale3d(self, new_scale3d: Vector) -> None:
+        """Scale."""
+        self._move(self._pose().rescaled(new_scale3d._triple()))
+
+    @api
+    def set_actor_location_and_rotation(self, new_location: Vector, new_rotation: Rotator, sweep: bool,
+                                        teleport: bool) -> None:
+        """Move and turn."""
+        self._move(self._pose().moved(new_location._triple()).turned(new_rotation._triple()))
+
+    @api
+    def set_actor_transform(self, new_transform: Transform, sweep: bool, teleport: bool) -> None:
+        """Place."""
+        self._move(new_transform._pose())
+
+    @api
+    def set_actor_relative_location(self, new_relative_location: Vector, sweep: bool, teleport: bool) -> None:
+        """Place relative to the parent."""
+        self._root()._set_relative_location(new_relative_location)
+
+    @api
+    def set_actor_relative_rotation(self, new_relative_rotation: Rotator, sweep: bool, teleport: bool) -> None:
+        """Turn relative to the parent."""
+        self._root()._set_relative_rotation(new_relative_rotation)
+
+    @api
+    def set_actor_relative_scale3d(self, new_relative_scale: Vector) -> None:
+        """Scale relative to the parent."""
+        self._root()._set_relative_scale(new_relative_scale)
+
+    @api
+    def add_actor_world_offset(self, delta_location: Vector, sweep: bool, teleport: bool) -> None:
+        """Move by an offset."""
+        self._move(self._pose().moved((Vector(*self._pose().location) + delta_location)._triple()))
+
+    @api
+    def add_actor_world_rotation(self, delta_rotation: Rotator, sweep: bool, teleport: bool) -> None:
+        """Turn by a rotation given in world axes."""
+        self._move(self._pose().turned(self.get_actor_rotation().combine(delta_rotation)._triple()))
+
+    @api
+    def add_actor_local_offset(self, delta_location: Vector, sweep: bool, teleport: bool) -> None:
+        """Move by an offset given in the actor's axes."""
+        turned = delta_location.rotate(self.get_actor_rotation())
+        self._move(self._pose().moved((Vector(*self._pose().location) + turned)._triple()))
+
+    @api
+    def add_actor_local_rotation(self, delta_rotation: Rotator, sweep: bool, teleport: bool) -> None:
+        """Turn by a rotation given in the actor's axes."""
+        self._move(self._pose().turned(delta_rotation.combine(self.get_actor_rotation())._triple()))
+
+    @api
+    def get_distance_to(self, other_actor: Actor) -> float:
+        """Distance between origins in cm."""
+        return self.get_actor_location().distance(other_actor.get_actor_location())
+
+    # attachment
+
+    @api
+    def attach_to_actor(self, parent_actor: Actor, socket_name: Name | str, location_rule: AttachmentRule,
+                        rotation_rule: AttachmentRule, scale_rule: AttachmentRule,
+                        weld_simulated_bodies: bool = True) -> bool:
+        """Attach to another actor's root."""
+        return self._root().attach_to_component(parent_actor._root(), socket_name, location_rule, rotation_rule,
+                                                scale_rule, weld_simulated_bodies)
+
+    @api
+    def detach_from_actor(self, location_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
+                          rotation_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
+                          scale_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE) -> None:
+        """Detach."""
+        self._root().detach_from_component(location_rule, rotation_rule, scale_rule)
+
+    @api
+    def get_attach_parent_actor(self) -> Actor | None:
+        """The actor that this one is attached to."""
+        parent = self._root()._parent
+        found: Actor | None = parent._outer if parent is not None else None
+        return found
+
+    @api
+    def get_attached_actors(self, reset_array: bool = True, recursively_include_attached_actors: bool = False) -> Array:
+        """Actors attached to this one."""
+        found: list[Any] = []
+        for component in self._components:
+            for child in component._children if isinstance(component, SceneComponent) else []:
+                owner = child._outer
+                if owner is not self and owner not in found:
+                    found.append(owner)
+                    if recursively_include_attached_actors:
+                        found += [a for a in owner.get_attached_actors(True, True) if a not in found]
+        return Array._of("Actor", found)
+
+    @api
+    def get_parent_actor(self) -> Actor | None:
+        """The actor whose child-actor component made this one (none here)."""
+        return None
+
+    @api
+    def get_owner(self) -> Actor | None:
+        """The owner (none here)."""
+        return None
+
+    # components and bounds
+
+    @api
+    def get_components_by_class(self, component_class: Class | type) -> Array:
+        """Components of a class."""
+        return Array._of("ActorComponent", of_class(self._components, component_class))
+
+    @api
+    def get_component_by_class(self, component_class: Class | type) -> Any:
+        """The first component of a class, or None."""
+        found = of_class(self._components, component_class)
+        return found[0] if found else None
+
+    @api
+    def get_components_by_tag(self, component_class: Class | type, tag: Name | str) -> Array:
+        """Components of a class with a tag."""
+        return Array._of("ActorComponent", [c for c in of_class(self._components, component_class)
+                                            if c.component_has_tag(tag)])
+
+    def _bounds(self, only_colliding: bool) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        low, high = [float("inf")] * 3, [float("-inf")] * 3
+        found = False
+        for component in self._components:
+            if not isinstance(component, PrimitiveComponent) or (only_colliding and not component._collides()):
+                continue
+            local = component._local_bounds()
+            if local is None:
+                continue
+            origin, extent = component._world_pose().box(*local)
+            found = True
+            for i in range(3):
+                low[i] = min(low[i], origin[i] - extent[i])
+                high[i] = max(high[i], origin[i] + extent[i])
+        if not found:
+            return self._pose().location, (0.0, 0.0, 0.0)
+        return (tuple((a + b) / 2 for a, b in zip(low, high, strict=True)),
+                tuple((b - a) / 2 for a, b in zip(low, high, strict=True)))
+
+    @api
+    def get_actor_bounds(self, only_colliding_components: bool,
+                         include_from_child_actors: bool = False) -> tuple[Vector, Vector]:
+        """World AABB as centre and half extent (cm) over the components that have geometry."""
+        origin, extent = self._bounds(bool(only_colliding_components))
+        return Vector(*origin), Vector(*extent)
+
+
+@public
+class Info(Actor):
+    """An actor without a body."""
+
+
+@public
+class StaticMeshActor(Actor):
+    """An actor that shows one mesh."""
+
+    _parts = (("StaticMeshComponent0", StaticMeshComponent),)
+    _declares = {"static_mesh_component": Prop("StaticMeshComponent", get="_get_root", writable=False, saved=False)}
+
+    @api
+    def set_mobility(self, mobility: ComponentMobility) -> None:
+        """Set whether it may move in play."""
+        self._root().set_mobility(mobility)
+
+
+@public
+class Light(Actor):
+    """Base of lights."""
+
+    _declares = {"light_component": Prop("LightComponent", get="_get_root", writable=False, saved=False)}
+
+    @api
+    def set_brightness(self, new_brightness: float) -> None:
+        """Set the intensity."""
+        self._root().set_intensity(new_brightness)
+
+    @api
+    def get_brightness(self) -> float:
+        """The intensity."""
+        return float(self._root().get_editor_property("intensity"))
+
+
+@public
+class DirectionalLight(Light):
+    """A sun."""
+
+    _parts = (("LightComponent0", DirectionalLightComponent),)
+
+
+@public
+class PointLight(Light):
+    """A light in all directions."""
+
+    _parts = (("LightComponent0", PointLightComponent),)
+    _declares = {"point_light_component": Prop("PointLightComponent", get="_get_root", writable=False, saved=False)}
+
+
+@public
+class SpotLight(Light):
+    """A cone of light."""
+
+    _parts = (("LightComponent0", SpotLightComponent),)
+    _declares = {"spot_light_component": Prop("SpotLightComponent", get="_get_root", writable=False, saved=False)}
+
+
+@public
+class RectLight(Light):
+    """A shining rectangle."""
+
+    _parts = (("LightComponent0", RectLightComponent),)
+    _declares = {"rect_light_component": Prop("RectLightComponent", get="_get_root", writable=False, saved=False)}
+
+
+@public
+class SkyLight(Info):
+    """Light of the sky."""
+
+    _parts = (("SkyLightComponent0", SkyLightComponent),)
+    _declares = {"light_component": Prop("SkyLightComponent", get="_get_root", writable=False, saved=False)}
+
+
+@public
+class SkyAtmosphere(Info):
+    """The air."""
+
+    _parts = (("SkyAtmosphereComponent", SkyAtmosphereComponent),)
+    _declares = {"sky_atmosphere_component": Prop("SkyAtmosphereComponent", get="_get_root", writable=False,
+                                                  saved=False)}
+
+
+@public
+class ExponentialHeightFog(Info):
+    """Fog."""
+
+    _parts = (("HeightFogComponent0", ExponentialHeightFogComponent),)
+    _declares = {"component": Prop("ExponentialHeightFogComponent", get="_get_root", writable=False, saved=False)}
+
+
+@public
+class CameraActor(Actor):
+    """A camera."""
+
+    _parts = (("SceneComponent", SceneComponent), ("CameraComponent", CameraComponent))
+    _declares = {"camera_component": Prop("CameraComponent", get="_get_camera", writable=False, saved=False)}
+
+    def _get_camera(self) -> Any:
+        return next(c for c in self._components if isinstance(c, CameraComponent))
+
+
+@public
+class PlayerStart(Actor):
+    """Where a player starts."""
+
+    _parts = (("CollisionCapsule", CapsuleComponent),)
+    _declares = {"player_start_tag": Prop("Name", Name)}
+
+
+@public
+class Volume(Actor):
+    """A box in space."""
+
+    _parts = (("BrushComponent0", BrushComponent),)
+
+
+@public
+class PostProcessVolume(Volume):
+    """Exposure and grading of a region, or of everything when unbound."""
+
+    _declares = {"settings": Prop("PostProcessSettings", PostProcessSettings), "unbound": Prop("bool", False),
+                 "enabled": Prop("bool", True), "blend_radius": Prop("float", 100.0),
+                 "blend_weight": Prop("float", 1.0), "priority": Prop("float", 0.0)}
+
+
+@public
+class BlockingVolume(Volume):
+    """A volume that blocks."""
+
+
+@public
+class TriggerVolume(Volume):
+    """A volume that notices."""
+
+
+@public
+class NavMeshBoundsVolume(Volume):
+    """The region in which paths are found."""
+
+    _class_module = "NavigationSystem"

@@ -1,0 +1,137 @@
+"""Unreal's enums; ``str()`` gives ``<LightUnits.CANDELAS: 1>`` as in Unreal's Python."""
+
+from __future__ import annotations
+
+from enum import Enum, unique
+
+from c4s.engine.headless.unreal.core import public
+
+
+class EnumBase(Enum):
+    """Base of all enums."""
+
+    def __str__(self) -> str:
+        return f"<{type(self).__name__}.{self.name}: {self.value}>"
+
+    __repr__ = __str__
+
+
+@public
+@unique
+class AttachmentRule(EnumBase):
+    """How a part of the transform is treated on attachment."""
+
+    KEEP_RELATIVE = 0
+    KEEP_WORLD = 1
+    SNAP_TO_TARGET = 2
+
+
+@public
+@unique
+class DetachmentRule(EnumBase):
+    """How a part of the transform is treated on detachment."""
+
+    KEEP_RELATIVE = 0
+    KEEP_WORLD = 1
+
+
+@public
+@unique
+class ComponentMobility(EnumBase):
+    """Whether a component may move in play."""
+
+    STATIC = 0
+    STATIONARY = 1
+    MOVABLE = 2
+
+
+@public
+@unique
+class CollisionEnabled(EnumBase):
+    """What a component's collision takes part in."""
+
+    NO_COLLISION = 0
+    QUERY_ONLY = 1
+    PHYSICS_ONLY = 2
+    QUERY_AND_PHYSICS = 3
+    PROBE_ONLY = 4
+    QUERY_AND_PROBE = 5
+
+
+@public
+@unique
+class LightUnits(EnumBase):
+    """Units of a local light's intensity."""
+
+    UNITLESS = 0
+    CANDELAS = 1
+    LUMENS = 2
+    EV = 3
+
+
+@public
+@unique
+class AutoExposureMethod(EnumBase):
+    """How exposure is found."""
+
+    AEM_HISTOGRAM = 0
+    AEM_BASIC = 1
+    AEM_MANUAL = 2
+
+
+@public
+@unique
+class MaterialProperty(EnumBase):
+    """Inputs of a material."""
+
+    MP_EMISSIVE_COLOR = 0
+    MP_OPACITY = 1
+    MP_OPACITY_MASK = 2
+    MP_BASE_COLOR = 3
+    MP_METALLIC = 4
+    MP_SPECULAR = 5
+    MP_ROUGHNESS = 6
+    MP_NORMAL = 8
+
+
+@public
+@unique
+class BlendMode(EnumBase):
+    """How a material is blended."""
+
+    BLEND_OPAQUE = 0
+    BLEND_MASKED = 1
+    BLEND_TRANSLUCENT = 2
+    BLEND_ADDITIVE = 3
+    BLEND_MODULATE = 4
+
+
+@public
+@unique
+class CollisionTraceFlag(EnumBase):
+    """Which geometry collides."""
+
+    CTF_USE_DEFAULT = 0
+    CTF_USE_SIMPLE_AND_COMPLEX = 1
+    CTF_USE_SIMPLE_AS_COMPLEX = 2
+    CTF_USE_COMPLEX_AS_SIMPLE = 3
+
+
+@public
+@unique
+class DrawDebugTrace(EnumBase):
+    """Drawing of traces (no drawing happens here)."""
+
+    NONE = 0
+    FOR_ONE_FRAME = 1
+    FOR_DURATION = 2
+    PERSISTENT = 3
+
+
+@public
+@unique
+class TraceTypeQuery(EnumBase):
+    """Trace channels: visibility and camera."""
+
+    TRACE_TYPE_QUERY1 = 0
+    TRACE_TYPE_QUERY2 = 1

@@ -1,0 +1,40 @@
+"""The world and level objects of the open map."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.assets import AssetObject
+from c4s.engine.headless.unreal.core import Object, api, public
+
+
+@public
+class Level(Object):
+    """The persistent level."""
+
+    def _path(self) -> str:
+        return f"{world().map_path()}:PersistentLevel"
+
+
+@public
+class World(AssetObject):
+    """The open map."""
+
+    def _path(self) -> str:
+        return str(self._object_path)
+
+    def _lay(self) -> Any:
+        self._level = Level._make("PersistentLevel", self)
+        return self
+
+    @api
+    def get_level(self) -> Level:
+        """The persistent level."""
+        found: Level = self._level
+        return found
+
+    @api
+    def get_world_settings(self) -> Any:
+        """World settings are not modelled: None."""
+        return None
