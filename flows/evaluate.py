@@ -13,9 +13,8 @@ from c4s.case.package import SuiteFolder
 from c4s.errors import MachineryFault
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.run.configurations import configuration
-from c4s.run.plan import Trial, make_plan, open_run, trials
+from c4s.run.plan import DEFAULT_POLICY, Trial, make_plan, open_run, trials
 from c4s.run.records import Plan
-from c4s.score.policy import DEFAULT_POLICY
 from tasks.attempt import attempt
 from tasks.integrity import integrity
 from tasks.persist import persist
@@ -62,7 +61,7 @@ def evaluate(suite: str = "starter", agents: list[str] | None = None, run_id: st
     folder = suites_root() / suite
     run = runs_root() / (run_id or suite)
     chosen = [configuration(name) for name in agents or ("noop", "random", "planner", "vandal", "oracle")]
-    plan = open_run(run, make_plan(SuiteFolder(folder), chosen, run_id=run.name, policy=DEFAULT_POLICY.policy_id,
+    plan = open_run(run, make_plan(SuiteFolder(folder), chosen, run_id=run.name, policy=DEFAULT_POLICY,
                                    judge=judge, engine=engine, repeats=repeats, cases=cases or ()))
     warehouse = warehouse_root()
     ingest_schedule(run, folder, plan, warehouse)

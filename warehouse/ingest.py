@@ -115,7 +115,7 @@ def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:
 def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureRow]:
     index = trial.folder.evidence / "captures" / "captures.json"
     if index.is_file():
-        for capture in read_json(index)["captures"]:
+        for capture in read_json(index)["views"]:
             width, height, jpeg = _jpeg(index.parent / capture["file"])
             yield PictureRow(**key, role="submission", view=capture["name"], width=width, height=height, jpeg=jpeg)
 

@@ -12,8 +12,7 @@ from c4s.cli.progress import watch
 from c4s.errors import BadInput
 from c4s.home import home, runs_root, site_root, suites_root, warehouse_root
 from c4s.run.configurations import BASELINES, configuration
-from c4s.run.plan import make_plan, open_run, trial_id, trials
-from c4s.score.policy import DEFAULT_POLICY
+from c4s.run.plan import DEFAULT_POLICY, make_plan, open_run, trial_id, trials
 from warehouse.ingest import is_stored
 from warehouse.parquet import part_path
 
@@ -44,7 +43,7 @@ def evaluate_here(suite: str, agents: Sequence[str], *, run_id: str | None, case
                        todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`")
     names = list(agents or BASELINES)
     plan = open_run(run, make_plan(SuiteFolder(folder), [configuration(name) for name in names], run_id=run.name,
-                                   policy=DEFAULT_POLICY.policy_id, judge="rule", engine="headless",
+                                   policy=DEFAULT_POLICY, judge="rule", engine="headless",
                                    repeats=repeats, cases=cases))
     scheduled = list(trials(run, folder, plan))
     missing = [trial for trial in scheduled if not is_stored(trial, plan, warehouse_root())]

@@ -13,6 +13,8 @@ from c4s.files import digest
 from c4s.run.folder import RunFolder, TrialFolder
 from c4s.run.records import Configuration, Plan, PlannedCase
 
+DEFAULT_POLICY = "code4scene-published"
+"""The published protocol: the weights, tolerances and rules of every verifier's and score's published policy."""
 VERSIONED = ("prefect", "numpy", "scipy", "embreex", "python-fcl", "coal", "trimesh", "mcp", "duckdb", "pyarrow")
 
 

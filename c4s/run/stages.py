@@ -8,7 +8,6 @@ run goes on where it stopped. A ``MachineryFault`` passes through: the trial sta
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -98,8 +97,14 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     cameras: Any = overview_cameras
     if given.case.setting != "text-to-scene":
         cameras = read_json(given.withheld_folder / "cameras.json")["views"]
-    collect(packs=given.packs, submission_content=attempt_folder / "submission", package=outcome.submission,
-            out=evidence, cameras=cameras)
+    try:
+        collect(packs=given.packs, submission_content=attempt_folder / "submission", package=outcome.submission,
+                out=evidence, cameras=cameras)
+    except BadInput as error:
+        verdict = Verdict(verifier="integrity", status="invalid", policy=plan.policy, reason=error.line())
+        verdict.write(trial.folder.verdict("integrity"))
+        verdict.write(path)
+        return False
     frozen = {reference.pack_id: reference.digest for reference in given.case.packs}
     scorer = {folder.name: Pack.read(folder / "pack.json").sha256() for folder in given.packs}
     verdict = verify_integrity(read_json(evidence / "snapshot.json"), read_json(evidence / "dependencies.json"),
@@ -207,21 +212,22 @@ def needed(trial: Trial) -> tuple[str, ...]:
 
 def score(trial: Trial, plan: Plan) -> TrialScore:
     """The trial's score from its verdicts; zero with its reason where no attempt left a valid submission."""
-    from c4s.score.trial import trial_score
+    from c4s.score.case import case_score
 
     path = trial.folder.score
     if path.is_file():
         return TrialScore.read(path)
     started, kept = time.perf_counter(), retained(trial)
-    verdicts: Mapping[str, Verdict] = {}
+    verdicts = {"integrity": [Verdict.read(p)
+                              for p in sorted(trial.folder.root.glob("attempt-*/integrity.json"))][-1]}
     if kept is not None:
-        verdicts = {name: Verdict.read(trial.folder.verdict(name)) for name in needed(trial)}
-    last = [Verdict.read(p) for p in sorted(trial.folder.root.glob("attempt-*/integrity.json"))][-1]
+        verdicts |= {name: Verdict.read(trial.folder.verdict(name)) for name in needed(trial)}
     submitted = any(AttemptOutcome.read(p).submission for p in trial.folder.root.glob("attempt-*/outcome.json"))
-    made = trial_score(case_id=trial.case.case_id, setting=trial.case.setting, repeat=trial.repeat,
-                       configuration=trial.configuration.name, policy=plan.policy, judge=plan.judge,
-                       engine=plan.engine, retained_attempt=kept, submitted=submitted, integrity=last,
-                       verdicts=verdicts)
+    made = case_score(case_id=trial.case.case_id, setting=trial.case.setting, repeat=trial.repeat,
+                      configuration=trial.configuration.name, policy=plan.policy, judge=plan.judge,
+                      engine=plan.engine, retained_attempt=kept, submitted=submitted, verdicts=verdicts)
+    if made.status == "pending":
+        raise MachineryFault(made.reason, where=trial.name, todo="run the same command again")
     made.write(path)
     _timed(trial, "score", started)
     return made
