@@ -1,0 +1,286 @@
+"""The scene side of the tools. Runs inside the engine's Python: standard library and ``unreal`` only.
+
+All functions take and return JSON-able values; centimetres and degrees, rotations as ``[pitch, yaw, roll]``. An actor is
+addressed by its label, then by its object name, and an ambiguous address is an error.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import unreal
+
+ENVIRONMENT_PREFIX = "Arena_Env_"
+SUN_ANGLES = {"morning": (-25.0, -120.0), "noon": (-75.0, -30.0), "afternoon": (-45.0, 30.0), "sunset": (-10.0, 60.0),
+              "night": (10.0, 0.0)}
+"""Pitch and yaw of the sun in degrees by time of day."""
+GROUND_TOP_CM = -10.0
+GROUND_MESH = "/Engine/BasicShapes/Plane"
+GROUND_AREA_CM2 = 4.0e6
+GROUND_FLATNESS = 0.05
+"""An actor whose plan covers at least 20 m x 20 m and that is this flat for its width is a ground."""
+
+
+class SceneRefused(ValueError):
+    """What was asked cannot be done; the message is for the agent."""
+
+
+def _actors() -> list[Any]:
+    return list(unreal.get_editor_subsystem(unreal.EditorActorSubsystem).get_all_level_actors())
+
+
+def _world() -> Any:
+    return unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
+
+
+def _round(values: Iterable[float]) -> list[float]:
+    return [round(float(value), 4) + 0.0 for value in values]
+
+
+def _vector(values: Sequence[float], what: str) -> Any:
+    numbers = [float(value) for value in values]
+    if len(numbers) != 3 or not all(math.isfinite(value) for value in numbers):
+        raise SceneRefused(f"{what} must be three finite numbers")
+    return unreal.Vector(*numbers)
+
+
+def _rotator(values: Sequence[float]) -> Any:
+    numbers = [float(value) for value in values]
+    if len(numbers) != 3 or not all(math.isfinite(value) for value in numbers):
+        raise SceneRefused("rotation must be three finite numbers [pitch, yaw, roll]")
+    return unreal.Rotator(roll=numbers[2], pitch=numbers[0], yaw=numbers[1])
+
+
+def _scale(value: float | Sequence[float]) -> Any:
+    return _vector([value] * 3 if isinstance(value, (int, float)) else value, "scale")
+
+
+def actor_id(actor: Any) -> str:
+    """The actor's guid where the engine gives one, else its path."""
+    guid = actor.get_editor_property("actor_guid")
+    return guid.to_string() or actor.get_path_name()
+
+
+def _mesh_paths(actor: Any) -> list[str]:
+    found = []
+    for component in actor.get_components_by_class(unreal.StaticMeshComponent):
+        mesh = component.get_editor_property("static_mesh")
+        if mesh is not None and mesh.get_path_name() not in found:
+            found.append(mesh.get_path_name())
+    return found
+
+
+def describe(actor: Any, *, bounds: bool = False) -> dict[str, Any]:
+    """What the tools tell of an actor."""
+    location, rotation, scale = actor.get_actor_location(), actor.get_actor_rotation(), actor.get_actor_scale3d()
+    told = {"label": actor.get_actor_label(), "name": actor.get_name(), "class": actor.get_class().get_path_name(),
+            "location": _round((location.x, location.y, location.z)),
+            "rotation": _round((rotation.pitch, rotation.yaw, rotation.roll)),
+            "scale": _round((scale.x, scale.y, scale.z)), "static_meshes": _mesh_paths(actor)}
+    if bounds:
+        origin, extent = actor.get_actor_bounds(False)
+        told["bounds"] = {"origin_cm": _round((origin.x, origin.y, origin.z)),
+                          "half_extent_cm": _round((extent.x, extent.y, extent.z))}
+    return told
+
+
+def find_one(name: str) -> Any:
+    """The actor with this label, else with this object name. Raises when there is none or more than one."""
+    actors = _actors()
+    found = [actor for actor in actors if actor.get_actor_label() == name]
+    if not found:
+        found = [actor for actor in actors if actor.get_name() == name]
+    if not found:
+        raise SceneRefused(f"no actor has the label or name {name!r}")
+    if len(found) > 1:
+        listed = ", ".join(sorted(actor.get_name() for actor in found))
+        raise SceneRefused(f"{len(found)} actors have the label {name!r}: use an object name ({listed})")
+    return found[0]
+
+
+def actor_ids() -> list[str]:
+    """Ids of all actors of the level."""
+    return [actor_id(actor) for actor in _actors()]
+
+
+def current_level() -> str:
+    """Package path of the level that is open."""
+    return _world().get_path_name().split(".", 1)[0]
+
+
+def list_actors() -> list[dict[str, Any]]:
+    """All actors of the level."""
+    return [describe(actor) for actor in _actors()]
+
+
+def find_actors(pattern: str) -> list[dict[str, Any]]:
+    """Actors whose label or object name holds ``pattern`` (``*`` and ``?`` match any text), ignoring case."""
+    wanted = pattern.lower()
+    wanted = wanted if any(mark in wanted for mark in "*?[") else f"*{wanted}*"
+    found = []
+    for actor in _actors():
+        matched = [kind for kind, value in (("label", actor.get_actor_label()), ("name", actor.get_name()))
+                   if fnmatch.fnmatchcase(value.lower(), wanted)]
+        if matched:
+            found.append(dict(describe(actor, bounds=True), matched=matched))
+    return found
+
+
+def _spawn(what: Any, label: str, location: Sequence[float], rotation: Sequence[float] | None,
+           scale: float | Sequence[float] | None) -> Any:
+    if any(actor.get_actor_label() == label for actor in _actors()):
+        raise SceneRefused(f"an actor labelled {label!r} is already there: choose another name")
+    at, turned = _vector(location, "location"), _rotator(rotation or (0.0, 0.0, 0.0))
+    sized = None if scale is None else _scale(scale)
+    subsystem = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+    if isinstance(what, unreal.Class):
+        actor = subsystem.spawn_actor_from_class(what, at, turned)
+    else:
+        actor = subsystem.spawn_actor_from_object(what, at, turned)
+    if actor is None:
+        raise SceneRefused(f"the engine did not spawn {label!r}")
+    actor.set_actor_label(label)
+    if sized is not None:
+        actor.set_actor_scale3d(sized)
+    return actor
+
+
+def spawn_static_mesh(name: str, static_mesh: str, location: Sequence[float], rotation: Sequence[float] | None = None,
+                      scale: float | Sequence[float] | None = None) -> dict[str, Any]:
+    """Spawn an actor with the label ``name`` from a static mesh path."""
+    mesh = unreal.EditorAssetLibrary.load_asset(static_mesh)
+    if mesh is None or not isinstance(mesh, unreal.StaticMesh):
+        raise SceneRefused(f"{static_mesh} is not a static mesh that can be loaded")
+    return describe(_spawn(mesh, name, location, rotation, scale), bounds=True)
+
+
+def spawn_blueprint(name: str, blueprint: str, location: Sequence[float], rotation: Sequence[float] | None = None,
+                    scale: float | Sequence[float] | None = None) -> dict[str, Any]:
+    """Spawn an actor with the label ``name`` from a Blueprint path (asset, or generated class with ``_C``)."""
+    package = blueprint.split(".", 1)[0]
+    short = package.rsplit("/", 1)[-1]
+    generated = unreal.load_class(None, f"{package}.{short}_C")
+    if generated is None:
+        raise SceneRefused(f"{blueprint} is not a Blueprint that can be loaded")
+    return describe(_spawn(generated, name, location, rotation, scale), bounds=True)
+
+
+def spawn_many(entries: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """Spawn entries ``{name, asset, kind, location, rotation?, scale?}``; a wrong one is reported and the rest go on."""
+    spawned, failed = [], []
+    for entry in entries:
+        try:
+            spawn = spawn_blueprint if entry.get("kind") == "blueprint" else spawn_static_mesh
+            told = spawn(entry["name"], entry["asset"], entry["location"], entry.get("rotation"), entry.get("scale"))
+            spawned.append({"label": told["label"], "name": told["name"]})
+        except (SceneRefused, KeyError, TypeError, ValueError) as error:
+            failed.append({"entry": str(entry.get("name")), "error": str(error)})
+    return {"spawned": spawned, "failed": failed}
+
+
+def set_transform(name: str, location: Sequence[float] | None = None, rotation: Sequence[float] | None = None,
+                  scale: float | Sequence[float] | None = None) -> dict[str, Any]:
+    """Change position, rotation and/or scale of an actor; what is left out stays."""
+    actor = find_one(name)
+    at = None if location is None else _vector(location, "location")
+    turned = None if rotation is None else _rotator(rotation)
+    sized = None if scale is None else _scale(scale)
+    actor.modify()
+    if at is not None:
+        actor.set_actor_location(at, False, True)
+    if turned is not None:
+        actor.set_actor_rotation(turned, True)
+    if sized is not None:
+        actor.set_actor_scale3d(sized)
+    return describe(actor, bounds=True)
+
+
+def delete(name: str) -> dict[str, Any]:
+    """Remove one actor; tells what it was."""
+    actor = find_one(name)
+    told = describe(actor)
+    if not unreal.get_editor_subsystem(unreal.EditorActorSubsystem).destroy_actor(actor):
+        raise SceneRefused(f"the engine did not delete {name!r}")
+    return told
+
+
+def delete_all_but(ids: Sequence[str]) -> list[str]:
+    """Remove every actor whose id is not listed; tells the labels of the removed ones."""
+    kept, removed = set(ids), []
+    subsystem = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+    for actor in _actors():
+        if actor_id(actor) not in kept:
+            label = actor.get_actor_label()
+            if subsystem.destroy_actor(actor):
+                removed.append(label)
+    return removed
+
+
+def _is_ground(actor: Any) -> bool:
+    origin, extent = actor.get_actor_bounds(False)
+    width = 2 * min(extent.x, extent.y)
+    return (4 * extent.x * extent.y >= GROUND_AREA_CM2 and extent.z * 2 <= GROUND_FLATNESS * width
+            and bool(_mesh_paths(actor)))
+
+
+def setup_environment(ground_size: float = 100.0, time_of_day: str = "afternoon") -> dict[str, Any]:
+    """Add a sun, sky light, atmosphere, fog and ground where the level has none; existing ones are left as they are.
+
+    ``ground_size`` is the side of the ground in metres. Tells what was added and what was there.
+    """
+    pitch, yaw = SUN_ANGLES[time_of_day]
+    actors = _actors()
+    added, present = [], []
+
+    def missing(label: str, cls: Any) -> bool:
+        there = any(isinstance(actor, cls) for actor in actors)
+        (present if there else added).append(label)
+        return not there
+
+    def spawn(label: str, what: Any, location: Sequence[float] = (0.0, 0.0, 0.0),
+              rotation: Sequence[float] | None = None, scale: Sequence[float] | None = None) -> Any:
+        return _spawn(what, label, location, rotation, scale)
+
+    label = f"{ENVIRONMENT_PREFIX}Atmosphere"
+    if missing(label, unreal.SkyAtmosphere):
+        spawn(label, unreal.SkyAtmosphere.static_class())
+    label = f"{ENVIRONMENT_PREFIX}Sun"
+    if missing(label, unreal.DirectionalLight):
+        sun = spawn(label, unreal.DirectionalLight.static_class(), (0.0, 0.0, 5000.0), (pitch, yaw, 0.0))
+        light = sun.get_component_by_class(unreal.DirectionalLightComponent)
+        light.set_intensity(10.0)
+        light.set_atmosphere_sun_light(True)
+    label = f"{ENVIRONMENT_PREFIX}SkyLight"
+    if missing(label, unreal.SkyLight):
+        sky = spawn(label, unreal.SkyLight.static_class(), (0.0, 0.0, 5000.0))
+        sky.light_component.set_intensity(3.0)
+    label = f"{ENVIRONMENT_PREFIX}Fog"
+    if missing(label, unreal.ExponentialHeightFog):
+        fog = spawn(label, unreal.ExponentialHeightFog.static_class())
+        fog.component.set_fog_density(0.002)
+        fog.component.set_fog_max_opacity(0.6)
+    label = f"{ENVIRONMENT_PREFIX}Ground"
+    if any(_is_ground(actor) for actor in actors) or any(actor.get_actor_label() == label for actor in actors):
+        present.append(label)
+    else:
+        spawn(label, unreal.EditorAssetLibrary.load_asset(GROUND_MESH), (0.0, 0.0, GROUND_TOP_CM), None,
+              (float(ground_size), float(ground_size), 1.0))
+        added.append(label)
+    return {"added": added, "already_there": present}
+
+
+def save_scene(package: str) -> dict[str, Any]:
+    """Save the open level as ``package``; that level is the open one afterwards. Tells its package and actor count."""
+    if not unreal.EditorLoadingAndSavingUtils.save_map(_world(), package):
+        raise SceneRefused(f"the engine did not save {package}")
+    return {"package": package, "actors": len(_actors())}
+
+
+def open_level(package: str) -> dict[str, Any]:
+    """Open a level. Tells its package and actor count."""
+    if unreal.EditorLoadingAndSavingUtils.load_map(package) is None:
+        raise SceneRefused(f"the engine did not open {package}")
+    return {"package": package, "actors": len(_actors())}

@@ -1,0 +1,145 @@
+"""Verification tools: pictures, measurements and geometric checks of the scene as it is.
+
+The rules are those of ``c4s.verify`` and ``c4s.collision``; here they are applied to all actors, since there is no input
+scene to compare with.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from c4s.collision import contacts, scene_bodies
+from c4s.toolbox.gaps import gaps_below
+from c4s.toolbox.tool import Arguments, Tool, ToolRefused, ToolResult, names, number, text
+from c4s.toolbox.workbench import Workbench
+from c4s.verify.physics import verify_physics
+from c4s.verify.roles import bounds_of, roles
+from c4s.verify.support import GAP_CM, excluded_by_name
+
+GROUP = "Verification"
+WIDTH, HEIGHT = 1280, 720
+TOUCH_TOLERANCE_CM = 5.0
+MOST_IMAGE_BYTES = 2_000_000
+"""Some clients recompress larger pictures."""
+_FILE = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,99}")
+
+
+def _screenshot(bench: Workbench, arguments: Arguments) -> ToolResult:
+    wanted = arguments.get("filename") or Path(arguments.get("filepath", "")).name or f"screenshot_{bench.next_picture()}"
+    name = wanted if wanted.endswith(".png") else f"{wanted}.png"
+    if not _FILE.fullmatch(name):
+        raise ToolRefused("the file name may have letters, digits, _, - and . only")
+    bench.wait_for_editor()
+    reply = bench.engine.request("take_screenshot", {"filepath": name, "width": WIDTH, "height": HEIGHT},
+                                 timeout_s=300.0)
+    if reply.get("status") not in ("ok", "success"):
+        raise ToolRefused(f"no picture was taken: {reply.get('error') or reply.get('missing')}")
+    picture = Path(str(reply["filepath"]))
+    if not picture.resolve().is_relative_to(bench.scratch.resolve()):
+        raise ToolRefused("the engine wrote the picture outside the run's folder")
+    return ToolResult({"filename": name, "width": WIDTH, "height": HEIGHT}, image=_within_limit(picture.read_bytes()))
+
+
+def _within_limit(png: bytes) -> bytes:
+    """The picture, halved until it is within ``MOST_IMAGE_BYTES``."""
+    while len(png) > MOST_IMAGE_BYTES:
+        with Image.open(io.BytesIO(png)) as image:
+            buffer = io.BytesIO()
+            image.resize((image.width // 2, image.height // 2), Image.Resampling.LANCZOS).save(buffer, "PNG")
+        png = buffer.getvalue()
+    return png
+
+
+def _label(actor: Mapping[str, Any]) -> dict[str, Any]:
+    return {"label": actor.get("label"), "name": actor.get("name")}
+
+
+def _chosen(actors: Sequence[Mapping[str, Any]], wanted: Sequence[str] | None) -> list[int]:
+    """Positions of the wanted actors (label, then object name); all that are no infrastructure when none is named."""
+    if wanted is None:
+        return [i for i, actor in enumerate(actors) if not excluded_by_name(actor)]
+    chosen = []
+    for name in wanted:
+        found = ([i for i, actor in enumerate(actors) if actor.get("label") == name]
+                 or [i for i, actor in enumerate(actors) if actor.get("name") == name])
+        if len(found) != 1:
+            raise ToolRefused(f"{len(found) or 'no'} actors have the label or name {name!r}"
+                              + (": use an object name" if found else ""))
+        chosen.append(found[0])
+    return chosen
+
+
+def _measure(bench: Workbench, _: Arguments) -> ToolResult:
+    snapshot = bench.snapshot()
+    actors = snapshot["actors"]
+    verdict = verify_physics(bench.case.setting, snapshot, {"actors": []})
+    floating, solid = verdict.measurements["leaf_results"]
+    by_name = {actor.get("name"): _label(actor) for actor in actors}
+    role = roles(actors)
+    boxes = [box for i, actor in enumerate(actors)
+             if role[i] != "non_solid" and (box := bounds_of(actor)) is not None]
+    low = np.min([centre - half for centre, half in boxes], axis=0) if boxes else None
+    high = np.max([centre + half for centre, half in boxes], axis=0) if boxes else None
+    return ToolResult({
+        "actors": len(actors),
+        "floating_rate": floating["score"], "floating": [by_name.get(name, name) for name in floating["floating_actors"]],
+        "floating_tested": floating["evaluated"], "floating_unresolved": floating["unresolved"],
+        "collision_rate": None if solid["score"] is None else round(1 - solid["score"], 4),
+        "colliding": [{**by_name.get(item["actor"], {"name": item["actor"]}), "tolerance_cm": item["tolerance_cm"],
+                       "contacts": item["contacts"]} for item in solid["violations"]],
+        "collision_tested": solid["evaluated"], "collision_unresolved": solid["unresolved"],
+        "extent": None if low is None or high is None else
+        {"min_cm": low.round(2).tolist(), "max_cm": high.round(2).tolist(), "size_m": ((high - low) / 100).round(3).tolist()}})
+
+
+def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
+    threshold = float(arguments.get("threshold_cm", GAP_CM))
+    snapshot = bench.snapshot()
+    actors = snapshot["actors"]
+    chosen = _chosen(actors, arguments.get("actor_names"))
+    scene = scene_bodies(snapshot)
+    gaps = gaps_below(snapshot, scene, set(chosen), ground_plane=bench.case.setting == "text-to-scene")
+    floating = [{**_label(actors[i]), "gap_cm": None if gaps[i] is None else round(gaps[i] or 0.0, 2)}
+                for i in chosen if i in gaps and (gaps[i] is None or (gaps[i] or 0.0) > threshold)]
+    return ToolResult({"floating": floating, "count": len(floating), "checked": sum(i in gaps for i in chosen),
+                       "threshold_cm": threshold,
+                       "without_collision": [_label(actors[i]) for i in chosen if i not in gaps]})
+
+
+def _check_collisions(bench: Workbench, arguments: Arguments) -> ToolResult:
+    tolerance = float(arguments.get("touch_tolerance_cm", TOUCH_TOLERANCE_CM))
+    snapshot = bench.snapshot()
+    actors = snapshot["actors"]
+    wanted = arguments.get("actor_names")
+    chosen = None if wanted is None else {str(actors[i].get("name")) for i in _chosen(actors, wanted)}
+    found = [{"a": _label(actors[contact.a_index]), "b": _label(actors[contact.b_index]),
+              "depth_cm": round(contact.depth_cm, 2), "trusted": contact.trusted}
+             for contact in contacts(snapshot, minimum_depth_cm=tolerance, actors=chosen)]
+    return ToolResult({"pairs": found, "count": len(found), "touch_tolerance_cm": tolerance})
+
+
+ACTORS = names("Labels or object names (default: all actors).")
+
+TOOLS = (
+    Tool("take_screenshot", GROUP, f"A {WIDTH} x {HEIGHT} picture of the viewport. The viewport camera is set in Python "
+         "(unreal.UnrealEditorSubsystem.set_level_viewport_camera_info).", _screenshot,
+         {"filename": text("File name in the run's screenshot folder."),
+          "filepath": text("Like filename; folders are ignored.")}),
+    Tool("measure_scene", GROUP, "Number of actors, shares of floating and of colliding actors with the actors at fault, and "
+         "the extent of the scene.", _measure),
+    Tool("check_floating", GROUP, "Actors that hang further above the next surface below than a threshold, with the gap.",
+         _check_floating, {"actor_names": ACTORS,
+                           "threshold_cm": number(f"Largest gap that still counts as standing (default {GAP_CM:g} cm).",
+                                                  minimum=0)}),
+    Tool("check_collisions", GROUP, "Pairs of actors that overlap, with the depth.", _check_collisions,
+         {"actor_names": ACTORS,
+          "touch_tolerance_cm": number(f"Overlap that still counts as touching (default {TOUCH_TOLERANCE_CM:g} cm).",
+                                       minimum=0)}),
+)

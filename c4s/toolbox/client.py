@@ -1,0 +1,113 @@
+"""A plain client of the gateway for agents that run in this process: the SDK's MCP client behind blocking calls."""
+
+from __future__ import annotations
+
+import base64
+import json
+import uuid
+from contextlib import AsyncExitStack, ExitStack
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any, Literal, Self
+
+import httpx2
+import mcp_types as wire
+from anyio.from_thread import BlockingPortal, start_blocking_portal
+from mcp import Client
+from mcp.client.streamable_http import streamable_http_client
+
+from c4s.errors import AgentFault, MachineryFault
+from c4s.toolbox.gateway import Endpoint
+
+CONNECT_TIMEOUT_S = 30.0
+
+
+class RunStopped(AgentFault):
+    """The run takes no more calls: a budget is spent, or it was ended."""
+
+
+class CallRefused(AgentFault):
+    """A tool call failed; the message is what the agent is told."""
+
+
+@dataclass(frozen=True)
+class ToolAnswer:
+    """The answer to a call: data, PNG pictures, and the budget left."""
+
+    data: dict[str, Any]
+    images: tuple[bytes, ...]
+    budget: dict[str, Any]
+
+
+class GatewayClient:
+    """Calls tools of a run. A context manager; one call at a time a thread, any number of threads."""
+
+    def __init__(self, endpoint: Endpoint, *, mode: Literal["auto", "legacy"] = "legacy") -> None:
+        self._endpoint, self._mode = endpoint, mode
+        self._stack = ExitStack()
+        self._portal: BlockingPortal | None = None
+        self._client: Client | None = None
+
+    def __enter__(self) -> Self:
+        try:
+            self._portal = self._stack.enter_context(start_blocking_portal())
+            self._client = self._stack.enter_context(self._portal.wrap_async_context_manager(_Connection(
+                self._endpoint, self._mode)))
+        except BaseException:
+            self._stack.close()
+            raise
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self._stack.close()
+
+    def _opened(self) -> tuple[BlockingPortal, Client]:
+        if self._portal is None or self._client is None:
+            raise MachineryFault("the gateway client is not open")
+        return self._portal, self._client
+
+    def tools(self) -> list[wire.Tool]:
+        """The tools of this run, with their schemas."""
+        portal, client = self._opened()
+        return portal.call(client.list_tools).tools
+
+    def answer(self, name: str, arguments: dict[str, Any], *, call_id: str | None = None) -> wire.CallToolResult:
+        """One call as it comes over the wire. ``call_id`` identifies the call; a repeat gets the first answer."""
+        portal, client = self._opened()
+        meta: Any = {"c4s/callId": call_id or uuid.uuid4().hex}
+
+        async def send() -> wire.CallToolResult:
+            return await client.call_tool(name, arguments, meta=meta)
+        return portal.call(send)
+
+    def call(self, name: str, /, **arguments: Any) -> ToolAnswer:
+        """Call a tool. ``CallRefused`` when it failed, ``RunStopped`` when the run takes no more calls."""
+        answer = self.answer(name, arguments)
+        payload = json.loads(next(block.text for block in answer.content if isinstance(block, wire.TextContent)))
+        if "stop" in payload:
+            raise RunStopped(str(payload["stop"]))
+        if answer.is_error:
+            raise CallRefused(str(payload["error"]), where=name)
+        images = tuple(base64.b64decode(block.data) for block in answer.content
+                       if isinstance(block, wire.ImageContent))
+        return ToolAnswer(payload["result"], images, payload["budget"])
+
+
+class _Connection:
+    """The SDK client with the run's token on every request."""
+
+    def __init__(self, endpoint: Endpoint, mode: Literal["auto", "legacy"]) -> None:
+        self._endpoint, self._mode = endpoint, mode
+        self._stack = AsyncExitStack()
+
+    async def __aenter__(self) -> Client:
+        http = await self._stack.enter_async_context(httpx2.AsyncClient(
+            headers={"Authorization": f"Bearer {self._endpoint.token}"}, trust_env=False,
+            timeout=httpx2.Timeout(CONNECT_TIMEOUT_S, read=None)))
+        transport = streamable_http_client(self._endpoint.url, http_client=http, max_sse_event_size=None)
+        return await self._stack.enter_async_context(Client(transport, mode=self._mode))
+
+    async def __aexit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                        trace: TracebackType | None) -> None:
+        await self._stack.__aexit__(kind, error, trace)

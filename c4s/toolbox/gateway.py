@@ -1,0 +1,250 @@
+"""The gateway: one MCP server on loopback for many runs. A bearer token selects the run.
+
+The SDK's low-level server speaks streamable HTTP (stateful, events), so ``tools/list`` and ``tools/call`` are ours. Two
+things are done in front of it: the token check, and joining of two posts with one request id that are in flight at the
+same time, which the SDK would leave hanging.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import base64
+import hmac
+import json
+import socket
+import threading
+from collections.abc import MutableMapping
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any, Self
+
+import mcp_types as wire
+import uvicorn
+from mcp.server.lowlevel import Server
+from mcp.shared.exceptions import MCPError
+from starlette.responses import JSONResponse
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from c4s.errors import MachineryFault
+from c4s.toolbox.registry import ALL_TOOLS, TOOLS
+from c4s.toolbox.run import Answer, Run
+
+START_TIMEOUT_S = 20.0
+MAX_BODY_BYTES = 4 << 20
+REQUEST_KEYS = ("claudecode/toolUseId", "callId", "c4s/callId")
+"""Where clients put the identity of a call in ``_meta`` (Claude Code, Codex, ours)."""
+
+
+@dataclass(frozen=True)
+class Endpoint:
+    """Where a client reaches a run, and the token that selects it."""
+
+    url: str
+    token: str
+
+
+class Gateway:
+    """The server. Use it as a context manager; ``open`` and ``close`` of runs are thread-safe."""
+
+    def __init__(self) -> None:
+        self._runs: dict[str, Run] = {}
+        self._session_owner: dict[str, str] = {}
+        self._in_flight: dict[tuple[str, str], _Flight] = {}
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._server: uvicorn.Server | None = None
+        self._thread: threading.Thread | None = None
+        self._ready = threading.Event()
+        self.port = 0
+
+    def __enter__(self) -> Self:
+        listener = socket.socket()
+        listener.bind(("127.0.0.1", 0))
+        self.port = listener.getsockname()[1]
+        config = uvicorn.Config(self._app(), log_level="error", lifespan="on", access_log=False,
+                                timeout_graceful_shutdown=1)
+        self._server = uvicorn.Server(config)
+        self._thread = threading.Thread(target=self._serve, args=(listener,), name="gateway", daemon=True)
+        self._thread.start()
+        if not self._ready.wait(START_TIMEOUT_S):
+            raise MachineryFault("the gateway did not start", where=f"127.0.0.1:{self.port}")
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        assert self._server is not None and self._thread is not None
+        for run in list(self._runs.values()):
+            self.close_run(run)
+        self._server.should_exit = True
+        self._thread.join()
+
+    def _serve(self, listener: socket.socket) -> None:
+        async def main() -> None:
+            assert self._server is not None
+            self._loop = asyncio.get_running_loop()
+            self._ready.set()
+            await self._server.serve([listener])
+        asyncio.run(main())
+
+    def open_run(self, run: Run) -> Endpoint:
+        """Admit a run and start its clock."""
+        assert self._loop is not None, "the gateway has not started"
+        self._runs[run.run_id] = run
+        run.start(self._loop)
+        return Endpoint(f"http://127.0.0.1:{self.port}/mcp", run.token)
+
+    def close_run(self, run: Run) -> None:
+        """End a run, if it has not ended, and forget its token."""
+        run.end("finished", "the agent has finished")
+        self._runs.pop(run.run_id, None)
+
+    def _app(self) -> ASGIApp:
+        server: Server[Any] = Server("c4s", version="1", on_list_tools=_list_tools, on_call_tool=_call_tool,
+                                     get_tool_input_schema=lambda name: TOOLS[name].input_schema if name in TOOLS
+                                     else None)
+        inner = server.streamable_http_app(host="127.0.0.1", max_request_body_size=MAX_BODY_BYTES,
+                                           session_idle_timeout=None)
+
+        async def app(scope: Scope, receive: Receive, send: Send) -> None:
+            if scope["type"] != "http":
+                await inner(scope, receive, send)
+                return
+            headers = {key.decode("latin-1").lower(): value.decode("latin-1") for key, value in scope["headers"]}
+            run = self._run_of(headers.get("authorization", ""))
+            session = headers.get("mcp-session-id", "")
+            if run is None:
+                await JSONResponse({"error": "unauthorized"}, 401, {"WWW-Authenticate": "Bearer"})(scope, receive, send)
+            elif session and self._session_owner.get(session) != run.run_id:
+                await JSONResponse({"error": "session not found"}, 404)(scope, receive, send)
+            else:
+                scope.setdefault("state", {})["run"] = run
+                await self._forward(inner, run, session, scope, receive, send)
+
+        return app
+
+    def _run_of(self, authorization: str) -> Run | None:
+        scheme, _, token = authorization.partition(" ")
+        if scheme.lower() != "bearer":
+            return None
+        return next((run for run in list(self._runs.values())
+                     if hmac.compare_digest(run.token.encode(), token.strip().encode())), None)
+
+    async def _forward(self, inner: ASGIApp, run: Run, session: str, scope: Scope, receive: Receive,
+                       send: Send) -> None:
+        """Hand a request to the SDK; a repeat of one that is in flight waits for the first one's response."""
+        async def noting(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                for key, value in message["headers"]:
+                    if key.lower() == b"mcp-session-id":
+                        self._session_owner[value.decode("latin-1")] = run.run_id
+            await send(message)
+
+        if scope["method"] != "POST" or not session:
+            await inner(scope, receive, noting)
+            return
+        body, replay = await _read_body(receive)
+        call = _call_of(body)
+        if call is None:
+            await inner(scope, replay, noting)
+            return
+        flight = self._in_flight.get((session, call[0]))
+        if flight is not None:
+            if flight.body != body:
+                await JSONResponse({"error": "another request with this id is in flight"}, 409)(scope, receive, send)
+                return
+            run.record_duplicate(call[1], f"{session}:{call[0]}")
+            await flight.replay(send)
+            return
+        flight = self._in_flight[session, call[0]] = _Flight(body)
+        try:
+            await inner(scope, replay, flight.recording(noting))
+        finally:
+            del self._in_flight[session, call[0]]
+            flight.done.set()
+
+
+class _Flight:
+    """A call in flight: its body, and its response as it goes out."""
+
+    def __init__(self, body: bytes) -> None:
+        self.body = body
+        self.done = asyncio.Event()
+        self._messages: list[Message] = []
+
+    def recording(self, send: Send) -> Send:
+        async def both(message: Message) -> None:
+            self._messages.append(message)
+            await send(message)
+        return both
+
+    async def replay(self, send: Send) -> None:
+        await self.done.wait()
+        for message in self._messages:
+            await send(message)
+
+
+async def _read_body(receive: Receive) -> tuple[bytes, Receive]:
+    """The body up to a little over the limit (the SDK refuses what is longer), and a ``receive`` that gives it again."""
+    taken: list[Message] = []
+    body = b""
+    while len(body) <= MAX_BODY_BYTES:
+        message = await receive()
+        taken.append(message)
+        body += message.get("body", b"")
+        if message["type"] != "http.request" or not message.get("more_body", False):
+            break
+
+    async def replay() -> MutableMapping[str, Any]:
+        return taken.pop(0) if taken else await receive()
+    return body, replay
+
+
+def _call_of(body: bytes) -> tuple[str, str] | None:
+    """(request id as JSON, tool name) of a ``tools/call`` post."""
+    try:
+        message = json.loads(body)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(message, dict) or message.get("method") != "tools/call" or "id" not in message:
+        return None
+    params = message.get("params")
+    return json.dumps(message["id"]), str(params.get("name")) if isinstance(params, dict) else ""
+
+
+def _run_in(context: Any) -> Run:
+    request = context.request
+    run = request.scope["state"]["run"] if request is not None else None
+    if not isinstance(run, Run):
+        raise MCPError(wire.INVALID_REQUEST, "no run")
+    return run
+
+
+async def _list_tools(context: Any, _: wire.PaginatedRequestParams | None) -> wire.ListToolsResult:
+    run = _run_in(context)
+    return wire.ListToolsResult(tools=[
+        wire.Tool(name=tool.name, description=tool.description, input_schema=tool.input_schema)
+        for tool in ALL_TOOLS if tool.name in run.tools])
+
+
+async def _call_tool(context: Any, params: wire.CallToolRequestParams) -> wire.CallToolResult:
+    run = _run_in(context)
+    answer = await run.call(params.name, params.arguments or {}, _request_key(context))
+    return _wire_answer(answer)
+
+
+def _request_key(context: Any) -> str | None:
+    """The identity of a call: the client's own id of the tool use, else session and request id, else none."""
+    meta = dict(context.meta or {})
+    for name in REQUEST_KEYS:
+        if meta.get(name):
+            return f"{name}:{meta[name]}"
+    session = context.request.headers.get("mcp-session-id")
+    return f"{session}:{json.dumps(context.request_id)}" if session else None
+
+
+def _wire_answer(answer: Answer) -> wire.CallToolResult:
+    """Text first, then the picture. Never ``structuredContent``: clients drop it or the picture."""
+    content: list[wire.ContentBlock] = [wire.TextContent(type="text", text=answer.text)]
+    if answer.image is not None:
+        content.append(wire.ImageContent(type="image", mime_type="image/png",
+                                         data=base64.b64encode(answer.image).decode()))
+    return wire.CallToolResult(content=content, is_error=answer.error)

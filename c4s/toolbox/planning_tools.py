@@ -1,0 +1,132 @@
+"""Planning: the deterministic scene-graph planner as tools. The last solution is kept, so it need not be sent again."""
+
+from __future__ import annotations
+
+from types import ModuleType
+from typing import Any
+
+from c4s.toolbox.scene_tools import spawn_path
+from c4s.toolbox.tool import Arguments, Schema, Tool, ToolRefused, ToolResult, number, text
+from c4s.toolbox.workbench import Workbench
+
+GROUP = "Planning"
+DEFAULT_HALF_EXTENT_M = 100.0
+MOST_ENTRIES = 5000
+
+
+def _planner() -> ModuleType:
+    from c4s import planner
+
+    return planner
+
+
+def _half_extent(bench: Workbench, arguments: Arguments) -> float:
+    plate = bench.case.plate_m
+    return float(arguments.get("half_extent_m", plate / 2 if plate else DEFAULT_HALF_EXTENT_M))
+
+
+def _validate(bench: Workbench, arguments: Arguments) -> ToolResult:
+    return ToolResult(_planner().validate(arguments["graph"], bench.catalog.assets))
+
+
+def _solve(bench: Workbench, arguments: Arguments) -> ToolResult:
+    try:
+        solved = _planner().solve(arguments["graph"], bench.catalog.assets, mode=arguments.get("mode", "separate"),
+                                  half_extent_m=_half_extent(bench, arguments))
+    except ValueError as error:
+        raise ToolRefused(str(error)) from error
+    bench.solved = solved
+    return ToolResult({"solved": solved})
+
+
+def _solved(bench: Workbench, arguments: Arguments) -> dict[str, Any]:
+    solved = arguments.get("solved", bench.solved)
+    if solved is None:
+        raise ToolRefused("no solved plan yet", todo="call solve_scene_graph first, or give `solved`")
+    if not isinstance(solved.get("entries"), list):
+        raise ToolRefused("`solved` has no list of entries", todo="give what solve_scene_graph gave")
+    return dict(solved)
+
+
+def _with_solved(bench: Workbench, arguments: Arguments, function: str) -> Any:
+    solved = _solved(bench, arguments)
+    try:
+        return getattr(_planner(), function)(solved)
+    except (KeyError, TypeError, ValueError) as error:
+        raise ToolRefused(f"`solved` is not what solve_scene_graph gives: {error!r}") from error
+
+
+def _render(bench: Workbench, arguments: Arguments) -> ToolResult:
+    return ToolResult({"entries": len(_solved(bench, arguments)["entries"])},
+                      image=_with_solved(bench, arguments, "render_plan"))
+
+
+def _tiers(bench: Workbench, arguments: Arguments) -> ToolResult:
+    return ToolResult(_with_solved(bench, arguments, "tiers"))
+
+
+def _ground(bench: Workbench, arguments: Arguments) -> ToolResult:
+    tiles = _planner().ground_tiles(arguments["scene_text"], bench.catalog.assets, _half_extent(bench, arguments))
+    if not tiles:
+        raise ToolRefused("the catalog has no flat asset that can be laid as ground")
+    return _spawn_entries(bench, tiles)
+
+
+def _spawn_entries(bench: Workbench, entries: list[dict[str, Any]]) -> ToolResult:
+    resolved = []
+    for entry in entries:
+        path = spawn_path(bench, str(entry["asset"]))
+        kind = entry.get("kind") or ("blueprint" if path.endswith("_C") else "static_mesh")
+        resolved.append({**entry, "asset": path, "kind": kind})
+    outcome = bench.scene("spawn_many", entries=resolved)
+    if outcome["failed"] and not outcome["spawned"]:
+        raise ToolRefused(f"none of {len(resolved)} entries could be spawned; the first: {outcome['failed'][0]['error']}")
+    return ToolResult({"spawned": [item["label"] for item in outcome["spawned"]], "count": len(outcome["spawned"]),
+                       "failed": outcome["failed"]})
+
+
+def _build(bench: Workbench, arguments: Arguments) -> ToolResult:
+    if "entries" in arguments:
+        return _spawn_entries(bench, list(arguments["entries"]))
+    if "tier" not in arguments:
+        raise ToolRefused("give a tier of the solved plan, or entries")
+    solved, tier = _solved(bench, {}), arguments["tier"]
+    named = _with_solved(bench, {}, "tiers")
+    order = named["order"]
+    wanted = order[tier] if isinstance(tier, int) and 0 <= tier < len(order) else tier
+    if wanted not in named["tiers"]:
+        raise ToolRefused(f"no tier {tier!r}; the tiers are {', '.join(order)} (or 0 to {len(order) - 1})")
+    members = set(named["tiers"][wanted])
+    return _spawn_entries(bench, [entry for entry in solved["entries"] if entry["name"] in members])
+
+
+SOLVED: Schema = {"type": "object", "description": "What solve_scene_graph gave; left out: the last solution."}
+HALF_EXTENT = number("Half the side of the square build area in metres (default: half the case's plate).",
+                     exclusiveMinimum=0, maximum=10_000)
+GRAPH: Schema = {"type": "object", "description": "Scene graph: `nodes`, a list of nodes with id, asset and placement; "
+                                                  "validate_scene_graph names what is wrong."}
+ENTRY: Schema = {
+    "type": "object", "required": ["name", "asset", "location"],
+    "properties": {"name": text("Label."), "asset": text("Catalog id or path."),
+                   "location": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
+                   "rotation": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}}}
+
+TOOLS = (
+    Tool("validate_scene_graph", GROUP, "Check a scene graph against the catalog: whether it can be solved whole, and every "
+         "entry that would be dropped with the reason.", _validate, {"graph": GRAPH}, ("graph",)),
+    Tool("solve_scene_graph", GROUP, "World transforms for a scene graph; overlapping footprints are pushed apart. Equal input "
+         "gives equal output. The solution is kept for the other planning tools.", _solve,
+         {"graph": GRAPH, "mode": {"enum": ["separate", "exact"], "description": "separate (default): push overlaps apart. "
+                                                                              "exact: keep the positions."},
+          "half_extent_m": HALF_EXTENT}, ("graph",)),
+    Tool("render_plan", GROUP, "A picture of the solved plan seen from above.", _render, {"solved": SOLVED}),
+    Tool("tier_derivation", GROUP, "The build tier of every placed entry.", _tiers, {"solved": SOLVED}),
+    Tool("ground_pass", GROUP, "Lay ground tiles of a fitting flat asset over the build area.", _ground,
+         {"scene_text": text("The scene in words: decides which ground fits."), "half_extent_m": HALF_EXTENT},
+         ("scene_text",)),
+    Tool("build_tier", GROUP, "Spawn one tier of the solved plan, or a list of entries, in one call. Entries that fail are "
+         "reported and the rest are built.", _build,
+         {"tier": {"type": ["string", "integer"], "description": "Tier name, or its number in building order from 0."},
+          "entries": {"type": "array", "items": ENTRY, "minItems": 1, "maxItems": MOST_ENTRIES,
+                      "description": "Entries {name, asset, location, rotation, scale} in place of a tier."}}),
+)

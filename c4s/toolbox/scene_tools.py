@@ -1,0 +1,81 @@
+"""Scene editing and state inspection: the host side of the tools whose scene side is ``c4s.editor.scene_tools``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.toolbox.tool import ACTOR, LOCATION, ROTATION, SCALE, Arguments, Tool, ToolRefused, ToolResult, text
+from c4s.toolbox.workbench import Workbench
+
+EDITING, INSPECTION = "Scene editing", "State inspection"
+
+
+def spawn_path(bench: Workbench, key: str) -> str:
+    """The path behind a catalog id; a path stays what it is (the engine decides whether it loads)."""
+    return key if key.startswith("/") else bench.catalog.find(key).spawn_path
+
+
+def _pose(arguments: Arguments) -> dict[str, Any]:
+    return {key: arguments.get(key) for key in ("location", "rotation", "scale")}
+
+
+def _spawn(bench: Workbench, arguments: Arguments) -> ToolResult:
+    path = spawn_path(bench, arguments["static_mesh"])
+    return ToolResult({"actor": bench.scene("spawn_static_mesh", name=arguments["name"], static_mesh=path,
+                                            **_pose(arguments))})
+
+
+def _spawn_blueprint(bench: Workbench, arguments: Arguments) -> ToolResult:
+    path = spawn_path(bench, arguments["blueprint_id"])
+    return ToolResult({"actor": bench.scene("spawn_blueprint", name=arguments["actor_name"], blueprint=path,
+                                            **_pose(arguments))})
+
+
+def _set_transform(bench: Workbench, arguments: Arguments) -> ToolResult:
+    if not any(key in arguments for key in ("location", "rotation", "scale")):
+        raise ToolRefused("give at least one of location, rotation and scale")
+    return ToolResult({"actor": bench.scene("set_transform", name=arguments["name"], **_pose(arguments))})
+
+
+def _delete(bench: Workbench, arguments: Arguments) -> ToolResult:
+    return ToolResult({"deleted": bench.scene("delete", name=arguments["name"])})
+
+
+def _delete_all_spawned(bench: Workbench, _: Arguments) -> ToolResult:
+    level = bench.scene("current_level")
+    if level not in bench.levels:
+        raise ToolRefused(f"the open level {level} is neither the start level nor one that this run saved: "
+                          "its actors were not spawned by this run")
+    removed = bench.scene("delete_all_but", ids=bench.given)
+    return ToolResult({"deleted": removed, "count": len(removed)})
+
+
+def _list(bench: Workbench, _: Arguments) -> ToolResult:
+    actors = bench.scene("list_actors")
+    return ToolResult({"actors": actors, "count": len(actors)})
+
+
+def _find(bench: Workbench, arguments: Arguments) -> ToolResult:
+    actors = bench.scene("find_actors", pattern=arguments["pattern"])
+    return ToolResult({"actors": actors, "count": len(actors)})
+
+
+TOOLS = (
+    Tool("spawn_actor", EDITING, "Place an actor made from a static mesh. The name becomes its label and must be new.", _spawn,
+         {"name": text("Label of the new actor."), "static_mesh": text("Catalog id, or path of a static mesh."),
+          "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name", "static_mesh", "location")),
+    Tool("spawn_blueprint_actor", EDITING, "Place an actor made from a Blueprint. The name becomes its label and must be new.",
+         _spawn_blueprint,
+         {"actor_name": text("Label of the new actor."), "blueprint_id": text("Catalog id, or path of a Blueprint."),
+          "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("actor_name", "blueprint_id", "location")),
+    Tool("set_actor_transform", EDITING, "Change position, rotation and/or scale of an actor; what is left out stays.",
+         _set_transform, {"name": ACTOR, "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name",)),
+    Tool("delete_actor", EDITING, "Remove one actor.", _delete, {"name": ACTOR}, ("name",)),
+    Tool("delete_all_spawned", EDITING, "Remove every actor that was added in this run, by whichever tool or script. The "
+         "actors of the start level stay.", _delete_all_spawned),
+    Tool("get_actors_in_level", INSPECTION, "All actors: label, object name, class, transform, static meshes.", _list),
+    Tool("find_actors_by_name", INSPECTION, "Actors whose label or object name holds a text, with their bounds; says which "
+         "of the two matched.", _find,
+         {"pattern": text("Text to look for, ignoring case; * and ? stand for any text and any character.")},
+         ("pattern",)),
+)

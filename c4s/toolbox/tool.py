@@ -1,0 +1,75 @@
+"""What a tool is: a name, a described argument schema, and a function over the run's workbench."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from c4s.errors import C4SError
+
+if TYPE_CHECKING:
+    from c4s.toolbox.workbench import Workbench
+
+Schema = dict[str, Any]
+Arguments = Mapping[str, Any]
+
+
+class ToolRefused(C4SError):
+    """A tool cannot do what was asked. The message goes to the agent; the call counts."""
+
+    exit_code = 1
+
+
+@dataclass(frozen=True)
+class ToolResult:
+    """What a tool gives back: JSON-able data and, for a few tools, one PNG picture."""
+
+    data: dict[str, Any]
+    image: bytes | None = None
+
+
+@dataclass(frozen=True)
+class Tool:
+    """One of the shared tools (paper, Coding-Agent Interface, table of agent tools)."""
+
+    name: str
+    group: str
+    description: str
+    run: Callable[[Workbench, Arguments], ToolResult]
+    properties: Mapping[str, Schema] = field(default_factory=dict)
+    required: tuple[str, ...] = ()
+
+    @property
+    def input_schema(self) -> Schema:
+        """JSON Schema of the arguments; unknown arguments are refused."""
+        return {"type": "object", "properties": dict(self.properties), "required": list(self.required),
+                "additionalProperties": False}
+
+
+def text(description: str, **more: Any) -> Schema:
+    """Schema of a string that is not empty."""
+    return {"type": "string", "minLength": 1, "description": description, **more}
+
+
+def number(description: str, **more: Any) -> Schema:
+    """Schema of a number."""
+    return {"type": "number", "description": description, **more}
+
+
+def vector(description: str) -> Schema:
+    """Schema of three numbers."""
+    return {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3, "description": description}
+
+
+def names(description: str) -> Schema:
+    """Schema of a list of names."""
+    return {"type": "array", "items": {"type": "string", "minLength": 1}, "description": description}
+
+
+LOCATION = vector("World location [x, y, z] in cm: left-handed, Z up.")
+ROTATION = vector("World rotation [pitch, yaw, roll] in degrees.")
+SCALE: Schema = {"description": "Scale factors [x, y, z], or one number for all three.",
+                 "anyOf": [{"type": "number"},
+                           {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}]}
+ACTOR = text("The actor's label (or, where no label fits, its object name).")
