@@ -6,7 +6,14 @@ from collections.abc import Mapping
 from typing import Any
 
 from c4s.score.numbers import unit_number
-from c4s.score.policy import PHYSICS_DIGITS, PHYSICS_LEAF_WEIGHT, PHYSICS_LEAVES, PHYSICS_POLICY, Direction
+from c4s.score.policy import (
+    PHYSICS_DIGITS,
+    PHYSICS_LEAF_WEIGHT,
+    PHYSICS_LEAVES,
+    PHYSICS_POLICY,
+    T2S_FLOATING_METRIC,
+    Direction,
+)
 
 
 def safety(raw: float, direction: Direction) -> float:
@@ -61,7 +68,7 @@ def physics_from_report(report: Any, floating_rate: float | None = None) -> dict
                       "safety": safety(raw, direction) if measured and raw is not None else scalar}
     if floating_rate is not None:
         rows["floating"] = {"status": "measured", "raw_score": floating_rate, "direction": "lower_is_better",
-                            "safety": 1 - floating_rate}
-        source = "support_rule"
+                            "safety": round(1 - floating_rate, PHYSICS_DIGITS), "metric": T2S_FLOATING_METRIC}
+        source = "recomputed_from_snapshot"
     score = sum(PHYSICS_LEAF_WEIGHT * (row["safety"] or 0.0) for row in rows.values())
     return {"policy": PHYSICS_POLICY, "score": round(score, PHYSICS_DIGITS), "leaves": rows, "floating_source": source}

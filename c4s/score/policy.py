@@ -59,6 +59,8 @@ Direction: TypeAlias = Literal["lower_is_better", "higher_is_better"]
 PHYSICS_LEAVES: Final[dict[str, Direction]] = {"floating": "lower_is_better",
                                                "solid_penetration": "higher_is_better"}
 """The two leaves, with the direction of a raw score where the report does not tell it."""
+T2S_FLOATING_METRIC: Final = "t2s-aabb-floating-contact-5cm.v2"
+"""Id of the support rule that replaces the recorded floating leaf in text-to-scene."""
 PHYSICS_LEAF_WEIGHT: Final = 0.5
 PHYSICS_DIGITS: Final = 4
 
