@@ -125,7 +125,7 @@ class SceneSnapshot(_Open):
 
 
 def read_snapshot(path: Path) -> dict[str, Any]:
-    """A snapshot file as plain data, checked to be a scene. ``BadInput`` when truncated, or without a list of actors."""
+    """A snapshot file as plain data. ``BadInput`` when it is truncated, or is no scene with a list of actors."""
     value = read_json(path, what="snapshot")
     if not isinstance(value, Mapping) or not isinstance(value.get("actors"), list):
         raise BadInput("not a scene snapshot: it has no list of actors", where=str(path))

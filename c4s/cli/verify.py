@@ -1,0 +1,75 @@
+"""``c4s verify``: one verifier on files, or on a batch of rows."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from c4s.case.package import SETTINGS
+from c4s.cli.batches import write_rows
+from c4s.cli.output import print_json, print_table
+from c4s.errors import BadInput
+from c4s.scene.snapshot import read_snapshot
+from c4s.verify.verdict import Verdict
+
+app = typer.Typer(help="Verify saved scenes: repair, physics, support.", no_args_is_help=True)
+Batch = Annotated[Path | None, typer.Option("--batch", help="JSON lines (optionally gzip), one row each")]
+Json = Annotated[bool, typer.Option("--json", help="the whole verdict as JSON")]
+
+
+def _print(verdict: Verdict, json_output: bool) -> None:
+    if json_output:
+        print_json(verdict.plain())
+        return
+    score = "–" if verdict.score is None else f"{verdict.score:.3f}"
+    print(f"{verdict.verifier}: {verdict.status}, score {score}{'. ' + verdict.reason if verdict.reason else ''}")
+    if verdict.population:
+        print_table(["population", "count"], [[name, count] for name, count in verdict.population.items()])
+    for advisory in verdict.advisories:
+        print(f"advisory {advisory['code']}: {advisory['text']}")
+
+
+def _given(path: Path | None, option: str) -> Path:
+    if path is None:
+        raise BadInput(f"option {option} is missing", todo="give the scene files, or --batch FILE")
+    return path
+
+
+@app.command()
+def repair(start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene")] = None,
+           truth: Annotated[Path | None, typer.Option(help="snapshot of the original scene")] = None,
+           candidate: Annotated[Path | None, typer.Option(help="snapshot of the saved scene")] = None,
+           batch: Batch = None, json_output: Json = False) -> None:
+    """Actor Repair F1 of a saved scene against the truth."""
+    from c4s.verify.repair import verify_repair
+    from c4s.verify.repair.batch import repair_rows
+
+    if batch is not None:
+        write_rows(batch, repair_rows)
+        return
+    _print(verify_repair(_given(start, "--input"), _given(truth, "--truth"), _given(candidate, "--candidate")),
+           json_output)
+
+
+@app.command()
+def physics(snapshot: Annotated[Path, typer.Option(help="snapshot of the saved scene")],
+            setting: Annotated[str, typer.Option(help=", ".join(SETTINGS))] = "text-to-scene",
+            start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene "
+                                                       "(image-to-scene)")] = None,
+            json_output: Json = False) -> None:
+    """Support and penetration of a saved scene."""
+    from c4s.verify.physics import verify_physics
+
+    if setting not in SETTINGS:
+        raise BadInput(f"unknown setting {setting!r}", todo=f"one of {', '.join(SETTINGS)}")
+    _print(verify_physics(setting, read_snapshot(snapshot), read_snapshot(start) if start else None), json_output)
+
+
+@app.command()
+def support(batch: Annotated[Path, typer.Option("--batch", help="JSON lines (optionally gzip), one row each")]) -> None:
+    """The text-to-scene support rule on a batch of scenes."""
+    from c4s.verify.support_batch import support_rows
+
+    write_rows(batch, support_rows)
