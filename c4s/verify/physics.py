@@ -11,13 +11,14 @@ import numpy as np
 
 from c4s.collision import Contact, SceneBodies, scene_bodies, scene_contacts
 from c4s.errors import BadInput
+from c4s.score.physics import physics_from_report
+from c4s.score.policy import PHYSICS_POLICY
 from c4s.verify.edited import edited_actors
 from c4s.verify.penetration import FIXED_TOLERANCE_CM, Penetration, penetration
 from c4s.verify.roles import Role, bounds_of, roles
 from c4s.verify.support import GAP_CM, Support, edited_support, text_to_scene_support
 from c4s.verify.verdict import Verdict
 
-POLICY = "physics-all-leaves-zero.v2"
 Leaf = dict[str, Any]
 
 
@@ -55,13 +56,13 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
         snapshot, scene, minimum_depth_cm=FIXED_TOLERANCE_CM, actors=None if whole else names)
     judged = penetration(actors, role, found, scene, scored=chosen, adaptive=whole)
     solid = _penetration_leaf(actors, chosen, judged)
-    score = 0.5 * _safety(floating) + 0.5 * _safety(solid)
+    leaves = {"leaf_results": [floating, solid],
+              "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"}}
+    total = physics_from_report({"report_id": "physical_safety", "status": "measured", "metrics": leaves})
     scored = [i for i in chosen if role[i] == "scored_solid"]
     return Verdict(
-        verifier="physics", status="measured", score=round(score, 4), policy=POLICY,
-        measurements={"leaf_results": [floating, solid],
-                      "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"},
-                      "roles": {_name(actors[i]): role[i] for i in chosen}},
+        verifier="physics", status="measured", score=total["score"], policy=PHYSICS_POLICY,
+        measurements={**leaves, "leaves": total["leaves"], "roles": {_name(actors[i]): role[i] for i in chosen}},
         population={"actors": len(actors), "selected": len(chosen), **_leaf_population("floating", floating),
                     **_leaf_population("solid_penetration", solid),
                     **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())}},
@@ -77,14 +78,6 @@ def report(verdict: Verdict) -> dict[str, Any]:
 def _leaf(leaf_id: str, status: str, score: float | None, direction: str, **more: Any) -> Leaf:
     return {"leaf_id": leaf_id, "report_id": f"physical_safety.{leaf_id}", "status": status, "score": score,
             "metadata": {"score_direction": direction}, **more}
-
-
-def _safety(leaf: Leaf) -> float:
-    """A leaf's worth at its weight: unmeasured is 0."""
-    if leaf["status"] != "measured" or leaf["score"] is None:
-        return 0.0
-    score = float(leaf["score"])
-    return 1 - score if leaf["leaf_id"] == "floating" else score
 
 
 def _leaf_population(name: str, leaf: Leaf) -> dict[str, int]:
