@@ -7,7 +7,9 @@ scene to compare with.
 from __future__ import annotations
 
 import io
+import os
 import re
+import stat
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -28,6 +30,8 @@ WIDTH, HEIGHT = 1280, 720
 TOUCH_TOLERANCE_CM = 5.0
 MOST_IMAGE_BYTES = 2_000_000
 """Some clients recompress larger pictures."""
+MOST_PICTURE_BYTES = 64 << 20
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _FILE = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,99}")
 
 
@@ -41,10 +45,25 @@ def _screenshot(bench: Workbench, arguments: Arguments) -> ToolResult:
                                  timeout_s=300.0)
     if reply.get("status") not in ("ok", "success"):
         raise ToolRefused(f"no picture was taken: {reply.get('error') or reply.get('missing')}")
-    picture = Path(str(reply["filepath"]))
-    if not picture.resolve().is_relative_to(bench.scratch.resolve()):
+    png = read_picture(Path(str(reply["filepath"])), bench.scratch)
+    return ToolResult({"filename": name, "width": WIDTH, "height": HEIGHT}, image=_within_limit(png))
+
+
+def read_picture(path: Path, folder: Path) -> bytes:
+    """A PNG that the engine wrote. Agent code writes to the same folder: links, pipes and other files are refused."""
+    if not path.resolve().is_relative_to(folder.resolve()):
         raise ToolRefused("the engine wrote the picture outside the run's folder")
-    return ToolResult({"filename": name, "width": WIDTH, "height": HEIGHT}, image=_within_limit(picture.read_bytes()))
+    try:
+        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+    except OSError as error:
+        raise ToolRefused(f"the picture cannot be read: {error.strerror}") from error
+    with open(handle, "rb") as source:
+        if not stat.S_ISREG(os.fstat(handle).st_mode):
+            raise ToolRefused("the picture is not a plain file")
+        png = source.read(MOST_PICTURE_BYTES)
+    if not png.startswith(PNG_SIGNATURE):
+        raise ToolRefused("the picture is not a PNG")
+    return png
 
 
 def _within_limit(png: bytes) -> bytes:

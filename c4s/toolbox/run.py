@@ -29,6 +29,7 @@ KEPT_ANSWERS = 32
 """Answers kept for repeats of a request id; older repeats are refused, never run again."""
 RECORDED_RESULT_CHARACTERS = 20_000
 PARALLEL_CALLS = 8
+POLL_S = 0.05
 
 
 class Answer:
@@ -92,6 +93,11 @@ class Run:
                 self._timer.cancel()
             self._pool.shutdown(wait=False, cancel_futures=True)
         self.ended.set()
+
+    def ended_or(self, done: threading.Event) -> None:
+        """Wait until the run has ended or ``done`` is set by another thread."""
+        while not self.ended.is_set() and not done.wait(POLL_S):
+            continue
 
     @property
     def wall_s(self) -> float:

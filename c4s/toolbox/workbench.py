@@ -38,11 +38,11 @@ class Job:
 class Engine(Protocol):
     """The part of an engine session that the tools use."""
 
-    def request(self, kind: str, params: Mapping[str, Any] | None = None, *, timeout_s: float = 60.0) -> dict[str, Any]:
+    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 60.0) -> dict[str, Any]:
         """One bridge request and its reply."""
         ...
 
-    def call(self, function: str, **params: Any) -> Any:
+    def call(self, function: str, /, *, timeout_s: float = ..., **params: Any) -> Any:
         """Run ``<module>.<function>`` of ``c4s.editor`` inside the engine and return its value."""
         ...
 
@@ -76,7 +76,7 @@ class Workbench:
 
     def snapshot(self) -> dict[str, Any]:
         """The scene as it is now, as a snapshot document."""
-        snapshot: dict[str, Any] = self._call("snapshot.export_snapshot")
+        snapshot: dict[str, Any] = self._call("snapshot.export")
         return snapshot
 
     def _call(self, function: str, **params: Any) -> Any:

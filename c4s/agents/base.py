@@ -1,0 +1,81 @@
+"""What an agent is: something that is given a case and an endpoint, and works on the scene through the tools."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Protocol
+
+from c4s.case.package import AgentCase
+from c4s.errors import BadInput
+from c4s.run.records import Configuration
+from c4s.toolbox.client import GatewayClient
+from c4s.toolbox.gateway import Endpoint
+
+SUBMISSION_NAME = "submission"
+"""Name under which the baselines save their scene."""
+
+
+@dataclass(frozen=True)
+class AgentContext:
+    """What an agent is given. Everything else it learns through the tools."""
+
+    case: AgentCase
+    agent_folder: Path
+    """The case's agent folder: the prompt's facts and the reference views."""
+    endpoint: Endpoint
+    configuration: Configuration
+    attempt: int
+    """1 or 2."""
+    folder: Path
+    """A folder of its own for logs and client state."""
+    truth_package: str | None = None
+    """Package of the truth level; given to ``oracle`` alone."""
+
+    @property
+    def options(self) -> Mapping[str, Any]:
+        """The configuration's options."""
+        return self.configuration.options
+
+    def connect(self) -> GatewayClient:
+        """A client of the run's tools (a context manager)."""
+        return GatewayClient(self.endpoint)
+
+
+@dataclass(frozen=True)
+class AgentReport:
+    """What an agent tells of its work; ``usage`` has one record a model request."""
+
+    client_version: str = ""
+    message: str = ""
+    usage: list[dict[str, Any]] = field(default_factory=list)
+    """Records with ``input_tokens``, ``output_tokens`` and ``cost_usd`` where they are known."""
+
+
+class Agent(Protocol):
+    """An agent client. ``run`` returns when the agent is done, and raises ``AgentFault`` when it fails.
+
+    It must end when a call raises ``RunStopped``: the run takes no more calls.
+    """
+
+    def run(self, context: AgentContext) -> AgentReport:
+        """Work on the case until done."""
+        ...
+
+
+CLIENTS = {"noop": "c4s.agents.noop:NoOp", "random": "c4s.agents.random_agent:RandomAgent",
+           "vandal": "c4s.agents.vandal:Vandal", "oracle": "c4s.agents.oracle:Oracle",
+           "planner": "c4s.agents.planner:Planner"}
+"""Client name to ``module:class``; the class is made without arguments."""
+
+
+def agent_of(configuration: Configuration) -> Agent:
+    """The agent of a configuration. ``BadInput`` for an unknown client."""
+    if configuration.client not in CLIENTS:
+        raise BadInput(f"unknown agent client {configuration.client!r}", where=configuration.name,
+                       todo=f"the clients are {', '.join(CLIENTS)}")
+    module, _, name = CLIENTS[configuration.client].partition(":")
+    made: Agent = getattr(importlib.import_module(module), name)()
+    return made
