@@ -281,9 +281,15 @@ class Author:
     def _spawn(self, source: dict[str, str], location_cm: Vector, rotation_deg: Vector, scale: Vector,
                expect: dict[str, Any]) -> SpawnActor:
         stem = next(iter(source.values())).rsplit(".", 1)[-1].removesuffix("_C")
-        number = next(n for n in range(1, len(self.names) + 2) if f"{stem}_{n}" not in self.names)
-        name = f"{stem}_{number}"
+        name = f"{stem}_{self._free_number(stem)}"
         self.names.add(name)
         key = f"{name}|{source}|{location_cm}"
         return SpawnActor(stable_id=stable_id(self.scene_id, key, "spawned"), object_name=name, label=name,
                           source=source, location_cm=location_cm, rotation_deg=rotation_deg, scale=scale, expect=expect)
+
+    def _free_number(self, stem: str) -> int:
+        """A number that no actor of this stem has, from a gap among theirs if there is one: it must tell nothing."""
+        used = {int(name[len(stem) + 1:]) for name in self.names
+                if name.startswith(f"{stem}_") and name[len(stem) + 1:].isdigit()}
+        free = [number for number in range(1, max(used, default=0) + 2) if number not in used]
+        return free[int(hashlib.sha256(f"{self.scene_id}|{stem}".encode()).hexdigest()[:8], 16) % len(free)]
