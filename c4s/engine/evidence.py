@@ -71,8 +71,8 @@ def export_level(*, packs: Sequence[Path], level: Path, out: Path) -> None:
 
 def _export(engine: EngineSession, package: str) -> tuple[dict[str, Any], dict[str, Any]]:
     try:
-        return (engine.call("snapshot.export", timeout_s=_EXPORT_TIMEOUT_S),
-                engine.call("dependencies.export", timeout_s=_EXPORT_TIMEOUT_S))
+        return (engine.call("snapshot.export_snapshot", timeout_s=_EXPORT_TIMEOUT_S),
+                engine.call("dependencies.export_dependencies", timeout_s=_EXPORT_TIMEOUT_S))
     except EngineCallError as error:
         raise BadInput(f"the level cannot be exported: {error.what}", where=package) from error
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from types import ModuleType
 
 from c4s.engine.headless import state
-from c4s.engine.headless.unreal import build
+from c4s.engine.headless.unreal import build, libraries
 from c4s.engine.headless.world import World, known_levels
 from c4s.errors import BadInput
 from c4s.packs.store import PackStore
@@ -37,3 +37,8 @@ def boot(pack_folders: Sequence[Path], content: Path, levels: Sequence[Path] = (
     module = build()
     sys.modules["unreal"] = module
     return module
+
+
+def tick(delta_seconds: float) -> None:
+    """Call the functions that scripts registered to run after each tick."""
+    libraries.tick(delta_seconds)

@@ -23,7 +23,10 @@ _ROTATOR_NOISE_DEG = 1e-9
 
 
 class Pose:
-    """A translation (cm), rotation and signed scale. ``rotation_deg`` is (pitch, yaw, roll). Immutable by convention."""
+    """A translation (cm), rotation and signed scale. ``rotation_deg`` is (pitch, yaw, roll), without negative zeros.
+
+    Immutable by convention.
+    """
 
     __slots__ = ("location", "quat", "rotation_deg", "scale")
 
@@ -31,7 +34,8 @@ class Pose:
         self.location = location
         self.quat = quat
         self.scale = scale
-        self.rotation_deg: Triple = rotator_from_quat(quat) if rotation_deg is None else rotation_deg
+        pitch, yaw, roll = rotator_from_quat(quat) if rotation_deg is None else rotation_deg
+        self.rotation_deg: Triple = (pitch + 0.0, yaw + 0.0, roll + 0.0)
 
     @classmethod
     def from_rotator(cls, location: Triple, rotation_deg: Triple, scale: Triple = _ONE) -> Pose:

@@ -253,7 +253,7 @@ class Rotator(_Components):
 
     @classmethod
     def _of(cls, rotation_deg: tuple[float, float, float]) -> Rotator:
-        return cls(roll=rotation_deg[2], pitch=rotation_deg[0], yaw=rotation_deg[1])
+        return cls(roll=rotation_deg[2] + 0.0, pitch=rotation_deg[0] + 0.0, yaw=rotation_deg[1] + 0.0)
 
     def _triple(self) -> tuple[float, float, float]:
         return (self.pitch, self.yaw, self.roll)

@@ -1,0 +1,228 @@
+"""The scene snapshot (published schema 0.3.0 and c4s's own keys). Runs inside an engine: standard library and ``unreal``.
+
+Centimetres and degrees; ``rotation_deg`` is [pitch, yaw, roll], quaternions are x, y, z, w. An actor that cannot be read
+stops the export: a snapshot is complete, so ``export_errors`` is always empty.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from typing import Any
+
+import unreal
+
+SCHEMA_VERSION = "0.3.0"
+IDENTITY_TAG = "simcodearena.stable_actor_id="
+ORIGIN_TAG = "simcodearena.actor_origin="
+
+_LIGHT = ("intensity", "intensity_units", "light_color", "temperature", "use_temperature",
+          "indirect_lighting_intensity", "volumetric_scattering_intensity")
+_FOG = ("fog_density", "fog_height_falloff", "start_distance")
+_POST = {"exposure_compensation": "auto_exposure_bias", "min_brightness": "auto_exposure_min_brightness",
+         "max_brightness": "auto_exposure_max_brightness", "white_temp": "white_temp",
+         "color_saturation": "color_saturation", "color_contrast": "color_contrast", "color_gamma": "color_gamma",
+         "color_gain": "color_gain", "color_offset": "color_offset"}
+
+
+def _row(value: Any) -> list[float]:
+    return [value.x, value.y, value.z]
+
+
+def _angles(rotator: Any) -> list[float]:
+    return [rotator.pitch, rotator.yaw, rotator.roll]
+
+
+def _place(transform: Any) -> dict[str, Any]:
+    """A world transform with its quaternion."""
+    quat = transform.rotation
+    return {"location_cm": _row(transform.translation), "rotation_deg": _angles(quat.rotator()),
+            "quaternion_xyzw": [quat.x, quat.y, quat.z, quat.w], "scale": _row(transform.scale3d)}
+
+
+def _json_value(value: Any) -> Any:
+    """A property as JSON: colours as rows, enums as their text."""
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    for names in ("rgba", "xyzw", "xyz"):
+        if all(hasattr(value, name) for name in names):
+            return [getattr(value, name) for name in names]
+    return str(value)
+
+
+def _path(thing: Any) -> str | None:
+    return thing.get_path_name() if thing is not None else None
+
+
+def stable_actor_id(tags: list[str], name: str, class_path: str, asset_paths: list[str]) -> str:
+    """The id in the actor's tags, else one generated from its object name, class and component assets."""
+    for tag in tags:
+        if tag.startswith(IDENTITY_TAG) and tag[len(IDENTITY_TAG):]:
+            return tag[len(IDENTITY_TAG):]
+    canonical = json.dumps({"actor_name": name, "class": class_path, "component_asset_paths": sorted(asset_paths)},
+                           sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return "sca_generated_" + hashlib.sha256(canonical.encode()).hexdigest()[:32]
+
+
+def _mesh_of(component: Any) -> Any:
+    """The static or skeletal mesh of a component, or None."""
+    for name in ("static_mesh", "skeletal_mesh_asset", "skeletal_mesh"):
+        try:
+            mesh = component.get_editor_property(name)
+        except Exception:  # Unreal raises a bare Exception for a property that the class does not have
+            continue
+        if mesh is not None:
+            return mesh
+    return None
+
+
+def _slots(component: Any, identity: str) -> list[dict[str, Any]]:
+    found = []
+    for index in range(component.get_num_materials()):
+        material = component.get_material(index)
+        path = _path(material)
+        kind = material.get_class().get_path_name() if material is not None else None
+        dynamic = material is not None and (str(kind).endswith(".MaterialInstanceDynamic")
+                                            or str(path).startswith("/Engine/Transient"))
+        found.append({"component_identity": identity, "slot_index": index, "material_path": path,
+                      "material_class_path": kind, "is_dynamic": dynamic})
+    return found
+
+
+def _given(owner: Any, names: dict[str, str]) -> dict[str, Any]:
+    """Those of the named editor properties that the object has."""
+    found = {}
+    for name, source in names.items():
+        try:
+            value = owner.get_editor_property(source)
+        except Exception:  # Unreal raises a bare Exception for a property that the class does not have
+            continue
+        found[name] = _json_value(value)
+    return found
+
+
+def _light_properties(actor: Any) -> dict[str, Any]:
+    """The light, fog and grading values of an actor, under the published names."""
+    found: dict[str, Any] = {}
+    light = actor.get_component_by_class(unreal.LightComponentBase)
+    if light is not None:
+        found |= _given(light, {name: name for name in _LIGHT} | {"source_angle": "light_source_angle"})
+    fog = actor.get_component_by_class(unreal.ExponentialHeightFogComponent)
+    if fog is not None:
+        found |= _given(fog, {name: name for name in _FOG})
+    if isinstance(actor, unreal.PostProcessVolume):
+        found |= _given(actor.get_editor_property("settings"), _POST)
+    return found
+
+
+def _component(component: Any, mesh: Any) -> dict[str, Any]:
+    record = {"name": component.get_name(), "class": component.get_class().get_path_name(), "mesh": _path(mesh),
+              "transform": _place(component.get_world_transform()), "collision_enabled": _collides(component)}
+    if isinstance(component, unreal.InstancedStaticMeshComponent):
+        record["instances"] = [_place(component.get_instance_transform(i, True))
+                               for i in range(component.get_instance_count())]
+    return record
+
+
+def _collides(component: Any) -> bool:
+    return (isinstance(component, unreal.PrimitiveComponent)
+            and component.get_collision_enabled() != unreal.CollisionEnabled.NO_COLLISION)
+
+
+def _origin_tag(tags: list[str]) -> str | None:
+    return next((tag[len(ORIGIN_TAG):] for tag in tags if tag.startswith(ORIGIN_TAG)), None)
+
+
+def export_actor(actor: Any, meshes: dict[str, Any]) -> dict[str, Any]:
+    """One actor's record; meshes that it shows are added to ``meshes`` by path."""
+    class_path = actor.get_class().get_path_name()
+    components, identities, slots, assets, colliding, primitives = [], [], [], set(), [], 0
+    for component in actor.get_components_by_class(unreal.SceneComponent):
+        kind = component.get_class().get_path_name()
+        identities.append(kind)
+        identity = f"{component.get_name()}|{kind}"
+        mesh = None
+        if isinstance(component, unreal.PrimitiveComponent):
+            primitives += 1
+            if _collides(component):
+                colliding.append(identity)
+            mesh = _mesh_of(component)
+        if mesh is not None:
+            assets.add(mesh.get_path_name())
+            meshes[mesh.get_path_name()] = mesh
+            slots += _slots(component, identity)
+        components.append(_component(component, mesh))
+    name, tags = actor.get_name(), [str(tag) for tag in actor.get_editor_property("tags")]
+    asset_paths = sorted(assets)
+    transform = actor.get_actor_transform()
+    origin, extent = actor.get_actor_bounds(False)
+    parent = actor.get_attach_parent_actor()
+    single = asset_paths[0] if len(asset_paths) == 1 else None
+    return {
+        "stable_actor_id": stable_actor_id(tags, name, class_path, asset_paths),
+        "actor_guid": actor.get_editor_property("actor_guid").to_string(),
+        "actor_origin": _origin_tag(tags), "logical_object_id": None, "actor_role": None,
+        "attachment_parent_path": _path(parent),
+        "attachment_parent_label": parent.get_actor_label() if parent is not None else None,
+        "label": actor.get_actor_label(), "name": name, "actor_path": actor.get_path_name(), "class": class_path,
+        "asset_path": single or (class_path if class_path.startswith("/Game/") else None), "asset_category": None,
+        "component_asset_paths": asset_paths,
+        "material_paths": sorted({slot["material_path"] for slot in slots if slot["material_path"]}),
+        "component_material_slots": slots, "actor_tags": tags,
+        "collision": {"collision_enabled": bool(colliding), "primitive_component_count": primitives,
+                      "collision_enabled_component_count": len(colliding), "collision_enabled_components": colliding},
+        "transform": {"location_cm": _row(transform.translation), "rotation_deg": _angles(actor.get_actor_rotation()),
+                      "scale": _row(transform.scale3d)},
+        "bounds": {"origin_cm": _row(origin), "extent_cm": _row(extent)},
+        "properties": _light_properties(actor),
+        "export_diagnostics": {"component_classes": sorted(set(identities))}, "export_errors": [],
+        "c4s": {"quaternion_xyzw": [getattr(transform.rotation, axis) for axis in "xyzw"], "components": components},
+    }
+
+
+def _mesh_facts(path: str, mesh: Any) -> dict[str, Any]:
+    """Digest, local bounds and collision bodies of a mesh (cm)."""
+    hook = getattr(unreal, "c4s_mesh_facts", None)
+    facts: dict[str, Any] | None = hook(path) if hook is not None else None
+    if facts is not None:
+        return facts
+    box = mesh.get_bounding_box()
+    return {"sha256": None, "bounds_min_cm": _row(box.min), "bounds_max_cm": _row(box.max),
+            "collision": _simple_collision(mesh)}
+
+
+def _simple_collision(mesh: Any) -> list[dict[str, Any]] | None:
+    """Boxes, spheres and capsules of a mesh; None (not known) when it has convex hulls, which Python cannot read."""
+    setup = mesh.get_editor_property("body_setup")
+    if setup is None:
+        return []
+    geom = setup.get_editor_property("agg_geom")
+    if len(geom.get_editor_property("convex_elems")):
+        return None
+    bodies: list[dict[str, Any]] = []
+    for elem in geom.get_editor_property("box_elems"):
+        bodies.append({"kind": "box", "center": _row(elem.center), "rotation_deg": _angles(elem.rotation),
+                       "half_extent": [elem.x / 2, elem.y / 2, elem.z / 2]})
+    for elem in geom.get_editor_property("sphere_elems"):
+        bodies.append({"kind": "sphere", "center": _row(elem.center), "radius": elem.radius})
+    for elem in geom.get_editor_property("sphyl_elems"):
+        bodies.append({"kind": "capsule", "center": _row(elem.center), "rotation_deg": _angles(elem.rotation),
+                       "radius": elem.radius, "length": elem.length})
+    return bodies
+
+
+def export_snapshot() -> dict[str, Any]:
+    """The open level as a snapshot."""
+    meshes: dict[str, Any] = {}
+    actors = [export_actor(actor, meshes)
+              for actor in unreal.get_editor_subsystem(unreal.EditorActorSubsystem).get_all_level_actors()]
+    world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
+    headless = hasattr(unreal, "c4s_mesh_facts")
+    return {
+        "schema_version": SCHEMA_VERSION, "snapshot_type": "ue_editor_scene", "units": "cm",
+        "map_path": str(world.get_path_name()).split(".", 1)[0], "actor_count": len(actors),
+        "export_metadata": {"status": "success", "engine_version": str(unreal.SystemLibrary.get_engine_version())},
+        "actors": actors,
+        "c4s": {"engine": "headless" if headless else "unreal",
+                "meshes": {path: _mesh_facts(path, meshes[path]) for path in sorted(meshes)}},
+    }
