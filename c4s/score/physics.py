@@ -56,7 +56,8 @@ def physics_from_report(report: Any, floating_rate: float | None = None) -> dict
     metrics = _mapping(report.get("metrics"))
     results = metrics.get("leaf_results")
     leaves = [leaf for leaf in results if isinstance(leaf, Mapping)] if isinstance(results, list) else []
-    scalar = unit_number(report.get("score")) if report.get("status") == "measured" and not leaves else None
+    scalar = (unit_number(report.get("score"))
+              if report.get("status") == "measured" and not leaves and floating_rate is None else None)
     source = "recorded" if scalar is None else "recorded_legacy_scalar"
     rows: dict[str, dict[str, Any]] = {}
     for name in PHYSICS_LEAVES:
@@ -66,9 +67,12 @@ def physics_from_report(report: Any, floating_rate: float | None = None) -> dict
         measured = leaf.get("status") == "measured" and raw is not None
         rows[name] = {"status": str(leaf.get("status") or "missing"), "raw_score": raw, "direction": direction,
                       "safety": safety(raw, direction) if measured and raw is not None else scalar}
+    score = sum(PHYSICS_LEAF_WEIGHT * (row["safety"] or 0.0) for row in rows.values())
     if floating_rate is not None:
-        rows["floating"] = {"status": "measured", "raw_score": floating_rate, "direction": "lower_is_better",
+        score = PHYSICS_LEAF_WEIGHT * (1 - floating_rate) \
+            + PHYSICS_LEAF_WEIGHT * (rows["solid_penetration"]["safety"] or 0.0)
+        rows["floating"] = {"status": "measured", "raw_score": floating_rate,
+                            "direction": rows["floating"]["direction"],
                             "safety": round(1 - floating_rate, PHYSICS_DIGITS), "metric": T2S_FLOATING_METRIC}
         source = "recomputed_from_snapshot"
-    score = sum(PHYSICS_LEAF_WEIGHT * (row["safety"] or 0.0) for row in rows.values())
     return {"policy": PHYSICS_POLICY, "score": round(score, PHYSICS_DIGITS), "leaves": rows, "floating_source": source}
