@@ -19,11 +19,11 @@ def _table_lamp(b: Builder) -> None:
 @KIT.asset("ArcFloorLamp", "lighting", "Arc floor lamp with a brass dome, 190 cm high.", "lamp floor arc reading")
 def _arc_lamp(b: Builder) -> None:
     b.cylinder("DarkMetal", 18, 5, (0, -45, 0), segments=24)
-    b.tube("Brass", [(0, -45 + 90 * (1 - math.cos(a)) / 2 * 1.05, 5 + 180 * math.sin(a)) for a in
-                     [math.pi * 0.86 * i / 16 for i in range(17)]], 1.2)
+    arc = [math.pi * 0.75 * i / 16 for i in range(17)]
+    b.tube("Brass", [(0, -45 + 94.5 * (1 - math.cos(a)) / 2, 5 + 180 * math.sin(a)) for a in arc], 1.2)
     b.body_box((4, 10, 150), (0, -42, 5))
-    b.lathe("Brass", [(16, 62), (14, 70), (8, 77), (2, 80), (0, 80)], (0, 44, 0))
-    b.ellipsoid("Bulb", (9, 9, 9), (0, 44, 64), segments=12, body=None)
+    b.lathe("Brass", [(16, 113), (14, 121), (8, 128), (2, 131), (0, 131)], (0, 36, 0))
+    b.ellipsoid("Bulb", (9, 9, 9), (0, 36, 115), segments=12, body=None)
 
 
 @KIT.asset("CeilingLamp", "lighting", "Ceiling lamp, a globe on a short rod; pivot at the ceiling.", "lamp ceiling globe")
