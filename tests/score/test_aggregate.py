@@ -1,0 +1,94 @@
+"""Model aggregation: pooled means, missing results, ranks with ties, and refusals."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from c4s.errors import BadInput
+from c4s.score.aggregate import aggregate, ranks, setting_of
+from c4s.score.batch import score_batch
+from c4s.score.overview import overview_score, severe_cap_eligible
+
+T2S, INDOOR, OUTDOOR = "text-to-scene", "image-to-scene/indoor", "image-to-scene/outdoor"
+
+
+def row(model: str, setting: str, case: str, score: Any, status: str = "measured", **rates: Any) -> dict[str, Any]:
+    return {"model": model, "setting": setting, "case_id": case, "status": status, "score": score, **rates}
+
+
+def table(model: str, t2s: float, indoor: float, *outdoor: float) -> list[dict[str, Any]]:
+    return [row(model, T2S, "t", t2s), row(model, INDOOR, "i", indoor),
+            *(row(model, OUTDOOR, f"o{n}", value) for n, value in enumerate(outdoor))]
+
+
+def test_cases_are_pooled_not_domains() -> None:
+    (only,) = aggregate(table("m", 0.4, 0.9, 0.3, 0.3))
+    assert only["i2s_score"] == pytest.approx(0.5)
+    assert only["model_score"] == pytest.approx(0.45)
+
+
+def test_ties_share_a_rank_and_are_sorted_by_name() -> None:
+    found = aggregate([*table("b", 0.5, 0.5, 0.5), *table("a", 0.5, 0.5, 0.5), *table("c", 0.1, 0.1, 0.1)])
+    assert [(r["model"], r["model_rank"]) for r in found] == [("a", 1), ("b", 1), ("c", 3)]
+    assert ranks([0.2, None, 0.9, 0.2]) == [2, None, 1, 2]
+
+
+def test_an_absent_case_is_a_zero_or_unresolved_but_never_dropped() -> None:
+    rows, schedule = table("m", 1.0, 1.0, 1.0), {T2S: ["t"], INDOOR: ["i"], OUTDOOR: ["o0", "o1"]}
+    zero = aggregate(rows, schedule)[0]
+    assert (zero["outdoor_i2s_score"], zero["outdoor_zero_cases"], zero["outdoor_cases"]) == (0.5, 1, 2)
+    open_ = aggregate(rows, schedule, missing_as_zero=False)[0]
+    assert (open_["outdoor_i2s_score"], open_["model_score"], open_["model_rank"]) == (None, None, None)
+    assert open_["unresolved_cases"] == ["image-to-scene/outdoor:o1"]
+    assert open_["t2s_score"] == 1.0
+
+
+def test_a_pending_case_withholds_the_aggregate() -> None:
+    found = aggregate([*table("m", 1.0, 1.0, 1.0), row("m", T2S, "u", 0.3, "pending")])[0]
+    assert (found["t2s_score"], found["i2s_score"], found["model_score"]) == (None, 1.0, None)
+
+
+@pytest.mark.parametrize(("rows", "schedule"), [
+    ([row("m", T2S, "t", 0.1), row("m", "t2s", "t", 0.2)], None), ([row("m", T2S, "t", 1.5)], None),
+    ([row("m", T2S, "t", float("nan"))], None), ([row("m", "elsewhere", "t", 1.0)], None),
+    ([row("m", T2S, "x", 1.0)], {T2S: ["t"]}), ([], {T2S: []}), ([row("", T2S, "x", 1.0)], None)])
+def test_refusals(rows: list[dict[str, Any]], schedule: Any) -> None:
+    with pytest.raises(BadInput):
+        aggregate(rows, schedule)
+
+
+@settings(max_examples=40)
+@given(st.lists(st.floats(0, 1), min_size=3, max_size=8), st.randoms(use_true_random=False))
+def test_the_order_of_rows_does_not_matter(values: list[float], rng: random.Random) -> None:
+    rows = table("m", *values[:3], *values[3:])
+    shuffled = list(rows)
+    rng.shuffle(shuffled)
+    assert aggregate(rows) == aggregate(shuffled)
+
+
+def test_setting_names() -> None:
+    assert setting_of("IMAGE_TO_SCENE/INDOOR") == INDOOR
+    assert setting_of("t2s") == T2S
+
+
+def test_severe_cap_needs_certainty_two_views_and_words() -> None:
+    good: dict[str, Any] = {"severe": True, "confidence": 0.8, "views": [0, 2], "categories": ["gap"],
+                            "issues": ["a wall floats"]}
+    assert severe_cap_eligible(**good)
+    for change in ({"severe": False}, {"confidence": 0.79}, {"views": [1, 1]}, {"views": []}, {"categories": []},
+                   {"issues": [" "]}):
+        assert not severe_cap_eligible(**(good | change))
+    dimensions = dict.fromkeys(("global_prompt_alignment", "composition_and_layout", "style_atmosphere_coherence",
+                                "completeness_and_polish"), 1.0)
+    capped = overview_score(dimensions, 1.0, True)
+    assert (capped["score"], capped["severe_cap_applied"]) == (0.4, True)
+
+
+def test_a_batch_answers_bad_rows_with_one_line() -> None:
+    answers = list(score_batch([3, {"name": "x", "kind": "nothing"}, {"name": "y", "kind": "i2s_case", "input": []}]))
+    assert [set(answer) for answer in answers] == [{"name", "error"}] * 3
