@@ -20,14 +20,14 @@ from c4s.files import digest
 from c4s.home import cache_root
 
 _PACKAGE = Path(c4s.__file__).resolve().parent
-_SOURCES = ("engine/headless/render", "collision")
+_SOURCES = _PACKAGE / "engine/headless/render"
 _TIMEOUT_S = 600
 _WARM = "from c4s.engine.headless.render_scene import warm; warm()"
 
 
 def compiled() -> Path:
     """The folder of compiled kernels for these sources, compiled now if there is none (some seconds, once)."""
-    folder = cache_root() / "numba" / _stamp()
+    folder = _root() / f"compiled-{_stamp()}"
     if (folder / "ready").is_file():
         return folder
     folder.parent.mkdir(parents=True, exist_ok=True)
@@ -36,6 +36,11 @@ def compiled() -> Path:
         if not (folder / "ready").is_file():
             _compile(folder)
     return folder
+
+
+def _root() -> Path:
+    """Beside the sources, where every ``C4S_HOME`` shares it; else in the cache of ``C4S_HOME``."""
+    return _SOURCES / "__pycache__" if os.access(_SOURCES, os.W_OK) else cache_root() / "numba"
 
 
 def _compile(folder: Path) -> None:
@@ -52,7 +57,7 @@ def _stamp() -> str:
     """Digest of what numba's own cache key looks at: the sources with their times, and the versions."""
     import importlib.metadata
 
-    files = sorted(path for part in _SOURCES for path in (_PACKAGE / part).rglob("*.py"))
+    files = sorted(_SOURCES.rglob("*.py"))
     versions = [importlib.metadata.version(name) for name in ("numba", "llvmlite", "embreex", "numpy")]
     return digest([sys.version, versions, [[str(path), path.stat().st_mtime_ns, path.stat().st_size] for path in files],
                    os.uname().machine])[:16]

@@ -26,7 +26,6 @@ from c4s.errors import MachineryFault
 _SYSTEM = ("/usr/lib", "/usr/lib64", "/lib", "/lib64", "/etc/ld.so.cache", "/etc/localtime", "/usr/share/zoneinfo")
 _RUNTIME_PARTS = ("bin", "lib", "lib64", "pyvenv.cfg")
 _PACKAGE = Path(c4s.__file__).resolve().parent
-_TEMPORARY_BYTES = 256 << 20
 _BOOTSTRAP = "import sys; sys.path.insert(0, sys.argv.pop(1)); from {module} import main; main()"
 
 
@@ -65,8 +64,8 @@ def _bubblewrap_fault() -> str | None:
     if program is None:
         return "not installed (Debian and Ubuntu: the package bubblewrap)"
     mounts = [argument for path in _system_paths() for argument in _mount(path, writable=False)]
-    trial = subprocess.run([program, *_NAMESPACES, *mounts, *_mount(Path("/usr/bin/true"), writable=False), "--",
-                            "/usr/bin/true"], capture_output=True, text=True, env={}, check=False)
+    trial = subprocess.run([program, *_NAMESPACES, *mounts, *_mount(Path("/usr/bin/true"), writable=False), *_SEALED,
+                            "--", "/usr/bin/true"], capture_output=True, text=True, env={}, check=False)
     return None if trial.returncode == 0 else f"cannot create namespaces ({trial.stderr.strip()})"
 
 
@@ -79,7 +78,8 @@ def _landlock_fault() -> str | None:
 
 _NAMESPACES = ("--unshare-all", "--unshare-user", "--disable-userns", "--uid", "65534", "--gid", "65534",
                "--die-with-parent", "--new-session", "--as-pid-1", "--cap-drop", "ALL", "--hostname", "engine",
-               "--clearenv", "--dev", "/dev", "--size", str(_TEMPORARY_BYTES), "--tmpfs", "/tmp")
+               "--clearenv", "--dev", "/dev")
+_SEALED = ("--remount-ro", "/dev", "--remount-ro", "/")
 
 
 def start(module: str, arguments: Mapping[str, Any], *, paths: Paths, log: IO[bytes], keep_open: Sequence[int] = (),
@@ -121,7 +121,7 @@ def _bubblewrap(program: Sequence[str], visible: Iterable[Path], paths: Paths,
         command += _mount(path, writable=True)
     for name, value in variables.items():
         command += ["--setenv", name, value]
-    return [*command, "--chdir", str(paths.work), "--", *program]
+    return [*command, *_SEALED, "--chdir", str(paths.work), "--", *program]
 
 
 def _mount(path: Path, *, writable: bool) -> list[str]:

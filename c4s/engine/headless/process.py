@@ -25,10 +25,11 @@ def main() -> None:
 
 def serve(listener: socket.socket, settings: dict[str, Any]) -> None:
     """Build the world of ``settings`` and answer requests; bad input is told to the first that asks."""
-    from c4s.engine.headless.boot import boot, tick
+    from c4s.engine.headless.boot import boot
     from c4s.engine.headless.jobs import JobRunner
     from c4s.engine.headless.render_scene import attach
     from c4s.engine.headless.server import BridgeServer
+    from c4s.engine.headless.unreal.libraries import tick
     from c4s.errors import BadInput
 
     scratch = Path(settings["scratch"])

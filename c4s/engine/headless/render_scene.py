@@ -10,7 +10,7 @@ import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,14 +27,20 @@ from c4s.engine.headless.render import (
     Sun,
     SurfaceMaterial,
 )
-from c4s.packs.manifest import Material
+from c4s.engine.headless.render.textures import decode_table
 from c4s.packs.meshes import Mesh
 from c4s.packs.store import PackStore
+
+if TYPE_CHECKING:
+    from c4s.engine.headless.unreal.assets import MaterialInterface
+    from c4s.engine.headless.unreal.components import StaticMeshComponent
+    from c4s.engine.headless.world import LightSource
 
 _UNITLESS_PER_CANDELA = 625.0
 _LUMEN_PER_CANDELA = 4 * np.pi
 _DIM_SKY = Sky(light=0.25)
 _EV_OF_ONE_CANDELA = 3.0
+_MAX_EV = 30.0
 _RECTANGLE_CONE_DEG = (45.0, 88.0)
 _MIN_SUN_DEG = 0.3
 _MIN_SKY = 0.05
@@ -95,37 +101,23 @@ def visible(picture: Picture, scene: Scene) -> dict[str, int]:
 
 def open_level() -> Scene:
     """The current level of this process."""
-    import unreal
-
     from c4s.engine.headless.state import world
 
-    actors = list(unreal.get_editor_subsystem(unreal.EditorActorSubsystem).get_all_level_actors())
+    level = world()
     meshes: dict[str, int] = {}
     loaded: list[Mesh] = []
     instances: list[Instance] = []
-    surfaces = _Surfaces(world().store)
-    for number, actor in enumerate(actors):
-        if actor.get_editor_property("hidden") or actor.is_temporarily_hidden_in_editor():
+    surfaces = _Surfaces(level.store)
+    for shown in level.drawables():
+        if abs(np.linalg.det(shown.matrix[:3, :3])) < _MIN_VOLUME:
             continue
-        for component in actor.get_components_by_class(unreal.StaticMeshComponent):
-            mesh = component.get_editor_property("static_mesh")
-            if mesh is None or not component.is_visible() or component.get_editor_property("hidden_in_game"):
-                continue
-            path = mesh.get_path_name()
-            if path not in meshes:
-                meshes[path] = len(loaded)
-                loaded.append(world().store.mesh(path))
-            slots = tuple(surfaces.of(component.get_material(slot)) for slot in range(component.get_num_materials()))
-            instances += [Instance(meshes[path], matrix, slots, number) for matrix in _matrices(component)]
-    return Scene(Renderer(loaded, instances, lights_of(actors)), tuple(actor.get_name() for actor in actors),
-                 tuple(actor.get_actor_label() for actor in actors))
-
-
-def _matrices(component: Any) -> list[NDArray[np.float64]]:
-    """World matrices of what a mesh component shows; what is flattened to nothing is left out."""
-    world = component._world_pose().matrix()
-    own = [world @ pose.matrix() for pose in component._instances] if hasattr(component, "_instances") else [world]
-    return [matrix for matrix in own if abs(np.linalg.det(matrix[:3, :3])) > _MIN_VOLUME]
+        if shown.mesh not in meshes:
+            meshes[shown.mesh] = len(loaded)
+            loaded.append(level.store.mesh(shown.mesh))
+        instances.append(Instance(meshes[shown.mesh], shown.matrix, surfaces.of(shown.component), shown.actor_index))
+    actors = level.actor_list()
+    return Scene(Renderer(loaded, instances, lights_of(list(level.light_sources()))),
+                 tuple(actor.get_name() for actor in actors), tuple(actor.get_actor_label() for actor in actors))
 
 
 class _Surfaces:
@@ -134,13 +126,20 @@ class _Surfaces:
     def __init__(self, store: PackStore) -> None:
         self._store = store
         self._known: dict[tuple[Any, ...], SurfaceMaterial] = {}
+        self._of_component: dict[int, tuple[SurfaceMaterial, ...]] = {}
         self._missing = SurfaceMaterial()
 
-    def of(self, material: Any) -> SurfaceMaterial:
-        """The surface of a material object; neutral grey for none."""
+    def of(self, component: StaticMeshComponent) -> tuple[SurfaceMaterial, ...]:
+        """The surfaces of a component's slots; neutral grey where a slot has none."""
+        if id(component) not in self._of_component:
+            slots = range(component.get_num_materials())
+            self._of_component[id(component)] = tuple(self._surface(component.get_material(slot)) for slot in slots)
+        return self._of_component[id(component)]
+
+    def _surface(self, material: MaterialInterface | None) -> SurfaceMaterial:
         if material is None:
             return self._missing
-        look: Material = material._surface()
+        look = material._surface()
         base = material.get_base_material()
         packed = self._store.material(base.get_path_name()) if base is not None else None
         file = self._store.texture_file(packed) if packed is not None else None
@@ -157,62 +156,49 @@ def _texture(file: Path) -> NDArray[np.uint8]:
         return np.asarray(picture.convert("RGB"), dtype=np.uint8)
 
 
-def lights_of(actors: Sequence[Any]) -> Lights:
-    """The lights of a level: the first directional light above the horizon is the sun; a clear day without any light."""
-    import unreal
-
+def lights_of(sources: Sequence[LightSource]) -> Lights:
+    """The lights of a level: the first directional light that shines down is the sun. No light at all: a clear day."""
     suns: list[Sun] = []
     local: list[LocalLight] = []
     sky: float | None = None
-    found = [component for actor in actors for component in actor.get_components_by_class(unreal.LightComponentBase)
-             if component.is_visible() and component.get_editor_property("affects_world")]
-    for component in found:
-        intensity = float(component.get_editor_property("intensity"))
-        if isinstance(component, unreal.SkyLightComponent):
+    shining = [source for source in sources if source.properties.get("affects_world")]
+    for source in shining:
+        intensity = float(source.properties["intensity"])
+        forward = source.pose.axes()
+        direction = (forward[0][0], forward[1][0], forward[2][0])
+        if source.kind == "SkyLightComponent":
             sky = intensity
-        elif isinstance(component, unreal.DirectionalLightComponent):
-            direction = _triple(component.get_forward_vector())
+        elif source.kind == "DirectionalLightComponent":
             if direction[2] < 0:
-                suns.append(Sun(direction, _colour(component), intensity,
-                                max(_MIN_SUN_DEG, component.get_editor_property("light_source_angle"))))
-        elif isinstance(component, unreal.LocalLightComponent) and intensity > 0:
-            local.append(_local(component, intensity))
-    if not found:
+                suns.append(Sun(direction, _colour(source), intensity,
+                                max(_MIN_SUN_DEG, float(source.properties["light_source_angle"]))))
+        elif intensity > 0:
+            local.append(_local(source, direction))
+    if not shining:
         return Lights()
     return Lights(sun=suns[0] if suns else None, sky=_DIM_SKY if sky is None else Sky(intensity=max(sky, _MIN_SKY)),
                   local=tuple(local))
 
 
-def _triple(vector: Any) -> tuple[float, float, float]:
-    return float(vector.x), float(vector.y), float(vector.z)
+def _colour(source: LightSource) -> tuple[float, float, float]:
+    """Linear colour of a light, whose bytes are sRGB."""
+    colour = source.properties["light_color"]
+    red, green, blue = (float(decode_table()[int(byte)]) for byte in (colour.r, colour.g, colour.b))
+    return red, green, blue
 
 
-def _colour(component: Any) -> tuple[float, float, float]:
-    """Linear colour of a light."""
-    colour = component.get_light_color()
-    return float(colour.r), float(colour.g), float(colour.b)
-
-
-def _local(component: Any, intensity: float) -> LocalLight:
+def _local(source: LightSource, direction: tuple[float, float, float]) -> LocalLight:
     """A point, spot or rectangle light; a rectangle shines from its centre into the half space in front of it."""
-    import unreal
-
-    units = component.get_editor_property("intensity_units")
-    if units == unreal.LightUnits.UNITLESS:
-        intensity /= _UNITLESS_PER_CANDELA
-    elif units == unreal.LightUnits.LUMENS:
-        intensity /= _LUMEN_PER_CANDELA
-    elif units == unreal.LightUnits.EV:
-        intensity = 2.0 ** (intensity - _EV_OF_ONE_CANDELA)
     inner, outer = 180.0, 180.0
-    if isinstance(component, unreal.SpotLightComponent):
-        inner = float(component.get_editor_property("inner_cone_angle"))
-        outer = float(component.get_editor_property("outer_cone_angle"))
-    elif isinstance(component, unreal.RectLightComponent):
+    if source.kind == "SpotLightComponent":
+        inner, outer = (float(source.properties[f"{part}_cone_angle"]) for part in ("inner", "outer"))
+    elif source.kind == "RectLightComponent":
         inner, outer = _RECTANGLE_CONE_DEG
-    return LocalLight(_triple(component.get_world_location()), _colour(component), intensity,
-                      float(component.get_editor_property("attenuation_radius")),
-                      _triple(component.get_forward_vector()), inner, outer)
+    intensity, units = float(source.properties["intensity"]), source.properties["intensity_units"].name
+    candela = {"UNITLESS": intensity / _UNITLESS_PER_CANDELA, "LUMENS": intensity / _LUMEN_PER_CANDELA,
+               "CANDELAS": intensity, "EV": 2.0 ** (min(intensity, _MAX_EV) - _EV_OF_ONE_CANDELA)}[units]
+    return LocalLight(source.pose.location, _colour(source), candela, float(source.properties["attenuation_radius"]),
+                      direction, inner, outer)
 
 
 def warm() -> None:
