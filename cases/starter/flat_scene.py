@@ -15,7 +15,7 @@ FLOOR = 2.0
 
 
 def flat_level() -> Level:
-    """The flat, about 140 actors."""
+    """The flat, about 145 actors."""
     level = LevelBuilder(SCENE_ID, [home.pack()], FLOOR)
     for name, rooms in (("Building", _building), ("Kitchen", _kitchen), ("Living", _living), ("Bedroom", _bedroom),
                         ("ChildRoom", _child_room), ("Bathroom", _bathroom), ("Hall", _hall)):
@@ -33,10 +33,7 @@ def _building(level: LevelBuilder) -> None:
     for x in range(-500, 600, 200):
         for y in range(-300, 400, 200):
             if y == 300 and x in (-500, -300, 100):
-                tile = "FloorBath100" if x == 100 else "FloorKitchen100"
-                for dx in (-50, 50):
-                    for dy in (-50, 50):
-                        level.place(tile, x + dx, y + dy)
+                level.place("FloorBath200" if x == 100 else "FloorKitchen200", x, y)
             else:
                 level.place("FloorParquet200", x, y)
     wall_run(level, ["HomeWallWindow300", "HomeWallWindow300", "HomeWallDoorway200", "HomeWall100",
@@ -47,6 +44,7 @@ def _building(level: LevelBuilder) -> None:
     for x in (-606, 606):
         for y in (-406, 406):
             level.place("HomeWall100", x, y, scale=(0.12, 1.0, 1.0))
+    level.floor = FLOOR
     wall_run(level, ["HomeWall300", "HomeWallDoorway200", "HomeWall300"], (0, -400), 90)
     wall_run(level, ["HomeWall100", "HomeWall100", "HomeWallDoorway200", "HomeWallDoorway200", "HomeWall100",
                      "HomeWall100"], (200, -400), 90)
@@ -55,7 +53,6 @@ def _building(level: LevelBuilder) -> None:
     with level.at(206, 0):
         level.place("HomeWall300", 150, 0)
         level.place("HomeWall100", 347, 0, scale=(0.94, 1.0, 1.0))
-    level.floor = FLOOR
     level.place("HomeDoor", 100, -406)
     level.place("HomeDoor", 100, 200, scale=(0.92, 1.0, 1.0))
     level.place("HomeDoor", 254, -146)
@@ -79,7 +76,7 @@ def _kitchen(level: LevelBuilder) -> None:
         level.place("FruitBowl", -10, 4, 75)
         level.place("FlowerVase", 48, -8, 75)
     level.place("KitchenStool", -225, 350)
-    level.place("LandscapePicture", -6, 250, 150, yaw=90)
+    level.place("HillsPicture", -6, 250, 150, yaw=90)
     level.place("WindowPlant", -20, 382)
 
 
@@ -99,7 +96,7 @@ def _living(level: LevelBuilder) -> None:
     level.place("DeskGlobe", -585, 22, 190)
     for x in (-565, -335, -265, -80):
         level.place("Curtain", x, -387)
-    level.place("LandscapePicture", -600, 130, 158, yaw=-90)
+    level.place("HillsPicture", -600, 130, 158, yaw=-90)
     level.place("DuskPicture", -6, -190, 175, yaw=90)
 
 
@@ -113,8 +110,7 @@ def _bedroom(level: LevelBuilder) -> None:
     level.place("WallMirror", 470, 6, 145)
     level.place("FlowerVase", 445, 28, 84.5)
     level.place("TableLamp", 500, 28, 84.5)
-    level.place("LandscapePicture", 420, 400, 165, yaw=180)
-    level.place("Armchair", 552, 80, yaw=70)
+    level.place("HillsPicture", 420, 400, 165, yaw=180)
     for y in (135, 365):
         level.place("Curtain", 587, y, yaw=90)
 
@@ -134,7 +130,7 @@ def _child_room(level: LevelBuilder) -> None:
     level.place("ChildChair", 350, -70, yaw=165)
     level.place("CushionSquare", 410, -70, yaw=20)
     level.place("DuskPicture", 380, -6, 150, yaw=180)
-    for x in (335, 568):
+    for x in (335, 552):
         level.place("Curtain", x, -387)
 
 
@@ -145,7 +141,7 @@ def _bathroom(level: LevelBuilder) -> None:
     level.place("WallMirror", 194, 268, 155, yaw=90)
     level.place("TowelRail", 6, 276, 165, yaw=-90)
     level.place("LaundryBasket", 31, 230)
-    level.place("BathMat", 104, 290)
+    level.place("BathMat", 118, 296, yaw=90)
 
 
 def _hall(level: LevelBuilder) -> None:
@@ -154,5 +150,4 @@ def _hall(level: LevelBuilder) -> None:
     level.place("WallMirror", 6, -260, 150, yaw=-90)
     level.place("BathMat", 100, -355)
     level.place("PalmPlant", 52, 130)
-    level.place("KitchenStool", 165, -330)
     level.place("DuskPicture", 194, -270, 150, yaw=90)

@@ -138,7 +138,7 @@ def _street(p: Plot) -> None:
                           ("CarRed", 3000, 0), ("CarTeal", 4100, 1), ("DeliveryVan", 6600, 0), ("CarRed", 7300, 1)):
         p.add(name, x, -980 if lane else -1530, yaw=180 if lane else 0)
     p.add("DeliveryVan", -6700, -1535, yaw=0)
-    for x in (-3650, 1350, 5950):
+    for x in (-3350, 1420, 6250):
         for dx in (-120, 0, 120):
             p.add("StoneBollard", x + dx, -1690)
 
@@ -189,7 +189,7 @@ def _boats(p: Plot) -> None:
     boats = (("FishingBoat", -4200, 210, 0), ("FishingBoat", -2700, 215, 180), ("FishingBoat", 5000, 210, 0),
              ("FishingBoat", -5400, 2200, -25), ("SailingBoat", -560, 900, 90), ("SailingBoat", -1060, 1300, -90),
              ("SailingBoat", 3400, 190, 0), ("SailingBoat", 2600, 1900, 40), ("RowingBoat", -560, 300, 90),
-             ("RowingBoat", -1040, 500, 90), ("RowingBoat", 400, 130, 0), ("RowingBoat", 2900, 140, 180))
+             ("RowingBoat", -1040, 500, 90), ("RowingBoat", 400, 130, 0), ("RowingBoat", 2700, 140, 180))
     for name, x, y, yaw in boats:
         p.add(name, x, y, WATER_CM - draft[name], yaw=yaw)
     for x, y in ((-6900, 1400), (-3600, 2600), (-1700, 2900), (600, 1500), (1900, 2700), (4400, 1600), (5900, 2300)):

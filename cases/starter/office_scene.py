@@ -17,7 +17,7 @@ CLUSTERS = ((-80, -420), (320, -420), (720, -420), (-80, -50), (320, -50))
 
 
 def office_level() -> Level:
-    """The office, about 290 actors."""
+    """The office, about 340 actors."""
     level = LevelBuilder(SCENE_ID, [office.pack()], FLOOR)
     with level.folder("Building"):
         _building(level)
@@ -87,7 +87,7 @@ def _workplace(level: LevelBuilder, number: int) -> None:
     else:
         level.place("ComputerTower", 60, -4)
     extras = (("DeskPhone", 52, -10), ("PaperTray", 58, -12), ("DeskPlant", 64, -24), ("DeskLamp", -60, -20),
-              ("BookStack", 56, -14), ("CoffeeMug", 46, 18), ("PenCup", -58, -12))
+              ("BookStack", -66, 14), ("CoffeeMug", 46, 18), ("PenCup", -46, -28))
     for step in (0, 3):
         name, x, y = extras[(2 * number + step) % 7]
         level.place(name, x, y, DESK_TOP)
@@ -105,10 +105,10 @@ def _meeting_room(level: LevelBuilder) -> None:
             level.place("ConferenceChair", x, 92, yaw=180)
             level.place("ConferenceChair", x, -92)
         level.place("ConferenceChair", -158, 0, yaw=-90)
-        level.place("Laptop", -60, 22, 74)
-        level.place("CoffeeMug", 10, -30, 74)
-        level.place("CoffeeMug", 70, 28, 74, yaw=60)
-        level.place("BookStack", 30, 6, 74)
+        level.place("Laptop", -60, 22, 74.6)
+        level.place("CoffeeMug", 10, -30, 74.6)
+        level.place("CoffeeMug", 70, 28, 74.6, yaw=60)
+        level.place("BookStack", 30, 6, 74.6)
     level.place("WallWhiteboard", 900, 400, 150, yaw=90)
     level.place("TallPlant", 850, 545)
     level.place("WallClock", 600, 600, 215, yaw=180)
@@ -146,10 +146,12 @@ def _lounge(level: LevelBuilder) -> None:
 def _reception(level: LevelBuilder) -> None:
     with level.at(-620, -250):
         level.place("ReceptionCounter", 0, 0, yaw=180)
-        level.place("TaskChair", 6, 75, yaw=185)
-        level.place("Monitor", -20, -4, DESK_TOP)
-        level.place("Keyboard", -20, 22, DESK_TOP, yaw=180)
-        level.place("DeskPhone", 40, 4, DESK_TOP)
+        level.place("TaskChair", 6, 72)
+        with level.at(0, 150, 180):
+            level.place("OfficeDesk", 0, 0)
+            level.place("Monitor", 0, -16, DESK_TOP)
+            level.place("Keyboard", 0, 16, DESK_TOP, yaw=180)
+            level.place("DeskPhone", 52, -10, DESK_TOP)
         level.place("DeskPlant", 85, -32, 112)
     for y in (-520, -455, -390):
         level.place("VisitorChair", -872, y, yaw=-90)

@@ -13,7 +13,7 @@ KIT = Kit()
 
 
 def _slab(b: Builder, material: str, x: float, y: float) -> None:
-    b.box(material, (x, y, 10), (0, 0, -10))
+    b.box(material, (x, y, 4), (0, 0, -4))
 
 
 @KIT.asset("GrassTile", "ground", "Meadow, 10 x 10 m, top at the pivot", "ground floor grass meadow field tile")
@@ -32,7 +32,7 @@ def gravel(b: Builder) -> None:
     _slab(b, "Gravel", 500, 500)
 
 
-@KIT.asset("EarthYard", "ground", "Trodden earth of a yard, 5 x 5 m, top at the pivot", "ground floor earth yard tile")
+@KIT.asset("EarthGround", "ground", "Trodden earth of a yard, 5 x 5 m, top at the pivot", "ground floor earth yard tile")
 def earth(b: Builder) -> None:
     _slab(b, "Earth", 500, 500)
 

@@ -8,7 +8,7 @@ from catalog.shapes.patches import prism
 KIT = Kit()
 
 
-def _slab(b: Builder, material: str, x: float, y: float, thick: float = 10) -> None:
+def _slab(b: Builder, material: str, x: float, y: float, thick: float = 4) -> None:
     b.box(material, (x, y, thick), (0, 0, -thick))
 
 
