@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
@@ -71,6 +72,7 @@ class World(AssetLibrary):
         self.selection: list[Actor] = []
         self.dirty = False
         self._serials: dict[str, int] = {}
+        self._labels: Counter[str] = Counter()
         self._spawns = 0
         self.package = UNTITLED
         self.map: MapObject = MapObject._at(f"{UNTITLED}.Untitled_1")._lay()
@@ -99,6 +101,7 @@ class World(AssetLibrary):
         self.map = MapObject._at(self.map_path())._lay()
         self.actors = actors
         self._serials, self._spawns, self.dirty = {}, 0, False
+        self._labels = Counter(actor._label for actor in actors.values())
         for actor in actors.values():
             actor._outer = self.map._level
         return self.map
@@ -184,20 +187,27 @@ class World(AssetLibrary):
     def _enter(self, actor: Actor) -> None:
         actor._guid = sha256(f"{self.package}|{actor._name}|{self._spawns}".encode()).hexdigest()[:32].upper()
         self._spawns += 1
-        actor._spawned = True
         self.actors[actor._name] = actor
+        self._labels[actor._label] += 1
         self.selection = [actor]
         self.touch()
 
     def _fresh_label(self, stem: str) -> str:
-        taken = {a._label for a in self.actors.values()} if self.actors else set()
-        if stem not in taken:
+        if not self._labels[stem]:
             return stem
         serial = self._serials.get(f"label:{stem}", 2)
-        while f"{stem}{serial}" in taken:
+        while self._labels[f"{stem}{serial}"]:
             serial += 1
         self._serials[f"label:{stem}"] = serial + 1
         return f"{stem}{serial}"
+
+    def relabel(self, actor: Actor, label: str) -> None:
+        """Give an actor another label."""
+        if self.actors.get(actor._name) is actor:
+            self._labels[actor._label] -= 1
+            self._labels[label] += 1
+        actor._label = label
+        self.touch()
 
     def spawn(self, class_path: str, pose: Pose, label: str | None = None) -> Actor:
         """Spawn an actor of a class; ``Exception`` when the class is unknown."""
@@ -228,6 +238,7 @@ class World(AssetLibrary):
             child.detach_from_actor(*[TYPES["DetachmentRule"].KEEP_WORLD] * 3)  # type: ignore[attr-defined]
         actor._root()._attach(None)
         del self.actors[actor._name]
+        self._labels[actor._label] -= 1
         self.selection = [a for a in self.selection if a is not actor]
         actor._kill()
         self.touch()

@@ -63,7 +63,6 @@ class Actor(Object):
         self._hidden_ed = False
         self._blueprint: Class | None = None
         self._components: list[ActorComponent] = []
-        self._spawned = False
         for part_name, part in type(self)._parts:
             self._add(part, part_name)
 
@@ -129,8 +128,7 @@ class Actor(Object):
     @api
     def set_actor_label(self, new_actor_label: str, mark_dirty: bool = True) -> None:
         """Set the label."""
-        self._label = str(new_actor_label).strip() or self._label
-        self._changed("label")
+        world().relabel(self, str(new_actor_label).strip() or self._label)
 
     @api
     def rename(self, name: Name | str | None = None, outer: Object | None = None) -> bool:

@@ -34,7 +34,14 @@ for _type in (Array, Name, Text):
 
 def fits(value: object, kind: str) -> bool:
     """Whether ``value`` may be passed where ``kind`` (``"float"``, ``"Vector"``, ``"StaticMesh | None"``) is wanted."""
-    return any(_fits_one(value, part) for part in kind.split(" | "))
+    if type(value).__name__ == kind:
+        return True
+    return any(_fits_one(value, part) for part in _alternatives(kind))
+
+
+@functools.cache
+def _alternatives(kind: str) -> tuple[str, ...]:
+    return tuple(kind.split(" | "))
 
 
 def _fits_one(value: object, kind: str) -> bool:
@@ -50,7 +57,7 @@ def _fits_one(value: object, kind: str) -> bool:
         return isinstance(value, (bool, int))
     if kind in ("str", "Name", "Text"):
         return isinstance(value, (str, Name, Text))
-    if kind == "Class":
+    if kind in ("Class", "type"):
         return isinstance(value, Class) or (isinstance(value, type) and issubclass(value, Object))
     if kind.startswith("Sequence"):
         if not isinstance(value, (list, tuple, Array)):
@@ -68,25 +75,28 @@ def need(value: object, kind: str, what: str) -> None:
 def api(function: Callable[P, R]) -> Callable[P, R]:
     """A function of Unreal's Python API: argument types checked from the annotations, dead objects refused."""
     parameters = list(inspect.signature(function).parameters.values())
-    kinds = [str(p.annotation) if p.annotation is not p.empty else "Any" for p in parameters]
-    by_name = {p.name: kind for p, kind in zip(parameters, kinds, strict=True)}
+    by_name = {p.name: str(p.annotation) if p.annotation is not p.empty else "Any" for p in parameters}
     owned = bool(parameters) and parameters[0].name == "self"
+
+    def check(name: str, value: object, kind: str) -> None:
+        if not fits(value, kind):
+            raise TypeError(f"{function.__qualname__}: parameter '{name}': "
+                            f"cannot convert type '{type(value).__name__}' to {kind}")
+        if isinstance(value, Object):
+            value._need_alive()
 
     @functools.wraps(function)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
         if owned and args and isinstance(args[0], Object):
             args[0]._need_alive()
-        for value, kind, parameter in zip(args, kinds, parameters, strict=False):
-            if kind != "Any" and not fits(value, kind):
-                raise TypeError(f"{function.__qualname__}: parameter '{parameter.name}': "
-                                f"cannot convert type '{type(value).__name__}' to {kind}")
+            if len(args) == 1 and not kwargs:
+                return function(*args, **kwargs)
+        for value, (name, kind) in zip(args, by_name.items(), strict=False):
+            if kind != "Any":
+                check(name, value, kind)
         for name, value in kwargs.items():
-            if name in by_name and not fits(value, by_name[name]):
-                raise TypeError(f"{function.__qualname__}: parameter '{name}': "
-                                f"cannot convert type '{type(value).__name__}' to {by_name[name]}")
-        for value in (*args[1:], *kwargs.values()):
-            if isinstance(value, Object):
-                value._need_alive()
+            if by_name.get(name, "Any") != "Any":
+                check(name, value, by_name[name])
         return function(*args, **kwargs)
 
     return call
@@ -150,8 +160,7 @@ class ObjectBase:
             return getattr(self, prop.get)()
         values: dict[str, Any] = self._values
         if name not in values:
-            return copied(prop.default() if callable(prop.default) and not isinstance(prop.default, type)
-                          else prop.default)
+            return prop.default() if callable(prop.default) else copied(prop.default)
         return copied(values[name])
 
     def _write(self, name: str, prop: Prop, value: Any) -> None:
@@ -196,6 +205,8 @@ class ObjectBase:
 
 def converted(value: Any, kind: str) -> Any:
     """A stored copy of a checked value, in the declared kind."""
+    if type(value) is float:
+        return value
     if kind == "float":
         return float(value)
     if kind == "bool":

@@ -116,6 +116,22 @@ def _numbers(*names: str, default: float = 0.0) -> dict[str, Prop]:
 class _Components(StructBase):
     """Structs that are a row of numbers, with arithmetic by component."""
 
+    def _fill(self, *values: float) -> bool:
+        """Set all fields at once when every value is a float; False (and nothing set) otherwise."""
+        for value in values:
+            if type(value) is not float:
+                return False
+        put = object.__setattr__
+        for name, value in zip(self._fields, values, strict=True):
+            put(self, name, value)
+        return True
+
+    def copy(self) -> Any:
+        """An independent copy."""
+        made = type(self).__new__(type(self))
+        made.__dict__.update(self.__dict__)
+        return made
+
     def _all(self) -> tuple[float, ...]:
         return tuple(getattr(self, n) for n in self._fields)
 
@@ -171,7 +187,8 @@ class Vector(_Components):
     z: float
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
-        super().__init__(x, y, z)
+        if not self._fill(x, y, z):
+            super().__init__(x, y, z)
 
     def _triple(self) -> tuple[float, float, float]:
         return (self.x, self.y, self.z)
@@ -249,7 +266,8 @@ class Rotator(_Components):
     yaw: float
 
     def __init__(self, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> None:
-        super().__init__(roll, pitch, yaw)
+        if not self._fill(roll, pitch, yaw):
+            super().__init__(roll, pitch, yaw)
 
     @classmethod
     def _of(cls, rotation_deg: tuple[float, float, float]) -> Rotator:
@@ -312,7 +330,8 @@ class Quat(_Components):
     w: float
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, w: float = 1.0) -> None:
-        super().__init__(x, y, z, w)
+        if not self._fill(x, y, z, w):
+            super().__init__(x, y, z, w)
 
     def _four(self) -> tuple[float, float, float, float]:
         return (self.x, self.y, self.z, self.w)
@@ -392,10 +411,8 @@ class Transform(StructBase):
 
     @classmethod
     def _of(cls, pose: Pose) -> Transform:
-        made = cls()
-        made.translation = Vector(*pose.location)
-        made.rotation = Quat(*pose.quat)
-        made.scale3d = Vector(*pose.scale)
+        made = cls.__new__(cls)
+        made.__dict__.update(translation=Vector(*pose.location), rotation=Quat(*pose.quat), scale3d=Vector(*pose.scale))
         return made
 
     def _pose(self) -> Pose:
