@@ -54,7 +54,8 @@ def books(b: Builder, width: float, at: Point3, seed: int = 0, tall: float = 26.
 
 def pot(b: Builder, material: str, radius: float, height: float) -> None:
     """A plant pot filled with soil, standing at the origin."""
-    b.lathe(material, [(0, 0), (radius * 0.72, 0), (radius, height), (radius * 0.88, height), (radius * 0.84, height * 0.9)],
+    rim = [(radius, height), (radius * 0.88, height), (radius * 0.84, height * 0.9)]
+    b.lathe(material, [(0, 0), (radius * 0.72, 0), *rim],
             smooth=False)
     b.cylinder("Soil", radius * 0.85, 1.0, (0, 0, height * 0.88), body=None)
 

@@ -10,7 +10,8 @@ from catalog.starter.furniture_parts import books, crown, knob_ring, lamp_shade,
 KIT = Kit()
 
 
-@KIT.asset("TableLamp", "lighting", "Table lamp with a ceramic foot and a fabric shade, 45 cm high.", "lamp table bedside")
+@KIT.asset("TableLamp", "lighting", "Table lamp with a ceramic foot and a fabric shade, 45 cm high.",
+           "lamp table bedside")
 def _table_lamp(b: Builder) -> None:
     b.lathe("VaseBlue", [(0, 0), (7, 0), (8, 3), (9, 9), (6, 17), (2, 21), (2, 25), (0, 25)])
     lamp_shade(b, 14, 10, 20, (0, 0, 25))
@@ -26,7 +27,8 @@ def _arc_lamp(b: Builder) -> None:
     b.ellipsoid("Bulb", (9, 9, 9), (0, 36, 115), segments=12, body=None)
 
 
-@KIT.asset("CeilingLamp", "lighting", "Ceiling lamp, a globe on a short rod; pivot at the ceiling.", "lamp ceiling globe")
+@KIT.asset("CeilingLamp", "lighting", "Ceiling lamp, a globe on a short rod; pivot at the ceiling.",
+           "lamp ceiling globe")
 def _ceiling(b: Builder) -> None:
     b.cylinder("Brass", 6, 3, (0, 0, -3), segments=18)
     b.cylinder("Brass", 0.8, 22, (0, 0, -25), segments=8, body=None)
@@ -56,7 +58,8 @@ def _curtain(b: Builder) -> None:
     b.tube("Brass", [(-40, 0, 241), (40, 0, 241)], 1.2)
 
 
-@KIT.asset("LandscapePicture", "decor", "Framed landscape, 80 x 60 cm; pivot at the back.", "picture painting wall")
+@KIT.asset("HillsPicture", "decor", "Framed picture of green hills, 80 x 60 cm; pivot at the back.",
+           "picture painting wall")
 def _picture(b: Builder) -> None:
     b.box("OakWood", (80, 3, 60), (0, 1.5, -30), bevel=0.5)
     b.panel("Painting", 70, 50, (0, 3.2, -25))

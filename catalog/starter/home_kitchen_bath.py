@@ -119,7 +119,8 @@ def _oval(width: float, depth: float, power: float = 0.5) -> list[tuple[float, f
             for a in [2 * math.pi * i / 40 for i in range(40)]]
 
 
-@KIT.asset("Bathtub", "bathroom", "Bathtub with a panel, tap and some water, 170 x 75 cm, 58 cm high.", "bathtub bath tub")
+@KIT.asset("Bathtub", "bathroom", "Bathtub with a panel, tap and some water, 170 x 75 cm, 58 cm high.",
+           "bathtub bath tub")
 def _bathtub(b: Builder) -> None:
     from shapely import Polygon
     rim = Polygon([(-85, -37.5), (85, -37.5), (85, 37.5), (-85, 37.5)], [_oval(156, 62, 0.45)[::-1]])

@@ -84,7 +84,8 @@ def _bedside(b: Builder) -> None:
     fronts(b, "WhiteLaminate", "Brass", 42, 17.5, 22, 25, 1)
 
 
-@KIT.asset("WritingDesk", "tables", "Writing desk with two drawers, 120 x 60 cm, 75 cm high.", "desk writing home office")
+@KIT.asset("WritingDesk", "tables", "Writing desk with two drawers, 120 x 60 cm, 75 cm high.",
+           "desk writing home office")
 def _desk(b: Builder) -> None:
     b.box("OakWood", (120, 60, 3), (0, 0, 72), bevel=0.5)
     legs(b, "OakWood", (114, 54), 72, 5)

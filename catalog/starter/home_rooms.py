@@ -24,12 +24,12 @@ def _parquet(b: Builder) -> None:
     tile(b, "Parquet")
 
 
-@KIT.asset("FloorBath100", "architecture", "Light ceramic floor tile, 1 x 1 m, 2 cm thick.", "floor bathroom ceramic")
+@KIT.asset("FloorBath200", "architecture", "Light ceramic floor tile, 2 x 2 m, 2 cm thick.", "floor bathroom ceramic")
 def _bath(b: Builder) -> None:
-    tile(b, "BathTiles", 100)
+    tile(b, "BathTiles")
 
 
-@KIT.asset("FloorKitchen100", "architecture", "Chequered kitchen floor tile, 1 x 1 m, 2 cm thick.",
+@KIT.asset("FloorKitchen200", "architecture", "Chequered kitchen floor tile, 2 x 2 m, 2 cm thick.",
            "floor kitchen chequered")
 def _kitchen(b: Builder) -> None:
-    tile(b, "ChessTiles", 100)
+    tile(b, "ChessTiles")

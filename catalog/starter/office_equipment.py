@@ -50,7 +50,7 @@ def _keyboard(b: Builder) -> None:
 @KIT.asset("Mouse", "equipment", "Computer mouse on a mat.", "mouse computer input mat")
 def _mouse(b: Builder) -> None:
     b.box("BlueFabric", (22, 18, 0.3), bevel=0.1)
-    b.ellipsoid("BlackPlastic", (6.2, 10.5, 4), (0, 0, -0.4), body=None)
+    b.ellipsoid("BlackPlastic", (6.2, 10.5, 4), body=None)
     b.body_box((6, 10, 3.4), (0, 0, 0.1))
 
 
@@ -64,7 +64,8 @@ def _laptop(b: Builder) -> None:
         b.panel("ScreenSheet", 31, 19.5, (0, 0.5, 1.4))
 
 
-@KIT.asset("ComputerTower", "equipment", "Desktop computer case, 20 x 45 cm, 44 cm high.", "computer tower desktop case")
+@KIT.asset("ComputerTower", "equipment", "Desktop computer case, 20 x 45 cm, 44 cm high.",
+           "computer tower desktop case")
 def _tower(b: Builder) -> None:
     b.box("BlackPlastic", (20, 45, 42), (0, 0, 2), bevel=1)
     legs_y = (-18, 18)
@@ -170,7 +171,8 @@ def _tall_plant(b: Builder) -> None:
     b.body_capsule(16, 90, (0, 0, 45))
 
 
-@KIT.asset("SnakePlant", "decor", "Sansevieria with upright leaves in a terracotta pot, 75 cm high.", "plant potted snake")
+@KIT.asset("SnakePlant", "decor", "Sansevieria with upright leaves in a terracotta pot, 75 cm high.",
+           "plant potted snake")
 def _snake(b: Builder) -> None:
     pot(b, "Terracotta", 13, 22)
     for i in range(13):
@@ -274,7 +276,8 @@ def _whiteboard(b: Builder) -> None:
     b.box("BookBlue", (14, 0.2, 1), (40, 2.1, 28), body=None)
 
 
-@KIT.asset("PinBoard", "decor", "Cork pin board with notes, 120 x 90 cm; pivot at the back.", "pinboard cork notes wall")
+@KIT.asset("PinBoard", "decor", "Cork pin board with notes, 120 x 90 cm; pivot at the back.",
+           "pinboard cork notes wall")
 def _pinboard(b: Builder) -> None:
     b.box("OakWood", (120, 2.5, 90), (0, 1.25, -45))
     b.box("Cork", (114, 0.4, 84), (0, 2.6, -42), body=None)
@@ -295,7 +298,8 @@ def _clock(b: Builder) -> None:
     b.box("BlackPlastic", (1, 0.4, 12), (0, 4.8, 0), (-20, 0, 0), body=None)
 
 
-@KIT.asset("FramedPoster", "decor", "Framed landscape print, 90 x 65 cm; pivot at the back.", "picture poster frame wall")
+@KIT.asset("FramedPoster", "decor", "Framed landscape print, 90 x 65 cm; pivot at the back.",
+           "picture poster frame wall")
 def _poster(b: Builder) -> None:
     b.box("BlackPlastic", (90, 3, 65), (0, 1.5, -32.5))
     b.box("Paper", (86, 0.3, 61), (0, 3.1, -30.5), body=None)

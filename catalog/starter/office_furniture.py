@@ -97,7 +97,8 @@ def _task(b: Builder) -> None:
         b.box("BlackPlastic", (10, 6, 2.5), (x * 0.85, 0, 45), body=None)
 
 
-@KIT.asset("ConferenceChair", "seating", "Padded conference chair on a steel cantilever frame.", "chair conference meeting")
+@KIT.asset("ConferenceChair", "seating", "Padded conference chair on a steel cantilever frame.",
+           "chair conference meeting")
 def _conference(b: Builder) -> None:
     for x in (-24, 24):
         b.tube("Steel", [(x, -22, 1.3), (x, 24, 1.3), (x, 26, 4), (x, 24, 40), (x, 22, 43), (x, -18, 43),
@@ -110,7 +111,8 @@ def _conference(b: Builder) -> None:
         b.box("TealFabric", (47, 5, 42), bevel=2)
 
 
-@KIT.asset("VisitorChair", "seating", "Stackable visitor chair with orange shell and four legs.", "chair visitor stackable")
+@KIT.asset("VisitorChair", "seating", "Stackable visitor chair with orange shell and four legs.",
+           "chair visitor stackable")
 def _visitor(b: Builder) -> None:
     legs(b, "Steel", (46, 44), 43, 2.6, round_=True)
     b.box("OrangeFabric", (46, 44, 3.5), (0, 0, 43), bevel=1.4)
@@ -160,7 +162,8 @@ def _pedestal(b: Builder) -> None:
     legs(b, "BlackPlastic", (38, 48), 3, 4)
 
 
-@KIT.asset("TallBookshelf", "storage", "Oak bookshelf with five boards, 90 x 30 cm, 200 cm high.", "bookshelf shelf tall")
+@KIT.asset("TallBookshelf", "storage", "Oak bookshelf with five boards, 90 x 30 cm, 200 cm high.",
+           "bookshelf shelf tall")
 def _bookshelf(b: Builder) -> None:
     for x in (-44, 44):
         b.box("OakWood", (2.5, 30, 200), (x, 0, 0))
@@ -169,7 +172,8 @@ def _bookshelf(b: Builder) -> None:
     b.box("OakWood", (85.5, 1, 195), (0, -14, 3))
 
 
-@KIT.asset("LowCabinet", "storage", "Low cabinet with two sliding doors, 120 x 45 cm, 75 cm high.", "cabinet sideboard low")
+@KIT.asset("LowCabinet", "storage", "Low cabinet with two sliding doors, 120 x 45 cm, 75 cm high.",
+           "cabinet sideboard low")
 def _low(b: Builder) -> None:
     b.box("WhiteLaminate", (120, 44, 69), (0, -0.5, 4))
     b.box("OakWood", (122, 46, 2), (0, 0, 73), bevel=0.4)
@@ -177,14 +181,16 @@ def _low(b: Builder) -> None:
     fronts(b, "GreyLaminate", "Steel", 118, 21, 6, 65, 1, 2, upright=True)
 
 
-@KIT.asset("StaffLockers", "storage", "Block of six lockers in two rows, 90 x 45 cm, 180 cm high.", "locker storage staff")
+@KIT.asset("StaffLockers", "storage", "Block of six lockers in two rows, 90 x 45 cm, 180 cm high.",
+           "locker storage staff")
 def _lockers(b: Builder) -> None:
     b.box("GreyLaminate", (90, 44, 172), (0, -0.5, 8))
     b.box("BlackPlastic", (86, 38, 8), (0, -1, 0))
     fronts(b, "BlueFabric", "Steel", 88, 21.5, 9, 170, 2, 3, upright=True)
 
 
-@KIT.asset("CoatStand", "storage", "Coat stand with eight hooks and a round base, 175 cm high.", "coat stand rack hooks")
+@KIT.asset("CoatStand", "storage", "Coat stand with eight hooks and a round base, 175 cm high.",
+           "coat stand rack hooks")
 def _coats(b: Builder) -> None:
     b.cylinder("DarkMetal", 19, 2.5, segments=24, top=17)
     b.cylinder("WalnutWood", 2.2, 170, (0, 0, 2.5), segments=14)
