@@ -67,7 +67,8 @@ def _helper(class_path: str, asset: str) -> bool:
 
 def is_semantic(record: Record) -> bool:
     """False for capture helpers (cameras, scene captures); everything else counts, lights and volumes included."""
-    return not _helper(str(record.get("class") or ""), str(record.get("asset_path") or ""))
+    kind, asset = record.get("class") or "", record.get("asset_path") or ""
+    return not _helper(kind if type(kind) is str else str(kind), asset if type(asset) is str else str(asset))
 
 
 def identity(record: Record) -> str:
@@ -75,6 +76,9 @@ def identity(record: Record) -> str:
 
     Raises ``BadInput`` when the record has none of them.
     """
+    stable = record.get("stable_actor_id")
+    if type(stable) is str and (stable := stable.strip()):
+        return f"stable:{stable}"
     for field, name in (("stable_actor_id", "stable"), ("actor_guid", "guid"), ("label", "label")):
         value = record.get(field)
         if value is not None:
@@ -149,7 +153,8 @@ def prepare(records: dict[str, Record]) -> list[Actor]:
     for index, (key, record) in enumerate(records.items()):
         pose = record.get("transform")
         pose = pose if isinstance(pose, dict) else {}
-        location, rotation, scale = (valid_vector(pose.get(name)) for name in ("location_cm", "rotation_deg", "scale"))
+        location, rotation = valid_vector(pose.get("location_cm")), valid_vector(pose.get("rotation_deg"))
+        scale = valid_vector(pose.get("scale"))
         actors.append(Actor(record, key, index, descriptor(record), location, rotation, scale,
                             location is not None and rotation is not None and scale is not None))
     return actors

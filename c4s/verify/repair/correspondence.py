@@ -9,11 +9,10 @@ so the order of the export does not matter; that order is only computed where th
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import product
-from math import floor
-from typing import Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,8 +38,7 @@ _PROPERTY_FIELDS = ("class", "asset_path", "component_asset_paths", "material_pa
                     "properties")
 
 
-@dataclass(frozen=True, slots=True)
-class Pair:
+class Pair(NamedTuple):
     """An input actor and its candidate actor, by index; ``fields`` are those that changed."""
 
     start: int
@@ -60,32 +58,35 @@ class Correspondence:
     """Candidate actors without an input actor."""
 
 
-class _Near:
-    """Candidate actors by a key and place: finds all within 0.1 cm on every axis."""
-
-    def __init__(self, actors: Iterable[Actor], key: Callable[[Actor], Hashable]) -> None:
-        self._key = key
-        self._cells: dict[Hashable, list[Actor]] = defaultdict(list)
-        for actor in actors:
-            if actor.location is not None and actor.posed:
-                x, y, z = actor.location
-                self._cells[key(actor), floor(x / _CELL_CM), floor(y / _CELL_CM), floor(z / _CELL_CM)].append(actor)
-
-    def around(self, actor: Actor) -> list[Actor]:
-        """Candidates of the same key within reach of an input actor; none when its pose is invalid."""
-        if actor.location is None or not actor.posed:
-            return []
-        x, y, z = actor.location
-        low = (floor((x - _REACH_CM) / _CELL_CM), floor((y - _REACH_CM) / _CELL_CM), floor((z - _REACH_CM) / _CELL_CM))
-        high = (floor((x + _REACH_CM) / _CELL_CM), floor((y + _REACH_CM) / _CELL_CM), floor((z + _REACH_CM) / _CELL_CM))
-        kind = self._key(actor)
-        if low == high:
-            inside: Iterable[Actor] = self._cells.get((kind, *low), ())
+def _near(actors: Iterable[Actor], others: Iterable[Actor],
+          key: Callable[[Actor], Hashable]) -> Iterator[tuple[Actor, list[Actor]]]:
+    """Each posed actor that has them, with the posed others of the same key within 0.1 cm on every axis."""
+    cells: dict[Hashable, list[Actor]] = defaultdict(list)
+    for other, cell in zip(*_cells(others, 0.0), strict=True):
+        cells[key(other), *cell].append(other)
+    posed, low = _cells(actors, -_REACH_CM)
+    _, high = _cells(posed, _REACH_CM)
+    for actor, first, last in zip(posed, low, high, strict=True):
+        kind = key(actor)
+        if first == last:
+            inside = cells.get((kind, *first))
         else:
-            inside = [other for cell in product(*map(range, low, (v + 1 for v in high)))
-                      for other in self._cells.get((kind, *cell), ())]
-        return [other for other in inside if other.location is not None and abs(other.location[0] - x) <= _REACH_CM
-                and abs(other.location[1] - y) <= _REACH_CM and abs(other.location[2] - z) <= _REACH_CM]
+            inside = [other for cell in product(*(sorted({a, b}) for a, b in zip(first, last, strict=True)))
+                      for other in cells.get((kind, *cell), ())]
+        if inside:
+            x, y, z = actor.location or (0.0, 0.0, 0.0)
+            close = [other for other in inside if (at := other.location) is not None and abs(at[0] - x) <= _REACH_CM
+                     and abs(at[1] - y) <= _REACH_CM and abs(at[2] - z) <= _REACH_CM]
+            if close:
+                yield actor, close
+
+
+def _cells(actors: Iterable[Actor], shift_cm: float) -> tuple[list[Actor], list[list[float]]]:
+    """The posed actors, and the hash cell of each one's location shifted along every axis."""
+    posed = [actor for actor in actors if actor.posed]
+    places = np.array([actor.location for actor in posed], dtype=float).reshape(-1, 3)
+    cells: list[list[float]] = np.floor((places + shift_cm) / _CELL_CM).tolist()
+    return posed, cells
 
 
 class _Matcher:
@@ -101,9 +102,9 @@ class _Matcher:
 
     def near_edges(self, key: Callable[[Actor], Hashable],
                    accept: Callable[[Actor, Actor], bool]) -> dict[int, list[int]]:
-        near = _Near((self.candidate[c] for c in self.open_candidate), key)
-        return {s: [c.index for c in near.around(self.start[s]) if accept(self.start[s], c)]
-                for s in self.open_start}
+        """Acceptable pairs at one place among what is open: indices of candidates by index of the input actor."""
+        near = _near((self.start[s] for s in self.open_start), (self.candidate[c] for c in self.open_candidate), key)
+        return {actor.index: [other.index for other in others if accept(actor, other)] for actor, others in near}
 
     def match(self, edges: dict[int, list[int]], method: Method) -> None:
         """Maximum matching over ``edges``: background first, then targets on what is left."""

@@ -83,8 +83,9 @@ def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     """Targets, correspondence and candidate pool of a case. Raises ``BadInput`` for scenes that cannot be scored."""
     start_records, truth_records = scene_actors(start, "input"), scene_actors(truth, "truth")
     candidate_records = scene_actors(candidate, "candidate")
-    targets = find_targets(start_records, truth_records)
-    before = prepare(by_identity([r for r in start_records if is_semantic(r)], "input"))
+    start_by_key = by_identity(start_records, "input")
+    before = prepare({key: record for key, record in start_by_key.items() if is_semantic(record)})
+    targets = find_targets(start_by_key, by_identity(truth_records, "truth"), {a.key for a in before if a.posed})
     after = prepare(by_identity([r for r in candidate_records if is_semantic(r)], "candidate"))
     index_of = {actor.key: actor.index for actor in before}
     target_of_start = {index_of[t.key]: t for t in targets if t.operation != "add" and t.key in index_of}

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from c4s.errors import BadInput
-from c4s.verify.repair.actors import Descriptor, Record, by_identity, descriptor, is_semantic, short_class
-from c4s.verify.repair.difference import recorded_alike, same_but_for_identity, surely_finite, target_differences
+from c4s.verify.repair.actors import Descriptor, Record, descriptor, is_semantic, short_class
+from c4s.verify.repair.difference import recorded_alike, same_but_for_identity, target_differences
 
 Operation: TypeAlias = Literal["add", "remove", "repair"]
 
@@ -57,9 +57,18 @@ def _without_identity_pairs(added: dict[str, Record], removed: dict[str, Record]
             same_class.pop(partner, None)
 
 
-def find_targets(start: list[Record], truth: list[Record]) -> list[Target]:
-    """All targets, in their fixed order. Raises ``BadInput`` for ambiguous identities or when there is no target."""
-    before, after = by_identity(start, "input"), by_identity(truth, "truth")
+def find_targets(before: dict[str, Record], after: dict[str, Record], finite: set[str]) -> list[Target]:
+    """All targets, in their fixed order.
+
+    Args:
+        before: actors of the input by identity.
+        after: actors of the truth by identity.
+        finite: identities of input actors whose pose is known to be three vectors of finite numbers; for them equal
+            records need no closer look.
+
+    Raises:
+        BadInput: there is no target.
+    """
     added = {key: record for key, record in after.items() if key not in before}
     removed = {key: record for key, record in before.items() if key not in after}
     if added and removed:
@@ -69,7 +78,7 @@ def find_targets(start: list[Record], truth: list[Record]) -> list[Target]:
               if is_semantic(record)]
     for key, record in after.items():
         old = before.get(key)
-        if old is None or (recorded_alike(record, old) and surely_finite(record["transform"])):
+        if old is None or (recorded_alike(record, old) and key in finite):
             continue
         cut = _shared_evidence(record, old)
         fields = target_differences(cut, old)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from math import isfinite
 from typing import Any, TypeAlias
 
 from c4s.scene.transform import quat_angle_deg, quat_from_rotator
@@ -16,15 +16,15 @@ def valid_vector(value: Any) -> Vector3 | None:
     if not isinstance(value, (list, tuple)) or len(value) != 3:
         return None
     x, y, z = value
-    if type(x) is float and type(y) is float and type(z) is float:
-        return (x, y, z) if math.isfinite(x + y + z) or all(map(math.isfinite, value)) else None
+    if type(x) is float and type(y) is float and type(z) is float and isfinite(x) and isfinite(y) and isfinite(z):
+        return x, y, z
     if any(isinstance(v, bool) or not isinstance(v, _NUMBER) for v in value):
         return None
     try:
         vector = (float(x), float(y), float(z))
     except OverflowError:
         return None
-    return vector if all(map(math.isfinite, vector)) else None
+    return vector if all(map(isfinite, vector)) else None
 
 
 def same_within(a: Any, b: Any, tolerance: float) -> bool:
