@@ -15,7 +15,8 @@ from warehouse.ingest import ingest_trial
 
 def _score_and_store(trial: Trial, plan: Plan, warehouse: Path) -> None:
     stages.score(trial, plan)
-    ingest_trial(trial, plan, warehouse)
+    with stages.timed(trial, "persist"):
+        ingest_trial(trial, plan, warehouse)
 
 
 @task(task_run_name="persist-{trial.name}")

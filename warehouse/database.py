@@ -14,6 +14,8 @@ from warehouse.parquet import arrow_schema
 from warehouse.records import TABLES
 
 SQL = Path(__file__).parent / "sql"
+FOUNDATIONS = ("case_scores", "setting_means")
+"""Questions that others build on, in this order."""
 _TYPES = {"string": "VARCHAR", "int64": "BIGINT", "double": "DOUBLE", "bool": "BOOLEAN", "binary": "BLOB"}
 
 
@@ -44,7 +46,7 @@ def rebuild(root: Path) -> Path:
         with duckdb.connect(str(fresh)) as connection:
             for table in TABLES:
                 connection.execute(_table_view(root, table))
-            for name in ("case_scores", *(q for q in questions() if q != "case_scores")):
+            for name in (*FOUNDATIONS, *(question for question in questions() if question not in FOUNDATIONS)):
                 connection.execute(f"CREATE VIEW {name} AS {(SQL / f'{name}.sql').read_text()}")
         fresh.replace(target)
     return target

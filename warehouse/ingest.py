@@ -109,7 +109,7 @@ def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:
     verdict = Verdict.read(path)
     return VerdictRow(**key, verifier=verdict.verifier, status=verdict.status, score=verdict.score,
                       reason=verdict.reason, policy=verdict.policy, document=canonical_json(verdict.plain()),
-                      sha256=digest_file(path))
+                      verdict_sha256=digest_file(path))
 
 
 def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureRow]:

@@ -83,7 +83,7 @@ class VerdictRow(TrialKey):
     reason: str
     policy: str
     document: str
-    sha256: str
+    verdict_sha256: str
 
 
 class FindingRow(TrialKey):

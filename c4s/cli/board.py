@@ -8,14 +8,13 @@ from c4s.cli.output import console, print_table
 from c4s.home import warehouse_root
 from warehouse.database import rows
 
-COLUMNS = {"rank": "rank", "configuration": "agent", "model_score": "overall", "text_to_scene": "text-to-scene",
-           "image_to_scene": "image-to-scene", "indoor": "indoor", "outdoor": "outdoor", "repair_f1": "repair F1",
-           "text_physics": "physics T2S", "image_physics": "physics I2S", "resolved": "done", "planned": "of"}
+COLUMNS = {"rank": "rank", "configuration": "agent", "model_score": "overall", "text_to_scene": "T2S",
+           "image_to_scene": "I2S", "indoor": "indoor", "outdoor": "outdoor", "repair_f1": "F1", "trials": "trials"}
 
 
 def leaderboard(suite: str) -> list[dict[str, Any]]:
     """The leaderboard's rows of one suite."""
-    return [row for row in rows(warehouse_root(), "SELECT * FROM leaderboard") if row["suite"] == suite]
+    return [{**row, "trials": f"{row['resolved']}/{row['planned']}"} for row in rows(warehouse_root(), "SELECT * FROM leaderboard") if row["suite"] == suite]
 
 
 def print_leaderboard(suite: str) -> None:
@@ -24,6 +23,7 @@ def print_leaderboard(suite: str) -> None:
     print_table(list(COLUMNS.values()), [[row[name] for name in COLUMNS] for row in found],
                 title=f"Leaderboard: suite {suite}")
     judges, engines = {row["judge"] for row in found}, {row["engine"] for row in found}
-    console.print(f"Judge: {', '.join(sorted(judges))} (offline; not ranked with results by a model judge). "
+    console.print("T2S: text to scene. I2S: image to scene, with its two domains and its Repair F1. "
+                  f"Judge: {', '.join(sorted(judges))} (offline; not ranked with results by a model judge). "
                   f"Engine: {', '.join(sorted(engines))} (not ranked with Unreal). "
                   "An agent without a rank only validates the evaluator.", style="dim")

@@ -6,11 +6,19 @@ import sys
 from collections.abc import Callable
 from typing import NoReturn
 
-import click
+import typer
+from typer.exceptions import TyperException
 
 from c4s.errors import C4SError
 
 OK, NO, BAD_INPUT, MACHINERY = 0, 1, 2, 3
+
+
+def usage_line(error: TyperException) -> str:
+    """A usage error as one line, with where to read more."""
+    text = str(getattr(error, "format_message", error.__str__)())
+    context = getattr(error, "ctx", None)
+    return f"{text} (see `{context.command_path} --help`)" if context else text
 
 
 def run(command: Callable[[], object]) -> NoReturn:
@@ -21,15 +29,14 @@ def run(command: Callable[[], object]) -> NoReturn:
     except C4SError as error:
         print(f"c4s: {error.line()}", file=sys.stderr)
         sys.exit(error.exit_code)
-    except click.UsageError as error:
-        hint = f" (see `{error.ctx.command_path} --help`)" if error.ctx else ""
-        print(f"c4s: {error.format_message()}{hint}", file=sys.stderr)
-        sys.exit(BAD_INPUT)
-    except click.exceptions.Exit as error:
+    except typer.Exit as error:
         sys.exit(error.exit_code)
-    except (KeyboardInterrupt, click.Abort):
+    except (KeyboardInterrupt, typer.Abort):
         print("c4s: stopped; run the same command to go on", file=sys.stderr)
         sys.exit(130)
+    except TyperException as error:
+        print(f"c4s: {usage_line(error)}", file=sys.stderr)
+        sys.exit(BAD_INPUT)
     except BrokenPipeError:
         sys.stderr.close()
         sys.exit(OK)

@@ -43,11 +43,11 @@ def repair(start: Annotated[Path | None, typer.Option("--input", help="snapshot 
            candidate: Annotated[Path | None, typer.Option(help="snapshot of the saved scene")] = None,
            batch: Batch = None, json_output: Json = False) -> None:
     """Actor Repair F1 of a saved scene against the truth."""
+    from c4s.verify.batch import repair_batch
     from c4s.verify.repair import verify_repair
-    from c4s.verify.repair.batch import repair_rows
 
     if batch is not None:
-        write_rows(batch, repair_rows)
+        write_rows(batch, repair_batch)
         return
     _print(verify_repair(_given(start, "--input"), _given(truth, "--truth"), _given(candidate, "--candidate")),
            json_output)

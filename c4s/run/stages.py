@@ -8,6 +8,8 @@ run goes on where it stopped. A ``MachineryFault`` passes through: the trial sta
 from __future__ import annotations
 
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -56,6 +58,14 @@ def record_time(trial: Trial, stage: str, seconds: float) -> None:
     append_json_line(trial.folder.root / "stages.jsonl", {"stage": stage, "seconds": round(seconds, 4)})
 
 
+@contextmanager
+def timed(trial: Trial, stage: str) -> Iterator[None]:
+    """Record how long the block took."""
+    started = time.perf_counter()
+    yield
+    record_time(trial, stage, time.perf_counter() - started)
+
+
 def _timed(trial: Trial, stage: str, started: float) -> None:
     record_time(trial, stage, time.perf_counter() - started)
 
@@ -80,7 +90,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     The retained attempt's evidence moves to the trial's ``evidence/``; an invalid one stays with its attempt.
     """
     from c4s.engine.evidence import collect
-    from c4s.verify.integrity import verify_integrity
+    from c4s.verify.integrity import ManifestDigests, unloadable, verify_integrity
     from c4s.verify.views import overview_cameras
 
     attempt_folder = trial.folder.attempt(number)
@@ -101,15 +111,18 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         collect(packs=given.packs, submission_content=attempt_folder / "submission", package=outcome.submission,
                 out=evidence, cameras=cameras)
     except BadInput as error:
-        verdict = Verdict(verifier="integrity", status="invalid", policy=plan.policy, reason=error.line())
+        verdict = unloadable(error.line())
         verdict.write(trial.folder.verdict("integrity"))
         verdict.write(path)
         return False
     frozen = {reference.pack_id: reference.digest for reference in given.case.packs}
     scorer = {folder.name: Pack.read(folder / "pack.json").sha256() for folder in given.packs}
     verdict = verify_integrity(read_json(evidence / "snapshot.json"), read_json(evidence / "dependencies.json"),
-                               given.withheld.minimum_actors, {"frozen": frozen, "scorer": scorer,
-                                                               "submission": _submission_packs(attempt_folder)})
+                               given.withheld.minimum_actors,
+                               ManifestDigests(frozen=frozen, scorer=scorer,
+                                               submission=_submission_packs(attempt_folder)))
+    if verdict.status == "error":
+        raise MachineryFault(verdict.reason, where=trial.name, todo="run the same command again")
     verdict = verdict.model_copy(update={"inputs": _digests(evidence, "snapshot.json", "dependencies.json")})
     verdict.write(trial.folder.verdict("integrity"))
     verdict.write(path)
@@ -169,13 +182,16 @@ def semantic(trial: Trial, plan: Plan, verifier: str) -> Verdict:
         raise MachineryFault(f"judge {plan.judge!r} is not available here", todo="use the offline judge `rule`")
 
     def verify(given: TrialInputs, evidence: Path) -> Verdict:
-        bundle = given.withheld_folder / "requirements.bundle.json"
-        if not bundle.is_file():
+        path = given.withheld_folder / "requirements.bundle.json"
+        bundle = read_json(path) if path.is_file() else None
+        snapshot, facts = read_json(evidence / "snapshot.json"), catalog_facts(given.packs)
+        captures = read_json(evidence / "captures" / "captures.json")
+        if verifier == "overview":
+            return verify_overview(bundle or given.case.prompt, snapshot, facts, captures)
+        if bundle is None:
             return Verdict(verifier=verifier, status="not_evaluated", policy=plan.policy,
                            reason="the case has no requirement bundle")
-        made = verify_detailed if verifier == "detailed" else verify_overview
-        return made(read_json(bundle), read_json(evidence / "snapshot.json"), catalog_facts(given.packs),
-                    read_json(evidence / "captures" / "captures.json"))
+        return verify_detailed(bundle, snapshot, facts, captures)
 
     return _verdict(trial, verifier, verify)
 
