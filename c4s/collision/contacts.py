@@ -28,8 +28,7 @@ CONFIRM_CM = 1e-3
 """Below this depth python-fcl's touch test is within its own rounding and cannot contradict coal."""
 NUDGE_CM = 1e-5
 """How far a degenerate pair is moved before it is measured again; its depth is wrong by at most this."""
-NUDGES_CM = tuple(NUDGE_CM * np.array(step) for step in ((0, 0, 0), (0.36, 0.48, 0.8), (-0.8, 0.36, 0.48),
-                                                         (0.48, -0.8, 0.36)))
+NUDGES_CM = tuple(NUDGE_CM * np.array(step) for step in ((0.36, 0.48, 0.8), (-0.8, 0.36, 0.48), (0.48, -0.8, 0.36)))
 
 
 @dataclass(frozen=True)
@@ -61,8 +60,8 @@ def scene_contacts(snapshot: Mapping[str, Any], scene: SceneBodies, *, minimum_d
     chosen = None if actors is None else np.array([names[owner] in actors for owner in scene.owners], dtype=bool)
     deepest: dict[tuple[int, int], tuple[float, bool]] = {}
     measure = DepthMeter()
-    for i, j in _candidates(scene, minimum_depth_cm, chosen):
-        depth, trusted = measure(scene.bodies[i], scene.bodies[j])
+    for i, j, push_out in _candidates(scene, minimum_depth_cm, chosen):
+        depth, trusted = measure(scene.bodies[i], scene.bodies[j], push_out)
         if depth > minimum_depth_cm:
             first, second = scene.owners[i], scene.owners[j]
             pair = (first, second) if first < second else (second, first)
@@ -74,8 +73,8 @@ def scene_contacts(snapshot: Mapping[str, Any], scene: SceneBodies, *, minimum_d
 
 
 def _candidates(scene: SceneBodies, minimum_depth_cm: float, chosen: NDArray[np.bool_] | None
-                ) -> Iterator[tuple[int, int]]:
-    """Body pairs of different actors whose boxes overlap by more than ``minimum_depth_cm`` on every axis."""
+                ) -> Iterator[tuple[int, int, float]]:
+    """Body pairs of different actors whose boxes overlap by more than ``minimum_depth_cm``, with that push-out."""
     if len(scene.bodies) < 2:
         return
     low = np.array([body.low for body in scene.bodies])
@@ -93,7 +92,7 @@ def _candidates(scene: SceneBodies, minimum_depth_cm: float, chosen: NDArray[np.
         i, j = i[keep], j[keep]
         push_out = np.minimum(high[i] - low[j], high[j] - low[i]).min(axis=1)
         keep = push_out > minimum_depth_cm
-        yield from zip(i[keep].tolist(), j[keep].tolist(), strict=True)
+        yield from zip(i[keep].tolist(), j[keep].tolist(), push_out[keep].tolist(), strict=True)
 
 
 class DepthMeter:
@@ -108,28 +107,22 @@ class DepthMeter:
         self._distance_request, self._distance = coal.DistanceRequest(), coal.DistanceResult()
         self._collision_request = fcl.CollisionRequest(num_max_contacts=1, enable_contact=False)
 
-    def __call__(self, a: Body, b: Body) -> tuple[float, bool]:
-        offset = b.translation - a.translation
-        bound = float(np.minimum(a.high - b.low, b.high - a.low).min())
-        for nudge in NUDGES_CM:
-            depth = self._depth(a, b, offset + nudge)
+    def __call__(self, a: Body, b: Body, push_out: float | None = None) -> tuple[float, bool]:
+        bound = float(np.minimum(a.high - b.low, b.high - a.low).min()) if push_out is None else push_out
+        for nudge in (None, *NUDGES_CM):
+            depth = self._depth(a, b if nudge is None else b.moved(nudge))
             if depth <= bound * (1 + 1e-6) + CONFIRM_CM:
                 break
         else:
             return bound, False
         if depth <= 0:
             return 0.0, True
-        return depth, depth <= CONFIRM_CM or self._touch(a, b, offset)
+        return depth, depth <= CONFIRM_CM or bool(
+            fcl.collide(a.fcl_object, b.fcl_object, self._collision_request, fcl.CollisionResult()))
 
-    def _depth(self, a: Body, b: Body, offset: NDArray[np.float64]) -> float:
+    def _depth(self, a: Body, b: Body) -> float:
         """coal's signed distance, turned; infinite when it is no number."""
         self._distance.clear()
-        depth = -float(coal.distance(a.shape, coal.Transform3s(a.rotation, np.zeros(3)),
-                                     b.shape, coal.Transform3s(b.rotation, offset),
+        depth = -float(coal.distance(a.shape.coal, a.coal_pose, b.shape.coal, b.coal_pose,
                                      self._distance_request, self._distance))
         return depth if math.isfinite(depth) else math.inf
-
-    def _touch(self, a: Body, b: Body, offset: NDArray[np.float64]) -> bool:
-        first = fcl.CollisionObject(a.fcl_shape, fcl.Transform(a.rotation, np.zeros(3)))
-        second = fcl.CollisionObject(b.fcl_shape, fcl.Transform(b.rotation, offset))
-        return bool(fcl.collide(first, second, self._collision_request, fcl.CollisionResult()))

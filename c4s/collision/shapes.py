@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, TypeAlias
 
 import coal
@@ -26,26 +27,55 @@ FLAT = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Body:
-    """A convex body with its rigid pose in the world (cm)."""
+class Shape:
+    """A convex shape in the frame of its component, scale and mirroring baked in."""
 
-    shape: Any
-    """The coal geometry, in the body's own frame."""
-    fcl_shape: Any
+    coal: Any
+    fcl: Any
+    frame: Array
+    """Rotation of the shape in the component."""
+    offset: Array
+    """Centre of the shape's own frame in the component (cm)."""
+    corners: Array | None = None
+    """Vertices of a hull; None: the box that ``half`` and ``radius`` span holds the shape."""
+    half: Array = field(default_factory=lambda: np.zeros(3))
+    radius: float = 0.0
+
+    def place(self, rotation: Array, translation: Array) -> Body:
+        """The shape in the world."""
+        pose = rotation @ self.frame
+        centre = translation + rotation @ self.offset
+        if self.corners is not None:
+            world = self.corners @ pose.T + centre
+            return Body(self, pose, centre, world.min(axis=0), world.max(axis=0))
+        reach = np.abs(pose) @ self.half + self.radius
+        return Body(self, pose, centre, centre - reach, centre + reach)
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A convex body in the world (cm)."""
+
+    shape: Shape
     rotation: Array
     translation: Array
     low: Array
     """World AABB."""
     high: Array
 
+    @cached_property
+    def coal_pose(self) -> Any:
+        """The pose as coal's transform."""
+        return coal.Transform3s(self.rotation, self.translation)
 
-@dataclass(frozen=True, eq=False)
-class Hull:
-    """A convex hull in its own frame: vertices and outward triangles, and both libraries' geometry of it."""
+    @cached_property
+    def fcl_object(self) -> Any:
+        """The body as python-fcl's collision object."""
+        return fcl.CollisionObject(self.shape.fcl, fcl.Transform(self.rotation, self.translation))
 
-    vertices: Array
-    shape: Any
-    fcl_shape: Any
+    def moved(self, step: Array) -> Body:
+        """The body moved by ``step`` (cm)."""
+        return Body(self.shape, self.rotation, self.translation + step, self.low + step, self.high + step)
 
 
 def quaternion_matrix(quaternion_xyzw: Sequence[float]) -> Array:
@@ -68,7 +98,7 @@ def vector(values: Any) -> Array:
     return array
 
 
-def make_hull(vertices: Array) -> Hull | None:
+def make_hull(vertices: Array) -> Shape | None:
     """The convex hull of points (n, 3) in cm, solid or flat; None when the points span no area."""
     points = np.asarray(vertices, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3 or len(points) < 3 or not np.isfinite(points).all():
@@ -82,7 +112,7 @@ def make_hull(vertices: Array) -> Hull | None:
     if rank < 2:
         return None
     corners, faces = _solid(points) if rank == 3 else _flat(points, centred @ axes[2][:2].T)
-    return Hull(corners, *_geometries(corners, faces))
+    return Shape(*_geometries(corners, faces), np.eye(3), np.zeros(3), corners)
 
 
 def _solid(points: Array) -> tuple[Array, NDArray[np.int64]]:
@@ -123,11 +153,11 @@ def body_matrix(body: Mapping[str, Any]) -> Array:
 
 
 class BodyFactory:
-    """Places the bodies of meshes in the world. Hulls are built once a mesh, body and scale."""
+    """Places the bodies of meshes in the world. Shapes are built once a mesh and scale."""
 
     def __init__(self, meshes: Mapping[str, Any]) -> None:
         self._meshes = meshes
-        self._hulls: dict[tuple[str, int, tuple[float, ...]], Hull | None] = {}
+        self._shapes: dict[tuple[str, tuple[float, ...]], list[Shape]] = {}
 
     def knows(self, mesh: str) -> bool:
         """Whether the snapshot describes the mesh."""
@@ -139,81 +169,66 @@ class BodyFactory:
         quaternion = transform.get("quaternion_xyzw")
         rotation = (quaternion_matrix(quaternion) if quaternion is not None
                     else rotation_matrix(vector(transform.get("rotation_deg")).tolist()))
-        bodies = self._meshes[mesh].get("collision") or []
-        placed = [self._body(mesh, i, body, location, rotation, scale) for i, body in enumerate(bodies)]
-        return [body for body in placed if body is not None]
-
-    def _body(self, mesh: str, index: int, body: Mapping[str, Any], location: Array, rotation: Array,
-              scale: Array) -> Body | None:
-        kind = body.get("kind")
-        if kind == "hull":
-            return self._hull(mesh, index, np.asarray(body["vertices"], dtype=float), location, rotation, scale)
-        centre = location + rotation @ (scale * vector(body["center"]))
-        if kind == "sphere":
-            radius = abs(float(body["radius"])) * float(np.abs(scale).min())
-            return _round_body(rotation, centre, radius, 0.0)
-        axes = scale[:, None] * body_matrix(body)
-        if kind == "capsule":
-            return _capsule(rotation, centre, axes, abs(float(body["radius"])), abs(float(body["length"])))
-        if kind == "box":
-            half = np.abs(vector(body["half_extent"]))
-            edges = axes * half
-            if np.abs(np.triu(edges.T @ edges, 1)).max() <= 1e-12 * float((edges**2).sum()) and np.all(edges.any(0)):
-                return _box(rotation, centre, edges)
-            signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
-            local = vector(body["center"]) + (signs * half) @ body_matrix(body).T
-            return self._hull(mesh, index, local, location, rotation, scale)
-        raise ValueError(f"unknown collision body kind {kind!r}")
-
-    def _hull(self, mesh: str, index: int, vertices: Array, location: Array, rotation: Array,
-              scale: Array) -> Body | None:
-        key = (mesh, index, tuple(scale.tolist()))
-        if key not in self._hulls:
-            self._hulls[key] = make_hull(vertices * scale)
-        hull = self._hulls[key]
-        if hull is None:
-            return None
-        world = hull.vertices @ rotation.T + location
-        return Body(hull.shape, hull.fcl_shape, rotation, location, world.min(axis=0), world.max(axis=0))
+        key = mesh, tuple(scale.tolist())
+        if key not in self._shapes:
+            shapes = [scaled_shape(body, scale) for body in self._meshes[mesh].get("collision") or []]
+            self._shapes[key] = [shape for shape in shapes if shape is not None]
+        return [shape.place(rotation, location) for shape in self._shapes[key]]
 
 
-def _box(rotation: Array, centre: Array, edges: Array) -> Body:
-    """A box from its three half edges (columns, before the component's rotation); a box has no handedness."""
+def scaled_shape(body: Mapping[str, Any], scale: Array) -> Shape | None:
+    """A mesh's collision body under a component's scale; None when nothing with an area is left of it."""
+    kind = body.get("kind")
+    if kind == "hull":
+        return make_hull(np.asarray(body["vertices"], dtype=float) * scale)
+    centre = scale * vector(body["center"])
+    if kind == "sphere":
+        return _round_shape(np.eye(3), centre, abs(float(body["radius"])) * float(np.abs(scale).min()), 0.0)
+    axes = scale[:, None] * body_matrix(body)
+    if kind == "capsule":
+        return _capsule(centre, axes, abs(float(body["radius"])), abs(float(body["length"])))
+    if kind == "box":
+        edges = axes * np.abs(vector(body["half_extent"]))
+        if np.abs(np.triu(edges.T @ edges, 1)).max() <= 1e-12 * float((edges**2).sum()) and np.all(edges.any(axis=0)):
+            return _box(centre, edges)
+        signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
+        return make_hull(centre + signs @ edges.T)
+    raise ValueError(f"unknown collision body kind {kind!r}")
+
+
+def _box(centre: Array, edges: Array) -> Shape:
+    """A box from its three half edges (columns); a box has no handedness."""
     half = np.linalg.norm(edges, axis=0)
     frame = edges / half
     if np.linalg.det(frame) < 0:
         frame[:, 2] = -frame[:, 2]
-    pose = rotation @ frame
-    reach = np.abs(pose) @ half
-    return Body(coal.Box(*(2 * half).tolist()), fcl.Box(*(2 * half).tolist()), pose, centre,
-                centre - reach, centre + reach)
+    sides = (2 * half).tolist()
+    return Shape(coal.Box(*sides), fcl.Box(*sides), frame, centre, half=half)
 
 
 def box_body(low: Array, high: Array) -> Body:
     """An axis-aligned box between two corners (cm)."""
-    return _box(np.eye(3), (low + high) / 2, np.diag(np.maximum((high - low) / 2, FLAT)))
+    return _box((low + high) / 2, np.diag(np.maximum((high - low) / 2, FLAT))).place(np.eye(3), np.zeros(3))
 
 
-def _capsule(rotation: Array, centre: Array, axes: Array, radius: float, length: float) -> Body | None:
+def _capsule(centre: Array, axes: Array, radius: float, length: float) -> Shape | None:
     """A scaled capsule: its ends stay round, the radius takes the larger radial factor, at most the half length."""
     along = np.linalg.norm(axes, axis=0)
-    half = (length / 2 + radius) * float(along[2])
-    scaled = min(radius * float(max(along[0], along[1])), half)
     if float(along[2]) == 0:
         return None
-    direction = rotation @ (axes[:, 2] / along[2])
-    side = np.eye(3)[int(np.argmin(np.abs(direction)))]
-    x = np.cross(side, direction)
+    half = (length / 2 + radius) * float(along[2])
+    scaled = min(radius * float(max(along[0], along[1])), half)
+    direction = axes[:, 2] / along[2]
+    x = np.cross(np.eye(3)[int(np.argmin(np.abs(direction)))], direction)
     x /= np.linalg.norm(x)
-    pose = np.column_stack([x, np.cross(direction, x), direction])
-    return _round_body(pose, centre, scaled, 2 * (half - scaled))
+    return _round_shape(np.column_stack([x, np.cross(direction, x), direction]), centre, scaled, 2 * (half - scaled))
 
 
-def _round_body(pose: Array, centre: Array, radius: float, length: float) -> Body | None:
-    """A sphere, or a capsule along the pose's Z when ``length`` is above zero; None without a radius."""
+def _round_shape(frame: Array, centre: Array, radius: float, length: float) -> Shape | None:
+    """A sphere, or a capsule along the frame's Z when ``length`` is above zero; None without a radius."""
     if radius <= 0:
         return None
-    reach = radius + np.abs(pose[:, 2]) * (length / 2)
     if length <= 0:
-        return Body(coal.Sphere(radius), fcl.Sphere(radius), np.eye(3), centre, centre - reach, centre + reach)
-    return Body(coal.Capsule(radius, length), fcl.Capsule(radius, length), pose, centre, centre - reach, centre + reach)
+        return Shape(coal.Sphere(radius), fcl.Sphere(radius), np.eye(3), centre, radius=radius)
+    return Shape(coal.Capsule(radius, length), fcl.Capsule(radius, length), frame, centre,
+                 half=np.array([0.0, 0.0, length / 2]), radius=radius)

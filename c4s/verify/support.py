@@ -171,9 +171,6 @@ def _held(body: Body, others: Sequence[Body], owners: Sequence[int], owner: int,
         if body.low[2] - margin > other.high[2] or body.high[2] < other.low[2]:
             continue
         for direction in DIRECTIONS:
-            step = direction * margin
-            moved = Body(body.shape, body.fcl_shape, body.rotation, body.translation + step, body.low + step,
-                         body.high + step)
-            if meter(moved, other)[0] > TOUCH_CM / 2:
+            if meter(body.moved(direction * margin), other)[0] > TOUCH_CM / 2:
                 return True
     return False
