@@ -44,7 +44,8 @@ def _screenshot(bench: Workbench, arguments: Arguments) -> ToolResult:
     reply = bench.engine.request("take_screenshot", {"filepath": name, "width": WIDTH, "height": HEIGHT},
                                  timeout_s=300.0)
     if reply.get("status") not in ("ok", "success"):
-        raise ToolRefused(f"no picture was taken: {reply.get('error') or reply.get('missing')}")
+        reason = str(reply.get("error") or reply.get("missing")).strip().rpartition("\n")[2]
+        raise ToolRefused(f"no picture was taken: {reason}")
     png = read_picture(Path(str(reply["filepath"])), bench.scratch)
     return ToolResult({"filename": name, "width": WIDTH, "height": HEIGHT}, image=_within_limit(png))
 

@@ -76,7 +76,7 @@ class Workbench:
 
     def snapshot(self) -> dict[str, Any]:
         """The scene as it is now, as a snapshot document."""
-        snapshot: dict[str, Any] = self._call("snapshot.export")
+        snapshot: dict[str, Any] = self._call("snapshot.export_snapshot")
         return snapshot
 
     def _call(self, function: str, **params: Any) -> Any:

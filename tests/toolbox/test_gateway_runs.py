@@ -1,0 +1,170 @@
+"""Budgets, the tool list, repeats, the kill and the record of calls, over the wire."""
+
+from __future__ import annotations
+
+import json
+import threading
+import time
+from collections.abc import Callable
+
+import httpx2
+import pytest
+from made_case import make_case
+
+from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped
+from c4s.toolbox.gateway import Endpoint
+from c4s.toolbox.run import Run
+
+HEADERS = {"Accept": "application/json, text/event-stream", "Content-Type": "application/json"}
+
+
+def payload(answer: object) -> dict:
+    return json.loads(answer.content[0].text)  # type: ignore[attr-defined]
+
+
+def test_a_call_counts_when_it_starts_and_the_budget_is_told(open_run: Callable) -> None:
+    opened = open_run(calls=3)
+    assert opened.client.call("get_categories").budget["tool_calls_left"] == 2
+    with pytest.raises(CallRefused, match="no actor"):
+        opened.client.call("delete_actor", name="nobody")
+    with pytest.raises(CallRefused, match=r"invalid arguments.*'query' is a required property"):
+        opened.client.call("search_assets")
+    with pytest.raises(RunStopped, match="budget is spent"):
+        opened.client.call("get_categories")
+    assert opened.run.calls == 3 and opened.run.over_calls
+    lines = opened.trajectory()
+    assert [(line["event"], line["outcome"], line["counted"]) for line in lines] == [
+        ("call", "ok", True), ("call", "error", True), ("call", "error", True), ("refused", "refused", False)]
+    assert all(line["start_s"] >= 0 and line["duration_s"] >= 0 for line in lines[:3])
+    assert lines[1]["tool"] == "delete_actor" and lines[1]["arguments"] == {"name": "nobody"}
+
+
+def test_off_list_tools_are_refused_and_not_counted(open_run: Callable) -> None:
+    opened = open_run(tools=["get_categories", "search_assets"])
+    assert [tool.name for tool in opened.client.tools()] == ["search_assets", "get_categories"]
+    for name in ("delete_actor", "run_shell"):
+        with pytest.raises(CallRefused, match="there is no tool"):
+            opened.client.call(name, name="x")
+    assert (opened.run.calls, opened.run.blocked) == (0, 2)
+
+
+def test_a_repeated_call_id_is_answered_once_more_and_counted_once(open_run: Callable) -> None:
+    opened = open_run()
+    where = {"name": "Once", "static_mesh": "crate", "location": [0, 0, 0]}
+    first = opened.client.answer("spawn_actor", where, call_id="use-1")
+    again = opened.client.answer("spawn_actor", where, call_id="use-1")
+    assert not first.is_error and payload(first) == payload(again)
+    other = opened.client.answer("spawn_actor", {**where, "name": "Two"}, call_id="use-1")
+    assert payload(other)["result"]["actor"]["label"] == "Two"
+    assert opened.run.calls == 2
+    assert [line["event"] for line in opened.trajectory()] == ["call", "duplicate", "call"]
+
+
+def test_two_posts_with_one_id_in_flight_share_one_call(open_run: Callable) -> None:
+    opened = open_run()
+    with httpx2.Client(headers={**HEADERS, "Authorization": f"Bearer {opened.endpoint.token}"}, trust_env=False,
+                       timeout=60) as http:
+        hello = http.post(opened.endpoint.url, json={
+            "jsonrpc": "2.0", "id": 0, "method": "initialize",
+            "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}})
+        session = {"mcp-session-id": hello.headers["mcp-session-id"], "mcp-protocol-version": "2025-06-18"}
+        http.post(opened.endpoint.url, headers=session, json={"jsonrpc": "2.0", "method": "notifications/initialized"})
+        call = {"jsonrpc": "2.0", "id": 7, "method": "tools/call", "params": {
+            "name": "execute_python_script",
+            "arguments": {"script": "import time\ntime.sleep(1)\nprint('slept')", "execution_mode": "sync"}}}
+        texts: list[str] = []
+
+        def post() -> None:
+            texts.append(http.post(opened.endpoint.url, headers=session, json=call).text)
+
+        threads = [threading.Thread(target=post) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert len(texts) == 2 and texts[0] == texts[1] and "slept" in texts[0]
+        assert opened.run.calls == 1
+        assert "slept" in http.post(opened.endpoint.url, headers=session, json=call).text
+        assert opened.run.calls == 1
+
+
+def test_tokens_select_the_run_and_sessions_are_not_shared(open_run: Callable, pack: object) -> None:
+    opened = open_run()
+    wrong = httpx2.post(opened.endpoint.url, json={}, headers=HEADERS, trust_env=False)
+    assert wrong.status_code == 401
+    case, _ = make_case(opened.folder / "second", pack, calls=1)  # type: ignore[arg-type]
+    second = Run("room-2", opened.run.bench, case.budget, opened.folder / "second.jsonl", ["get_categories"])
+    endpoint = opened.gateway.open_run(second)
+    with GatewayClient(endpoint) as client:
+        client.call("get_categories")
+        assert [tool.name for tool in client.tools()] == ["get_categories"]
+    assert (opened.run.calls, second.calls) == (0, 1)
+    with httpx2.Client(headers=HEADERS, trust_env=False) as http:
+        hello = http.post(endpoint.url, headers={"Authorization": f"Bearer {endpoint.token}"}, json={
+            "jsonrpc": "2.0", "id": 0, "method": "initialize",
+            "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}})
+        stolen = http.post(endpoint.url, json={"jsonrpc": "2.0", "id": 1, "method": "tools/list"}, headers={
+            "Authorization": f"Bearer {opened.endpoint.token}", "mcp-session-id": hello.headers["mcp-session-id"]})
+        assert stolen.status_code == 404
+
+
+def test_a_run_is_killed_from_the_server_side(open_run: Callable) -> None:
+    opened = open_run()
+    caught: list[Exception] = []
+
+    def work() -> None:
+        try:
+            opened.client.call("execute_python_script", script="while True: pass", execution_mode="sync")
+        except RunStopped as stopped:
+            caught.append(stopped)
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    while opened.run.calls == 0:
+        time.sleep(0.01)
+    began = time.monotonic()
+    opened.run.end("killed", "the operator ended it")
+    thread.join()
+    assert time.monotonic() - began < 5 and "the operator ended it" in str(caught[0])
+    with pytest.raises(RunStopped):
+        opened.client.call("get_categories")
+    assert opened.trajectory()[0]["outcome"] == "ended"
+
+
+def test_the_wall_budget_ends_the_run(open_run: Callable) -> None:
+    opened = open_run(minutes=1 / 60)
+    assert opened.run.ended.wait(10)
+    with pytest.raises(RunStopped, match="time budget"):
+        opened.client.call("get_categories")
+    assert opened.run.end_reason == "wall_budget" and opened.run.calls == 0
+
+
+def test_pictures_are_recorded_by_digest_and_never_with_structured_content(open_run: Callable) -> None:
+    opened = open_run()
+    answer = opened.client.answer("get_asset_preview", {"id": "crate"})
+    assert [block.type for block in answer.content] == ["text", "image"] and answer.structured_content is None
+    line = opened.trajectory()[0]
+    assert len(line["images"][0]["sha256"]) == 64 and answer.content[1].data not in json.dumps(line)
+
+
+def test_numbers_that_are_none_are_refused(open_run: Callable) -> None:
+    opened = open_run()
+    body = ('{"jsonrpc":"2.0","id":1,"method":"tools/call","params":{"name":"set_actor_transform","arguments":'
+            '{"name":"Table","location":[NaN,0,0]}}}')
+    with httpx2.Client(headers={**HEADERS, "Authorization": f"Bearer {opened.endpoint.token}"}, trust_env=False) as http:
+        hello = http.post(opened.endpoint.url, json={
+            "jsonrpc": "2.0", "id": 0, "method": "initialize",
+            "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}})
+        session = {"mcp-session-id": hello.headers["mcp-session-id"], "mcp-protocol-version": "2025-06-18"}
+        told = http.post(opened.endpoint.url, headers=session, content=body)
+    assert "NaN" not in told.text or "invalid" in told.text
+    table = opened.client.call("find_actors_by_name", pattern="Table").data["actors"][0]
+    assert table["location"] == [0, 0, 0]
+
+
+@pytest.mark.parametrize("mode", ["auto", "legacy"])
+def test_both_protocol_eras_work(open_run: Callable, mode: str) -> None:
+    endpoint: Endpoint = open_run().endpoint
+    with GatewayClient(endpoint, mode=mode) as client:  # type: ignore[arg-type]
+        assert len(client.tools()) == 25
+        assert client.call("get_actors_in_level").data["count"] == 6

@@ -1,0 +1,167 @@
+"""The tools against a real engine, through a real gateway and a real MCP client."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from made_case import START, path_of
+from PIL import Image
+
+from c4s.toolbox.client import CallRefused
+
+REFERENCE = Path("/work/shared/reference/tools.yaml")
+
+
+def test_the_tools_are_those_of_the_reference(open_run: Callable) -> None:
+    if not REFERENCE.is_file():
+        pytest.skip("the reference table of tools is not on this machine")
+    import yaml
+
+    listed = {tool.name: tool.input_schema for tool in open_run().client.tools()}
+    wanted = {tool["name"]: tool for group in yaml.safe_load(REFERENCE.read_text())["groups"]
+              for tool in group["tools"]}
+    assert listed.keys() == wanted.keys() and len(listed) == 25
+    for name, schema in listed.items():
+        assert schema.get("required", []) == wanted[name]["required"], name
+        assert set(schema["properties"]) == {*wanted[name]["required"], *wanted[name]["optional"]}, name
+
+
+def test_assets_are_found_by_words_and_described(open_run: Callable) -> None:
+    client = open_run().client
+    assert [asset["id"] for asset in client.call("search_assets", query="couch").data["assets"]][0] == "sofa"
+    assert client.call("search_assets", query="wooden boxes", k=1).data["assets"][0]["id"] == "crate"
+    assert client.call("search_assets", query="tables", category="storage").data["count"] == 0
+    assert {"category": "Tables", "count": 2, "description": "To eat and work at"} in \
+        client.call("get_categories").data["categories"]
+    told = client.call("get_asset_metadata", ids=["oak_table", "nothing"]).data
+    assert told["assets"][0]["size_m"] == [1.6, 0.8, 0.75] and told["missing"][0]["id"] == "nothing"
+    assert told["assets"][0]["spawn_path"] == path_of("SM_oak_table")
+    assert Image.open(io.BytesIO(client.call("get_asset_preview", id="crate").images[0])).size == (32, 32)
+    with pytest.raises(CallRefused, match="no preview"):
+        client.call("get_asset_preview", id="sofa")
+
+
+def test_actors_are_placed_moved_and_deleted(open_run: Callable) -> None:
+    client = open_run().client
+    made = client.call("spawn_actor", name="New", static_mesh="crate", location=[100, 50, 0], rotation=[10, 20, 30],
+                       scale=2).data["actor"]
+    assert made["label"] == "New" and made["name"] and made["static_meshes"] == [path_of("SM_crate")]
+    assert made["rotation"] == pytest.approx([10, 20, 30]) and made["scale"] == [2, 2, 2]
+    with pytest.raises(CallRefused, match="already there"):
+        client.call("spawn_actor", name="New", static_mesh="crate", location=[0, 0, 0])
+    built = client.call("spawn_blueprint_actor", actor_name="Stack", blueprint_id="stacked_table",
+                        location=[300, 0, 0]).data["actor"]
+    assert len(built["static_meshes"]) == 2
+    moved = client.call("set_actor_transform", name="New", location=[1, 2, 3]).data["actor"]
+    assert moved["location"] == [1, 2, 3] and moved["rotation"] == pytest.approx([10, 20, 30])
+    assert client.call("delete_actor", name=made["name"]).data["deleted"]["label"] == "New"
+    with pytest.raises(CallRefused, match="no actor"):
+        client.call("delete_actor", name="New")
+    with pytest.raises(CallRefused, match="not a static mesh"):
+        client.call("spawn_actor", name="Ghost", static_mesh="/Game/Test/SM_ghost", location=[0, 0, 0])
+
+
+def test_an_ambiguous_label_is_refused_and_the_object_name_works(open_run: Callable) -> None:
+    client = open_run().client
+    with pytest.raises(CallRefused, match=r"2 actors have the label 'Twin'.*StaticMeshActor_5"):
+        client.call("delete_actor", name="Twin")
+    assert client.call("delete_actor", name="StaticMeshActor_5").data["deleted"]["label"] == "Twin"
+    found = client.call("find_actors_by_name", pattern="tWin").data["actors"]
+    assert [(actor["name"], actor["matched"]) for actor in found] == [("StaticMeshActor_6", ["label"])]
+
+
+def test_delete_all_spawned_spares_the_start_level(open_run: Callable) -> None:
+    client = open_run().client
+    before = {actor["name"] for actor in client.call("get_actors_in_level").data["actors"]}
+    client.call("spawn_actor", name="One", static_mesh="crate", location=[0, 0, 0])
+    script = ("import unreal\na = unreal.get_editor_subsystem(unreal.EditorActorSubsystem).spawn_actor_from_class("
+              "unreal.StaticMeshActor, unreal.Vector(0, 0, 0))\na.set_actor_label('Two')\nprint('made', 2)")
+    assert "made 2" in client.call("execute_python_script", script=script, execution_mode="sync").data["output"]
+    assert sorted(client.call("delete_all_spawned").data["deleted"]) == ["One", "Two"]
+    assert {actor["name"] for actor in client.call("get_actors_in_level").data["actors"]} == before
+
+
+def test_scripts_are_jobs_with_a_log(open_run: Callable) -> None:
+    client = open_run().client
+    job = client.call("execute_python_script", script="kept = 41\nprint('hello')\nraise ValueError('wrong')").data
+    assert job["status"] == "started"
+    state = client.call("read_job_log", log_path=job["log_path"], wait_s=30).data
+    assert state["status"] == "error" and "ValueError: wrong" in state["error"] and "hello" in state["output"]
+    client.call("execute_python_script", script="print(kept + 1)")
+    assert client.call("read_job_log", wait_s=30).data["output"].strip() == "42"
+    client.call("execute_python_script", script="print('x' * 5000)")
+    cut = client.call("read_job_log", wait_s=30, max_bytes=10).data
+    assert cut["truncated"] and len(cut["output"]) <= 10
+    with pytest.raises(CallRefused, match="no job"):
+        client.call("read_job_log", job_id="job-9999")
+
+
+def test_the_checks_use_the_collision_bodies(open_run: Callable) -> None:
+    client = open_run().client
+    floating = client.call("check_floating").data
+    assert [(item["label"], item["gap_cm"]) for item in floating["floating"]] == [("Sofa", 40.0)]
+    assert client.call("check_floating", threshold_cm=50).data["count"] == 0
+    assert client.call("check_collisions").data["pairs"] == []
+    client.call("set_actor_transform", name="Box", location=[0, 0, 55])
+    pairs = client.call("check_collisions", actor_names=["Box"]).data["pairs"]
+    assert [(pair["a"]["label"], pair["b"]["label"]) for pair in pairs] == [("Table", "Box")]
+    assert pairs[0]["depth_cm"] == pytest.approx(20, abs=0.1)
+    measured = client.call("measure_scene").data
+    assert measured["actors"] == 6 and measured["collision_rate"] > 0
+    assert {"label": "Sofa", "name": "StaticMeshActor_4"} in measured["floating"]
+    assert measured["extent"]["size_m"][0] >= 4
+
+
+def test_the_planner_builds_in_tiers(open_run: Callable) -> None:
+    client = open_run(setting="text-to-scene").client
+    graph = {"nodes": [{"id": "desk", "asset": "oak_table", "at": [0, 0]},
+                       {"id": "box", "asset": "crate", "on": "desk"}]}
+    report = client.call("validate_scene_graph", graph=graph).data
+    solved = client.call("solve_scene_graph", graph=graph).data["solved"]
+    assert solved["entries"], report
+    assert client.call("render_plan").images[0].startswith(b"\x89PNG")
+    tiers = client.call("tier_derivation").data
+    built = [label for tier in tiers["order"] if tiers["tiers"][tier]
+             for label in client.call("build_tier", tier=tier).data["spawned"]]
+    assert sorted(built) == sorted(entry["name"] for entry in solved["entries"])
+    assert client.call("ground_pass", scene_text="a concrete floor", half_extent_m=8).data["count"] == 16
+    one = client.call("build_tier", entries=[{"name": "Extra", "asset": "sofa", "location": [0, 400, 0]},
+                                             {"name": "Extra", "asset": "sofa", "location": [0, 600, 0]}]).data
+    assert one["spawned"] == ["Extra"] and "already there" in one["failed"][0]["error"]
+
+
+def test_the_environment_adds_only_what_is_missing(open_run: Callable) -> None:
+    client = open_run(setting="text-to-scene").client
+    first = client.call("setup_environment", time_of_day="noon").data
+    assert len(first["added"]) == 5 and first["already_there"] == []
+    assert client.call("setup_environment").data["added"] == []
+    sun = client.call("find_actors_by_name", pattern="Arena_Env_Sun").data["actors"][0]
+    assert sun["rotation"] == pytest.approx([-75, -30, 0])
+
+
+def test_a_picture_is_taken_and_kept_in_the_run(open_run: Callable) -> None:
+    opened = open_run()
+    shot = opened.client.call("take_screenshot", filename="view")
+    assert Image.open(io.BytesIO(shot.images[0])).size == (1280, 720) and shot.data["filename"] == "view.png"
+    assert opened.client.call("take_screenshot", filepath="/etc/other.png").data["filename"] == "other.png"
+    with pytest.raises(CallRefused, match="file name"):
+        opened.client.call("take_screenshot", filename="../../escape.png")
+
+
+def test_saving_writes_a_level_and_can_revert(open_run: Callable) -> None:
+    opened = open_run()
+    opened.client.call("delete_actor", name="Sofa")
+    saved = opened.client.call("save_scene_as", name="mine-1").data
+    assert saved == {"package": "/Game/SavedScenes/mine-1", "actors": 5}
+    level = json.loads((opened.folder / "content/Game/SavedScenes/mine-1.level.json").read_text())
+    assert "Sofa" not in [actor["label"] for actor in level["actors"]]
+    again = opened.client.call("save_scene_as", name="mine-2", revert_to_original=True).data
+    assert again["open_level"] == START
+    assert "Sofa" in [actor["label"] for actor in opened.client.call("get_actors_in_level").data["actors"]]
+    for bad in ("../x", "a/b", "", "a b"):
+        with pytest.raises(CallRefused, match="invalid arguments"):
+            opened.client.call("save_scene_as", name=bad)
