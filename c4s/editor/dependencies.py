@@ -21,13 +21,15 @@ def export_dependencies() -> dict[str, Any]:
 
     Returns ``root`` (the level's package), ``packages`` (all that were reached and resolve, sorted), ``unresolved``
     (named, but in no content; sorted), ``referenced_by`` (each unresolved package to those that name it) and
-    ``content_root`` (the mount that packages are named under). A level that was never saved is itself unresolved. Engine packages are not walked.
+    ``content_root`` (the mount that packages are named under). A level that was never saved is itself unresolved.
+    Engine packages are not walked.
     """
     registry = unreal.AssetRegistryHelpers.get_asset_registry()
     world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
     root = str(world.get_path_name()).split(".", 1)[0]
     options = _options()
-    seen, resolved, missing = {root}, set(), {}
+    seen, resolved = {root}, set()
+    missing: dict[str, set[str]] = {}
     level = [(root, "")]
     for depth in range(MAX_DEPTH + 1):
         following = []

@@ -1,7 +1,7 @@
-"""The scene snapshot (published schema 0.3.0 and c4s's own keys). Runs inside an engine: standard library and ``unreal``.
+"""The scene snapshot (published schema 0.3.0 and c4s's own keys). Runs inside an engine: stdlib and ``unreal`` only.
 
-Centimetres and degrees; ``rotation_deg`` is [pitch, yaw, roll], quaternions are x, y, z, w. An actor that cannot be read
-stops the export: a snapshot is complete, so ``export_errors`` is always empty.
+Centimetres and degrees; ``rotation_deg`` is [pitch, yaw, roll], quaternions are x, y, z, w. An actor that cannot be
+read stops the export: a snapshot is complete, so ``export_errors`` is always empty.
 """
 
 from __future__ import annotations
@@ -199,16 +199,13 @@ def _simple_collision(mesh: Any) -> list[dict[str, Any]] | None:
     geom = setup.get_editor_property("agg_geom")
     if len(geom.get_editor_property("convex_elems")):
         return None
-    bodies: list[dict[str, Any]] = []
-    for elem in geom.get_editor_property("box_elems"):
-        bodies.append({"kind": "box", "center": _row(elem.center), "rotation_deg": _angles(elem.rotation),
-                       "half_extent": [elem.x / 2, elem.y / 2, elem.z / 2]})
-    for elem in geom.get_editor_property("sphere_elems"):
-        bodies.append({"kind": "sphere", "center": _row(elem.center), "radius": elem.radius})
-    for elem in geom.get_editor_property("sphyl_elems"):
-        bodies.append({"kind": "capsule", "center": _row(elem.center), "rotation_deg": _angles(elem.rotation),
-                       "radius": elem.radius, "length": elem.length})
-    return bodies
+    boxes = [{"kind": "box", "center": _row(elem.center), "rotation_deg": _angles(elem.rotation),
+              "half_extent": [elem.x / 2, elem.y / 2, elem.z / 2]} for elem in geom.get_editor_property("box_elems")]
+    spheres = [{"kind": "sphere", "center": _row(elem.center), "radius": elem.radius}
+               for elem in geom.get_editor_property("sphere_elems")]
+    capsules = [{"kind": "capsule", "center": _row(elem.center), "rotation_deg": _angles(elem.rotation),
+                 "radius": elem.radius, "length": elem.length} for elem in geom.get_editor_property("sphyl_elems")]
+    return [*boxes, *spheres, *capsules]
 
 
 def export_snapshot() -> dict[str, Any]:

@@ -44,7 +44,8 @@ def exported(what: str):
 def build_scene(unreal):
     """One of each kind of thing that a level document holds."""
     spawn = unreal.EditorLevelLibrary.spawn_actor_from_class
-    post = unreal.EditorLevelLibrary.spawn_actor_from_object(unreal.load_asset("/Game/T/SM_Post"), unreal.Vector(1, 2, 3),
+    mesh = unreal.load_asset("/Game/T/SM_Post")
+    post = unreal.EditorLevelLibrary.spawn_actor_from_object(mesh, unreal.Vector(1, 2, 3),
                                                              unreal.Rotator(10, 20, 30))
     post.set_actor_scale3d(unreal.Vector(-1.5, 1, 2))
     post.set_editor_property("tags", ["simcodearena.stable_actor_id=sca_source_1", "simcodearena.actor_origin=source"])
@@ -157,7 +158,8 @@ def test_loading_closes_without_saving(pack, tmp_path):
         actor.get_name()
 
 
-@pytest.mark.parametrize("path", ["/Game/../../etc/x", "/Engine/Maps/X", "Game/X", "/Game/", "/Game/a b", "/Game/T/SM_Post"])
+@pytest.mark.parametrize("path", ["/Game/../../etc/x",
+                                  "/Engine/Maps/X", "Game/X", "/Game/", "/Game/a b", "/Game/T/SM_Post"])
 def test_places_where_no_level_can_be_saved(pack, tmp_path, path):
     unreal = boot([pack], tmp_path / "content")
     assert not unreal.EditorLoadingAndSavingUtils.save_map(unreal.EditorLevelLibrary.get_editor_world(), path)

@@ -71,8 +71,7 @@ def _fill_mesh(world: World, component: StaticMeshComponent, path: str | None) -
     mesh = world.find(path) if path else None
     if path and not isinstance(mesh, StaticMesh):
         world.log.warning(f"{component._path()}: failed to find static mesh '{path}'")
-        mesh = None
-    component._mesh = mesh
+    component._mesh = mesh if isinstance(mesh, StaticMesh) else None
 
 
 def _fill(world: World, actor: Actor, component: ActorComponent, doc: LevelComponent, where: str) -> None:
@@ -182,7 +181,7 @@ def _component_plain(component: ActorComponent, is_root: bool) -> dict[str, Any]
         fixed = {s: m for s, m in component._materials.items() if not m._dead}
         out["materials"] = {str(s): m._path() for s, m in sorted(fixed.items())
                             if not isinstance(m, MaterialInstanceDynamic)}
-        dynamic = {str(s): {"name": m._name, "parent": m._parent()._path() if m._parent() else "",
+        dynamic = {str(s): {"name": m._name, "parent": "".join(m._references()),
                             "vectors": {k: list(v) for k, v in m._vectors.items()}, "scalars": dict(m._scalars)}
                    for s, m in sorted(fixed.items()) if isinstance(m, MaterialInstanceDynamic)}
         if dynamic:
@@ -209,7 +208,7 @@ def actor_plain(actor: Actor) -> dict[str, Any]:
     if actor._folder:
         out["folder"] = actor._folder
     if parent is not None:
-        out["parent"] = parent._outer._name
+        out["parent"] = parent.get_owner()._name
     if actor._values.get("hidden"):
         out["hidden"] = True
     properties = codec.stored(actor._properties, actor._values)

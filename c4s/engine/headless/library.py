@@ -84,7 +84,7 @@ class AssetLibrary:
         made._dirty = False
         return made
 
-    def _of_pack(self, path: str) -> AssetObject | Class | None:
+    def _of_pack(self, path: str) -> Any:
         material = self.store.material(path)
         if material is not None:
             return self._shared(material.path, lambda: self._pack_material(material))

@@ -1,6 +1,6 @@
 """Poses: Unreal's FTransform as plain tuples (cm, quaternion x y z w, signed scale), with its composition rules.
 
-Composition drops shear, as Unreal does: a rotated child of a non-uniformly scaled parent is not the product of matrices.
+Composition drops shear, as Unreal does: a turned child of a non-uniformly scaled parent is not a matrix product.
 """
 
 from __future__ import annotations

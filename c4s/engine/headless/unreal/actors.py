@@ -1,5 +1,7 @@
 """Actors: identity, transforms, attachment, components, bounds."""
 
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
 from __future__ import annotations
 
 from typing import Any, ClassVar
@@ -323,8 +325,8 @@ class Actor(Object):
     def get_attach_parent_actor(self) -> Actor | None:
         """The actor that this one is attached to."""
         parent = self._root()._parent
-        found: Actor | None = parent._outer if parent is not None else None
-        return found
+        owner: Any = parent._outer if parent is not None else None
+        return owner  # type: ignore[no-any-return]
 
     @api
     def get_attached_actors(self, reset_array: bool = True, recursively_include_attached_actors: bool = False) -> Array:
@@ -332,7 +334,7 @@ class Actor(Object):
         found: list[Any] = []
         for component in self._components:
             for child in component._children if isinstance(component, SceneComponent) else []:
-                owner = child._outer
+                owner: Any = child._outer
                 if owner is not self and owner not in found:
                     found.append(owner)
                     if recursively_include_attached_actors:

@@ -1,5 +1,7 @@
 """Finding, creating, saving and editing assets: EditorAssetLibrary, the registry, asset tools, materials."""
 
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -112,7 +114,7 @@ class AssetData(StructBase):
 
     def is_valid(self) -> bool:
         """Whether it names an asset."""
-        return not self.package_name.is_none()  # type: ignore[no-any-return,attr-defined]
+        return not self.package_name.is_none()
 
     def get_asset(self) -> Any:
         """The asset."""
@@ -125,7 +127,7 @@ class AssetData(StructBase):
 
     def get_full_name(self) -> str:
         """Class and path."""
-        return f"{self.asset_class} {self._object_path()}"  # type: ignore[attr-defined]
+        return f"{self.asset_class} {self._object_path()}"
 
     def is_asset_loaded(self) -> bool:
         """Everything that resolves is in memory."""
@@ -338,8 +340,9 @@ class EditorAssetLibrary(Object):
     @api
     def save_directory(cls, directory_path: str, only_if_is_dirty: bool = True, recursive: bool = True) -> bool:
         """Save the created assets of a folder."""
-        return all([world().save(a) for a in list(world().created.values())
-                    if _in_folder(a._path(), str(directory_path), recursive)])
+        saved = [world().save(a) for a in list(world().created.values())
+                 if _in_folder(a._path(), str(directory_path), recursive)]
+        return all(saved)
 
     @classmethod
     @api
@@ -502,7 +505,7 @@ class MaterialEditingLibrary(Object):
                                   property: MaterialProperty) -> bool:
         """Let an expression drive an input of its material; False for inputs that a surface here does not have."""
         material, field = from_expression._outer, SURFACE_FIELDS.get(property.name)
-        if field is None:
+        if field is None or not isinstance(material, Material):
             return False
         material._links = {**getattr(material, "_links", {}), field: from_expression}
         recompile(material)

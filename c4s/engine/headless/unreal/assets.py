@@ -1,5 +1,7 @@
 """Asset classes: static meshes, materials and their instances, Blueprints."""
 
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
 from __future__ import annotations
 
 import re
@@ -7,7 +9,7 @@ from typing import Any, ClassVar
 
 from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import Class, Object, ObjectBase, Prop, api, public
+from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public
 from c4s.engine.headless.unreal.enums import BlendMode, CollisionTraceFlag
 from c4s.engine.headless.unreal.structs import Box, BoxSphereBounds, LinearColor, Rotator, StructBase, Vector
 from c4s.packs import manifest
@@ -49,9 +51,6 @@ class AssetObject(Object):
 
     def _references(self) -> list[str]:
         return []
-
-
-TYPE_BASES = (AssetObject, ObjectBase)
 
 
 @public
@@ -127,7 +126,10 @@ class _Overriding(MaterialInterface):
 
     def _vector(self, name: object) -> LinearColor:
         field = parameter_field(name, True)
-        return LinearColor(*getattr(self._surface(), field), 1.0) if field else LinearColor()
+        if not field:
+            return LinearColor()
+        r, g, b = getattr(self._surface(), field)
+        return LinearColor(r, g, b, 1.0)
 
     def _scalar(self, name: object) -> float:
         field = parameter_field(name, False)
@@ -247,7 +249,10 @@ class BodySetup(Object):
 def aggregate(asset: Asset) -> KAggregateGeom:
     """An asset's collision bodies in Unreal's structs."""
     geom = KAggregateGeom()
-    boxes, spheres, capsules, hulls = [], [], [], []
+    boxes: list[KBoxElem] = []
+    spheres: list[KSphereElem] = []
+    capsules: list[KSphylElem] = []
+    hulls: list[KConvexElem] = []
     for body in asset.collision:
         if isinstance(body, manifest.BoxBody):
             x, y, z = (2 * h for h in body.half_extent)

@@ -1,5 +1,7 @@
 """Components: the scene hierarchy, meshes and instanced meshes."""
 
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence

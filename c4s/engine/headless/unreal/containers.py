@@ -163,7 +163,7 @@ class Array:
 
     def sort(self, key: Callable[[Any], Any] | None = None, reverse: bool = False) -> None:
         """Sort in place."""
-        self._items.sort(key=key, reverse=reverse)  # type: ignore[type-var,arg-type]
+        self._items.sort(key=key, reverse=reverse)
 
     def resize(self, len: int) -> None:
         """Cut to ``len`` items; growing is refused for items without a default."""

@@ -1,7 +1,7 @@
 """The strict object model of the ``unreal`` module: checked calls, editor properties, classes and objects.
 
-An unknown name is an ``AttributeError``, a wrong number or type of arguments a ``TypeError``, an unknown editor property
-an ``Exception``: as in Unreal's own Python.
+An unknown name is an ``AttributeError``, a wrong number or type of arguments a ``TypeError``, an unknown editor
+property an ``Exception``: as in Unreal's own Python.
 """
 
 from __future__ import annotations
@@ -320,12 +320,12 @@ class Object(ObjectBase):
     @api
     def get_outermost(self) -> Package:
         """The package."""
-        return Package._make(self._path().split(".", 1)[0], None)
+        return _package(self)
 
     @api
     def get_package(self) -> Package:
         """The package."""
-        return Package._make(self._path().split(".", 1)[0], None)
+        return _package(self)
 
     @api
     def get_world(self) -> Any:
@@ -361,6 +361,11 @@ class Package(Object):
         return str(self._name)
 
 
+def _package(of: Object) -> Package:
+    made: Package = Package._make(of._path().split(".", 1)[0], None)
+    return made
+
+
 @public
 class Class(Object):
     """A class: a type of this module, or a Blueprint's generated class."""
@@ -386,10 +391,11 @@ def as_class(value: Class | type) -> Class:
     """The class object of a type, one a type."""
     if isinstance(value, Class):
         return value
-    path = value._class_path()
+    kind: type[Object] = value
+    path = kind._class_path()
     if path not in _CLASSES:
         made: Class = Class._make(value.__name__, None)
-        made._bind(value, path)
+        made._bind(kind, path)
         _CLASSES[path] = made
     return _CLASSES[path]
 

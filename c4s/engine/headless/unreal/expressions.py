@@ -1,5 +1,7 @@
 """Material expressions that give constants, and their evaluation into a surface."""
 
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,4 @@
-"""Static function libraries and module functions: SystemLibrary, GameplayStatics, MathLibrary, Paths, logging, loading."""
+"""Static function libraries and module functions: system, gameplay, mathematics, paths, logging, loading."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class SystemLibrary(Object):
 
     @classmethod
     @api
-    def get_path_name(cls, object: Object | None) -> str:
+    def get_path_name(cls, object: Object | None) -> str:  # type: ignore[override]
         """Object path."""
         return object.get_path_name() if object is not None else ""
 

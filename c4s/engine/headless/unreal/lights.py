@@ -1,5 +1,7 @@
 """Light, sky, fog, camera and volume components, with the properties that the snapshot and the renderer read."""
 
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.components import Bounds, PrimitiveComponent, SceneComponent

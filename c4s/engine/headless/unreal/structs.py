@@ -1,4 +1,6 @@
-"""Unreal's structs: values, never references. Centimetres and degrees; ``Rotator(roll, pitch, yaw)``, ``Color(b, g, r, a)``."""
+"""Unreal's structs: values, never references. Cm and degrees; ``Rotator(roll, pitch, yaw)``, ``Color(b, g, r, a)``."""
+
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
 
 from __future__ import annotations
 
@@ -54,7 +56,7 @@ class StructBase:
         raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and self.to_tuple() == other.to_tuple()  # type: ignore[attr-defined]
+        return type(other) is type(self) and self.to_tuple() == other.to_tuple()
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -17,6 +17,9 @@ from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
 from c4s.packs.manifest import HullBody
 
+ABSTRACT = ("Light", "Info", "Volume")
+"""Actor classes that cannot be placed."""
+
 
 def actors() -> Array:
     """All actors of the open level."""
@@ -26,8 +29,7 @@ def actors() -> Array:
 def spawn_from_class(wanted: Class | type, location: Vector, rotation: Rotator) -> Actor | None:
     """Spawn an actor of a class; None (and why, logged) for a class that is no actor."""
     made = as_class(wanted)
-    if not subclass_of(made, Actor) or made._python_type.__name__ in ("Actor", "Light", "Info", "Volume") and (
-            made._blueprint is None and made._python_type is not Actor):
+    if not subclass_of(made, Actor) or made._python_type.__name__ in ABSTRACT:
         world().log.error(f"SpawnActor: '{made._path()}' is not a class that can be placed")
         return None
     pose = Pose.from_rotator(location._triple(), rotation._triple())
@@ -100,7 +102,8 @@ class EditorActorSubsystem(EditorSubsystem):
     @api
     def destroy_actors(self, actors_to_destroy: Sequence[Actor]) -> bool:
         """Take actors out of the level."""
-        return all([world().destroy(a) for a in actors_to_destroy])
+        gone = [world().destroy(a) for a in actors_to_destroy]
+        return all(gone)
 
     @api
     def duplicate_actor(self, actor_to_duplicate: Actor, to_world: World | None = None,
@@ -188,10 +191,9 @@ def _new_level(path: str) -> bool:
     if world().level_file(str(path).split(".", 1)[0]) is not None:
         world().log.error(f"NewLevel: '{path}' exists already")
         return False
-    before = world().actor_list()
     if world().content_file(str(path).split(".", 1)[0], ".level.json") is None or world().exists(str(path)):
         world().log.error(f"NewLevel: '{path}' cannot be a level")
-        return bool(before) and False
+        return False
     world().new_map(str(path).split(".", 1)[0])
     return world().save_map(str(path))
 
