@@ -1,0 +1,96 @@
+"""The leaderboard in SQL gives what the score package gives, and gates on coverage."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from c4s.case.package import SETTINGS
+from c4s.errors import BadInput
+from c4s.score.aggregate import aggregate
+from warehouse.database import ask, rebuild, rows
+from warehouse.parquet import write_part
+from warehouse.records import OutcomeRow, ScheduleRow
+
+CASES = {"text-to-scene": 3, "image-to-scene/indoor": 2, "image-to-scene/outdoor": 4}
+AGENTS = ("alpha", "beta", "gamma")
+SCORES = st.sampled_from([None, 0.0, 0.2, 0.25, 1.0, 0.123456])
+
+
+def _store(root: Path, scores: dict[tuple[str, str, int], float | None], *, judge: str = "rule",
+           unranked: tuple[str, ...] = ()) -> None:
+    for (agent, setting, number), score in scores.items():
+        key = f"{agent}-{setting.replace('/', '-')}-{number}-{judge}"
+        base = {"trial_id": key, "run_id": "run", "suite": "s", "configuration": agent, "repeat": 1,
+                "case_id": f"{setting}-{number}"}
+        shared = {"setting": setting, "scene_id": "scene", "policy": "p", "judge": judge, "engine": "headless",
+                  "suite_digest": "d", "ranked": agent not in unranked}
+        write_part(root, "schedule", [ScheduleRow(
+            **base, **shared, client=agent, model=None, title="", prompt="", operations="", operation_group=None,
+            difficulty=None, proxy_assets=False)], suite="s", configuration=agent, key=key)
+        if score is None:
+            continue
+        write_part(root, "outcomes", [OutcomeRow(
+            **base, **shared, status="measured", score=score, reason="", detailed=None, known_coverage=None,
+            overview=None, physics=0.5, repair_precision=None, repair_recall=None, repair_f1=score, attempts=1,
+            retained_attempt=1, tool_calls=1, attempt_wall_s=1.0, evaluation_s=1.0, orchestration_s=0.0,
+            input_tokens=None, output_tokens=None, cost_usd=None, score_sha256="0")],
+            suite="s", configuration=agent, key=key)
+    rebuild(root)
+
+
+def _grid() -> list[tuple[str, str, int]]:
+    return [(agent, setting, number) for agent in AGENTS for setting in SETTINGS for number in range(CASES[setting])]
+
+
+@settings(max_examples=12, deadline=None)
+@given(st.lists(SCORES, min_size=len(_grid()), max_size=len(_grid())))
+def test_the_sql_agrees_with_the_score_package(values: list[float | None]) -> None:
+    scores = dict(zip(_grid(), values, strict=True))
+    wanted = aggregate([{"model": agent, "setting": setting, "case_id": f"{setting}-{number}", "score": score,
+                         "repair_f1": score, "physics": 0.5}
+                        for (agent, setting, number), score in scores.items() if score is not None] or
+                       [{"model": "alpha", "setting": "text-to-scene", "case_id": "text-to-scene-0", "score": 0.0}],
+                       schedule={setting: [f"{setting}-{n}" for n in range(CASES[setting])] for setting in SETTINGS},
+                       missing_as_zero=False)
+    with TemporaryDirectory() as folder:
+        _store(Path(folder), scores)
+        found = {row["configuration"]: row for row in rows(Path(folder), "SELECT * FROM leaderboard")}
+    assert set(found) == set(AGENTS)
+    for line in wanted:
+        row = found[line["model"]]
+        for ours, theirs in (("model_score", "model_score"), ("text_to_scene", "t2s_score"),
+                             ("image_to_scene", "i2s_score"), ("indoor", "indoor_i2s_score")):
+            if line[theirs] is None or all(score is None for key, score in scores.items() if key[0] == line["model"]):
+                continue
+            assert row[ours] == pytest.approx(line[theirs], abs=1e-12)
+        if line["model_score"] is not None:
+            assert row["rank"] == line["model_rank"]
+    for agent, row in found.items():
+        if any(score is None for key, score in scores.items() if key[0] == agent):
+            assert row["model_score"] is None and row["rank"] is None
+
+
+def test_other_judges_and_validating_agents_are_never_ranked_together(tmp_path: Path) -> None:
+    high, low = dict.fromkeys(_grid(), 0.9), dict.fromkeys(_grid(), 0.1)
+    _store(tmp_path, high, unranked=("gamma",))
+    _store(tmp_path, low, judge="model")
+    found = {(row["judge"], row["configuration"]): row["rank"] for row in rows(tmp_path, "SELECT * FROM leaderboard")}
+    assert found == {("rule", "alpha"): 1, ("rule", "beta"): 1, ("rule", "gamma"): None,
+                     ("model", "alpha"): 1, ("model", "beta"): 1, ("model", "gamma"): 1}
+
+
+def test_an_empty_warehouse_answers_and_a_wrong_query_is_one_line(tmp_path: Path) -> None:
+    with pytest.raises(BadInput, match="no warehouse"):
+        ask(tmp_path, "SELECT 1")
+    rebuild(tmp_path)
+    assert ask(tmp_path, "SELECT * FROM leaderboard")[1] == []
+    with pytest.raises(BadInput) as caught:
+        ask(tmp_path, "SELECT nosuch FROM outcomes")
+    assert "\n" not in caught.value.line() and "nosuch" in caught.value.line()
+    with pytest.raises(BadInput):
+        ask(tmp_path, "DELETE FROM outcomes")
