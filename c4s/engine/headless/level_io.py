@@ -167,6 +167,14 @@ def _attach(level: Level, actors: dict[str, Actor], where: str) -> None:
         root._world = world_pose
 
 
+def _below_root(component: SceneComponent) -> Pose:
+    """Pose relative to the actor's root, whatever the component is attached to."""
+    root = component.get_owner()._root()
+    if component._parent is root:
+        return component._relative
+    return relative_to(component._world_pose(), root._world_pose())
+
+
 def _component_plain(component: ActorComponent, is_root: bool) -> dict[str, Any]:
     properties = codec.stored(component._properties, component._values)
     out: dict[str, Any] = {"name": component._name, "class_path": component._class_path()}
@@ -189,7 +197,7 @@ def _component_plain(component: ActorComponent, is_root: bool) -> dict[str, Any]
     if isinstance(component, InstancedStaticMeshComponent):
         out["instances"] = [_plain(pose) for pose in component._instances]
     if isinstance(component, SceneComponent) and not is_root:
-        out["relative"] = _plain(component._relative)
+        out["relative"] = _plain(_below_root(component))
     if properties:
         out["properties"] = properties
     return out

@@ -59,6 +59,22 @@ class MaterialInstanceConstantFactoryNew(Factory):
 
 
 @public
+class BlueprintFactory(Factory):
+    """Makes Blueprints in Unreal; the headless engine refuses to."""
+
+    _declares = {"parent_class": Prop("Class | None", None)}
+
+
+@public
+class AssetImportTask(Object):
+    """A file to import; the headless engine refuses to import."""
+
+    _declares = {"filename": Prop("str", ""), "destination_path": Prop("str", ""), "destination_name": Prop("str", ""),
+                 "automated": Prop("bool", False), "save": Prop("bool", False), "replace_existing": Prop("bool", False),
+                 "imported_object_paths": Prop("Sequence[str]", lambda: Array._of("str", []), writable=False)}
+
+
+@public
 class TopLevelAssetPath(StructBase):
     """Path of an asset or class: package and name."""
 
@@ -410,6 +426,13 @@ class AssetTools(Object):
             return None
         world().create(made)
         return made
+
+
+    @api
+    def import_asset_tasks(self, import_tasks: Sequence[AssetImportTask]) -> None:
+        """Refused: a case offers the assets of its packs only."""
+        for task in import_tasks:
+            world().log.error(f"ImportAssetTasks: importing '{task.filename}' is refused by the headless engine")
 
 
 @public

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import Any
 
@@ -15,8 +15,11 @@ from c4s.engine.headless.unreal.assets import MaterialInstanceDynamic, MaterialI
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Name, Text
 from c4s.engine.headless.unreal.core import Class, Object, api, as_class, public, subclass_of
-from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
+from c4s.engine.headless.unreal.enums import DrawDebugTrace, TraceTypeQuery
+from c4s.engine.headless.unreal.structs import LinearColor, Rotator, Transform, Vector
+from c4s.engine.headless.unreal.subobjects import SubobjectDataSubsystem
 from c4s.engine.headless.unreal.subsystems import SUBSYSTEMS, EditorSubsystem
+from c4s.engine.headless.unreal.traces import HitResult, line_hits
 from c4s.scene.transform import look_at, quat_from_rotator
 
 ENGINE_VERSION = "5.6.0-c4s.headless"
@@ -79,6 +82,36 @@ class SystemLibrary(Object):
             return component.get_world_location(), Vector(), 0.0
         origin, extent = component._world_pose().box(*local)
         return Vector(*origin), Vector(*extent), math.hypot(*extent)
+
+    @classmethod
+    @api
+    def line_trace_single(cls, world_context_object: Object | None, start: Vector, end: Vector,
+                          trace_channel: TraceTypeQuery, trace_complex: bool, actors_to_ignore: Sequence[Actor],
+                          draw_debug_type: DrawDebugTrace, ignore_self: bool,
+                          trace_color: LinearColor = LinearColor(1, 0, 0, 1),  # noqa: B008
+                          trace_hit_color: LinearColor = LinearColor(0, 1, 0, 1),  # noqa: B008
+                          draw_time: float = 5.0) -> HitResult | None:
+        """First hit along a line on the triangles of meshes with collision, or None. Nothing is drawn."""
+        hits = line_hits(start, end, list(actors_to_ignore))
+        return hits[0] if hits else None
+
+    @classmethod
+    @api
+    def line_trace_multi(cls, world_context_object: Object | None, start: Vector, end: Vector,
+                         trace_channel: TraceTypeQuery, trace_complex: bool, actors_to_ignore: Sequence[Actor],
+                         draw_debug_type: DrawDebugTrace, ignore_self: bool,
+                         trace_color: LinearColor = LinearColor(1, 0, 0, 1),  # noqa: B008
+                         trace_hit_color: LinearColor = LinearColor(0, 1, 0, 1),  # noqa: B008
+                         draw_time: float = 5.0) -> Array | None:
+        """Hits along a line up to the first that blocks (every mesh blocks), or None."""
+        hits = line_hits(start, end, list(actors_to_ignore))
+        return Array._of("HitResult", hits[:1]) if hits else None
+
+    @classmethod
+    @api
+    def quit_editor(cls) -> None:
+        """Refused: the engine is ended by whoever started it."""
+        world().log.error("QuitEditor: the headless engine is ended by the harness, not by a script")
 
     @classmethod
     @api
@@ -369,12 +402,28 @@ def get_editor_subsystem(subsystem: Class | type) -> Any:
     return _SUBSYSTEMS.get(wanted)
 
 
+@api
+def get_engine_subsystem(subsystem: Class | type) -> Any:
+    """An engine subsystem."""
+    if as_class(subsystem)._python_type is not SubobjectDataSubsystem:
+        raise TypeError(f"get_engine_subsystem: '{as_class(subsystem).get_name()}' is no engine subsystem")
+    return _SUBOBJECTS
+
+
+@api
+def new_object(type: Class | type, outer: Object | None = None, name: Name | str = "None",
+               base_type: Class | type | None = None) -> Any:
+    """A new object of a class that scripts may make."""
+    return as_class(type)._python_type(outer, name)
+
+
 def is_editor() -> bool:
     """This is an editor."""
     return True
 
 
 _SUBSYSTEMS = {kind: kind._make(kind.__name__, None) for kind in SUBSYSTEMS}
+_SUBOBJECTS: SubobjectDataSubsystem = SubobjectDataSubsystem._make("SubobjectDataSubsystem", None)
 _ticks: dict[int, Callable[[float], None]] = {}
 
 
@@ -419,5 +468,6 @@ def mesh_facts(path: str) -> dict[str, Any] | None:
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     f.__name__: f for f in (
         log, log_warning, log_error, load_asset, find_asset, load_object, find_object, load_class, get_editor_subsystem,
+        get_engine_subsystem, new_object,
         is_editor, register_slate_post_tick_callback, unregister_slate_post_tick_callback)}
 FUNCTIONS["c4s_mesh_facts"] = mesh_facts
