@@ -52,9 +52,8 @@ def _blue_rug(b: Builder) -> None:
 def _curtain(b: Builder) -> None:
     count = 36
     front = [(-35 + 70 * i / count, 3 * math.sin(i * math.pi / 3)) for i in range(count + 1)]
-    b.extrude("CurtainFabric", [(x, y - 0.5) for x, y in front] + [(x, y + 0.5) for x, y in reversed(front)], 238,
-              (0, 0, 1), body="box")
-    b.body_box((60, 5, 2))
+    b.extrude("CurtainFabric", [(x, y - 0.5) for x, y in front] + [(x, y + 0.5) for x, y in reversed(front)], 239,
+              body="box")
     b.tube("Brass", [(-40, 0, 241), (40, 0, 241)], 1.2)
 
 

@@ -229,7 +229,8 @@ def _pens(b: Builder) -> None:
     b.cylinder("DarkMetal", 4, 10, segments=16)
     for i, material in enumerate(("BookRed", "BookBlue", "AccentGreen", "BookOchre")):
         a = i * 1.6
-        b.tube(material, [(math.cos(a), math.sin(a), 8), (2.6 * math.cos(a), 2.6 * math.sin(a), 16 + i)], 0.4, segments=6)
+        c, s = math.cos(a), math.sin(a)
+        b.tube(material, [(c, s, 8), (2.6 * c, 2.6 * s, 16 + i)], 0.4, segments=6)
 
 
 @KIT.asset("CoffeeMug", "decor", "Ceramic mug with a handle.", "mug cup coffee")

@@ -1,0 +1,91 @@
+"""The indoor scenes stand properly, and their cases can be built and repaired."""
+
+from pathlib import Path
+
+import pytest
+
+from c4s.engine.evidence import export_level
+from c4s.files import read_json
+from c4s.packs.store import PackStore
+from c4s.verify.physics import verify_physics
+from cases.checks import check_repair, check_scene
+from cases.corruption import apply, id_of
+from cases.model import RepairCase, Scene, TextCase
+from cases.requirements import bundle, families
+from cases.starter.indoor_cases import cases, scenes
+from cases.starter.indoor_text_cases import INDOOR_TEXT_CASES
+from catalog.build import build_starter
+
+INDOOR_SCENES = scenes()
+INDOOR_CASES = [case for case in cases(INDOOR_SCENES) if isinstance(case, RepairCase)]
+HUNG = {"pendant_lamp", "ceiling_light_panel", "wall_whiteboard", "pin_board", "wall_clock", "framed_poster",
+        "wall_shelf", "wall_cabinet", "wall_mirror", "towel_rail", "ceiling_lamp", "hills_picture", "dusk_picture"}
+WALL_OBJECTS = ("Whiteboard", "Clock", "Poster", "PinBoard", "Picture", "Mirror", "WallCabinet", "TowelRail")
+
+
+@pytest.fixture(scope="session")
+def indoor_packs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    root = tmp_path_factory.mktemp("packs")
+    build_starter(root, ["c4s-office", "c4s-home"])
+    return root
+
+
+@pytest.mark.parametrize("pack_id", ["c4s-office", "c4s-home"])
+def test_every_asset_has_a_real_size_a_description_and_bodies_within_it(indoor_packs: Path, pack_id: str) -> None:
+    store = PackStore([indoor_packs / pack_id])
+    pack = store.packs[indoor_packs / pack_id]
+    assert len(pack.assets) >= 40 and len([a for a in pack.assets if a.kind == "blueprint"]) >= 3
+    for asset in pack.assets:
+        assert asset.description and asset.tags, asset.id
+        assert all(0.005 <= size <= 3.2 for size in asset.size_m), (asset.id, asset.size_m)
+        if asset.kind == "static_mesh":
+            low, high = store.mesh(asset.path).bounds_cm
+            assert low == pytest.approx(asset.bounds_min_cm, abs=2e-3)
+            assert high == pytest.approx(asset.bounds_max_cm, abs=2e-3)
+            assert asset.collision, asset.id
+            assert abs(asset.bounds_min_cm[2]) < 1 or asset.id in HUNG, "pivot at the floor, or where it hangs"
+
+
+@pytest.mark.parametrize("scene", INDOOR_SCENES, ids=lambda s: s.scene_id)
+def test_scenes_stand_without_floating_or_penetration(scene: Scene, indoor_packs: Path, tmp_path: Path) -> None:
+    pack = indoor_packs / scene.packs[0]
+    check_scene(scene, {asset.path for asset in PackStore([pack]).assets()})
+    ids = [id_of(actor) for actor in scene.level.actors]
+    assert None not in ids and len(set(ids)) == len(ids)
+    document = tmp_path / "scene.level.json"
+    scene.level.write(document)
+    export_level(packs=[pack], level=document, out=tmp_path / "snapshot.json")
+    exported = read_json(tmp_path / "snapshot.json")
+    assert len(exported["actors"]) == len(scene.level.actors)
+    leaves = {leaf["leaf_id"]: leaf for leaf in verify_physics("text-to-scene", exported).measurements["leaf_results"]}
+    assert leaves["solid_penetration"]["score"] == 1.0
+    floating = leaves["floating"]["floating_actors"]
+    assert [name for name in floating if not any(word in name for word in WALL_OBJECTS)] == []
+
+
+def test_scene_sizes() -> None:
+    count = {scene.scene_id: len(scene.level.actors) for scene in INDOOR_SCENES}
+    assert count["starter-office"] >= 200 and 95 <= count["starter-flat"] <= 150
+
+
+@pytest.mark.parametrize("case", INDOOR_CASES, ids=lambda c: c.case_id)
+def test_repair_cases_can_be_applied_and_solved(case: RepairCase) -> None:
+    scene = next(scene for scene in INDOOR_SCENES if scene.scene_id == case.scene_id)
+    corrupted = apply(scene.level, case.operations, "/Game/Code4SceneInputs/x/Input")
+    check_repair(case, scene.level, corrupted)
+    assert len(case.views) == 2 and case.setting == "image-to-scene/indoor"
+
+
+def test_repair_cases_cover_every_kind_and_chain_length() -> None:
+    assert {kind for case in INDOOR_CASES for kind in case.kinds} == {
+        "removal", "insertion", "duplication", "replacement", "move", "rotate", "rescale", "mirror"}
+    assert {len(case.kinds) for case in INDOOR_CASES} == {1, 2, 3, 4, 5}
+    assert {case.group for case in INDOOR_CASES} == {"Restore", "Lifecycle", "Layout", "Symmetry", "Transform"}
+
+
+@pytest.mark.parametrize("case", INDOOR_TEXT_CASES, ids=lambda c: c.case_id)
+def test_text_cases_have_bundles_over_all_families(case: TextCase) -> None:
+    assert 80 <= len(case.description.split()) <= 200
+    made = bundle(case.case_id, case.description, case.description + "\n\nrest", case.requirements)
+    assert len(made["requirements"]) == len(case.requirements.predicates)
+    assert len(families(case.requirements)) == 4
