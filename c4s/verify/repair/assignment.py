@@ -6,7 +6,7 @@ one by one, and among columns of equal reduced cost the lower index wins. SciPy'
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,29 +16,35 @@ def maximum_matching(left: Iterable[int], edges: Callable[[int], Sequence[int]],
                      taken: dict[int, int] | None = None) -> dict[int, int]:
     """Maximum-cardinality matching, ``{left: right}``.
 
-    ``left`` nodes enter in order and, once matched, stay matched; ``edges(node)`` lists the right nodes of a left
-    node, preferred first. Right nodes in ``taken`` (right to left) belong to others and stay there.
+    ``left`` nodes enter in order and, once matched, stay matched. ``edges(node)`` lists the right nodes of a left
+    node, preferred first; a free one is taken before others are moved. Right nodes in ``taken`` (right to left)
+    belong to others and stay there.
     """
-    reserved = taken or {}
+    closed = set(taken or ())
     owner: dict[int, int] = {}
     held: dict[int, int] = {}
+    free: dict[int, Iterator[int]] = {}
     for root in left:
         seen: set[int] = set()
         path = [(root, iter(edges(root)))]
         while path:
-            options = path[-1][1]
-            right = next((r for r in options if r not in seen and r not in reserved), None)
+            node, options = path[-1]
+            if node not in free:
+                free[node] = iter(edges(node))
+            end = next((r for r in free[node] if r not in owner and r not in closed), None)
+            if end is not None:
+                freed = [held[successor] for successor, _ in path[1:]] + [end]
+                for (member, _), taken_now in zip(path, freed, strict=True):
+                    owner[taken_now], held[member] = member, taken_now
+                break
+            right = next((r for r in options if r not in seen and r not in closed), None)
             if right is None:
                 path.pop()
                 continue
             seen.add(right)
-            if right in owner:
-                path.append((owner[right], iter(edges(owner[right]))))
-                continue
-            freed = [held[successor] for successor, _ in path[1:]] + [right]
-            for (member, _), taken_now in zip(path, freed, strict=True):
-                owner[taken_now], held[member] = member, taken_now
-            break
+            path.append((owner[right], iter(edges(owner[right]))))
+        else:
+            closed |= seen
     return held
 
 

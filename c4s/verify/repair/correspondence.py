@@ -33,6 +33,8 @@ from c4s.verify.repair.policy import (
 Method: TypeAlias = Literal["unchanged_semantic", "changed_structural_assignment", "pose_anchored_asset_change"]
 _CELL_CM = 16.0
 """Edge of the hash cells: far above the 0.1 cm reach, so that nearly every lookup is in one cell."""
+_STACK = 8
+"""Actors at one point from which verdicts on equal contents are remembered."""
 _REACH_CM = SAME_LOCATION_CM * (1 + 1e-9)
 _PROPERTY_FIELDS = ("class", "asset_path", "component_asset_paths", "material_paths", "component_material_slots",
                     "properties")
@@ -104,7 +106,17 @@ class _Matcher:
                    accept: Callable[[Actor, Actor], bool]) -> dict[int, list[int]]:
         """Acceptable pairs at one place among what is open: indices of candidates by index of the input actor."""
         near = _near((self.start[s] for s in self.open_start), (self.candidate[c] for c in self.open_candidate), key)
-        return {actor.index: [other.index for other in others if accept(actor, other)] for actor, others in near}
+        known: dict[tuple[str, str], bool] = {}
+
+        def accepted(actor: Actor, other: Actor) -> bool:
+            contents = actor.order()[0], other.order()[0]
+            if contents not in known:
+                known[contents] = accept(actor, other)
+            return known[contents]
+
+        return {actor.index: [other.index for other in others
+                              if (accepted if len(others) >= _STACK else accept)(actor, other)]
+                for actor, others in near}
 
     def match(self, edges: dict[int, list[int]], method: Method) -> None:
         """Maximum matching over ``edges``: background first, then targets on what is left."""
@@ -119,7 +131,9 @@ class _Matcher:
             elif options:
                 contested.append(s)
         contested.sort(key=lambda s: self.start[s].order())
-        ordered = {s: sorted(edges[s], key=lambda c: self.candidate[c].order()) for s in contested}
+        choices = sorted({c for s in contested for c in edges[s]}, key=lambda c: self.candidate[c].order())
+        rank = {c: place for place, c in enumerate(choices)}
+        ordered = {s: sorted(edges[s], key=rank.__getitem__) for s in contested}
         background = maximum_matching([s for s in contested if s not in self.targets], ordered.__getitem__)
         targets = maximum_matching([s for s in contested if s in self.targets], ordered.__getitem__,
                                    {c: s for s, c in background.items()})
