@@ -123,6 +123,6 @@ class DepthMeter:
     def _depth(self, a: Body, b: Body) -> float:
         """coal's signed distance, turned; infinite when it is no number."""
         self._distance.clear()
-        depth = -float(coal.distance(a.shape.coal, a.coal_pose, b.shape.coal, b.coal_pose,
+        depth = -float(coal.distance(a.shape, a.coal_pose, b.shape, b.coal_pose,
                                      self._distance_request, self._distance))
         return depth if math.isfinite(depth) else math.inf

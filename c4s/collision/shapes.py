@@ -56,12 +56,17 @@ class Shape:
 class Body:
     """A convex body in the world (cm)."""
 
-    shape: Shape
+    form: Shape
     rotation: Array
     translation: Array
     low: Array
     """World AABB."""
     high: Array
+
+    @property
+    def shape(self) -> Any:
+        """The coal geometry, in the body's own frame."""
+        return self.form.coal
 
     @cached_property
     def coal_pose(self) -> Any:
@@ -71,11 +76,11 @@ class Body:
     @cached_property
     def fcl_object(self) -> Any:
         """The body as python-fcl's collision object."""
-        return fcl.CollisionObject(self.shape.fcl, fcl.Transform(self.rotation, self.translation))
+        return fcl.CollisionObject(self.form.fcl, fcl.Transform(self.rotation, self.translation))
 
     def moved(self, step: Array) -> Body:
         """The body moved by ``step`` (cm)."""
-        return Body(self.shape, self.rotation, self.translation + step, self.low + step, self.high + step)
+        return Body(self.form, self.rotation, self.translation + step, self.low + step, self.high + step)
 
 
 def quaternion_matrix(quaternion_xyzw: Sequence[float]) -> Array:
@@ -160,8 +165,9 @@ class BodyFactory:
         self._shapes: dict[tuple[str, tuple[float, ...]], list[Shape]] = {}
 
     def knows(self, mesh: str) -> bool:
-        """Whether the snapshot describes the mesh."""
-        return isinstance(self._meshes.get(mesh), Mapping)
+        """Whether the snapshot holds the mesh's collision bodies (null: the engine could not read them)."""
+        facts = self._meshes.get(mesh)
+        return isinstance(facts, Mapping) and isinstance(facts.get("collision"), list)
 
     def place(self, mesh: str, transform: Mapping[str, Any]) -> list[Body]:
         """World bodies of a mesh under a component's world transform; ``ValueError`` when its numbers are unusable."""
@@ -171,7 +177,7 @@ class BodyFactory:
                     else rotation_matrix(vector(transform.get("rotation_deg")).tolist()))
         key = mesh, tuple(scale.tolist())
         if key not in self._shapes:
-            shapes = [scaled_shape(body, scale) for body in self._meshes[mesh].get("collision") or []]
+            shapes = [scaled_shape(body, scale) for body in self._meshes[mesh]["collision"]]
             self._shapes[key] = [shape for shape in shapes if shape is not None]
         return [shape.place(rotation, location) for shape in self._shapes[key]]
 

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 
-from c4s.collision import contacts
+from c4s.collision import contacts, scene_bodies
 from c4s.scene.transform import affine
 
 CORNERS = np.array([[x, y, z] for x in (-50, 50) for y in (-50, 50) for z in (-50, 50)], dtype=float)
@@ -128,6 +128,12 @@ def test_instances_belong_to_their_actor():
 def test_a_snapshot_without_bodies_has_no_guessed_contacts():
     plain = {"name": "A", "transform": {}, "bounds": {"origin_cm": [0, 0, 0], "extent_cm": [9, 9, 9]}}
     assert contacts({"actors": [plain, dict(plain, name="B")]}) == []
+
+
+@pytest.mark.parametrize("meshes", [{"box": None}, {}])
+def test_a_mesh_with_unreadable_bodies_is_unresolved(meshes):
+    found = scene_bodies(scene(meshes, actor("A", "box"), actor("B", "box")))
+    assert (found.bodies, sorted(found.unresolved)) == ([], [0, 1])
 
 
 def test_chosen_actors_keep_their_contacts_with_all_others():
