@@ -11,6 +11,7 @@ The eight kinds of change (paper, benchmark suite) are made by ``removal``, ``in
 from __future__ import annotations
 
 import hashlib
+import re
 import uuid
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -21,6 +22,7 @@ from pydantic import ConfigDict, Field
 from c4s.errors import BadInput
 from c4s.model import Record
 from c4s.scene.level import Level, LevelActor, LevelComponent, Transform, Vector
+from c4s.scene.transform import normalize_axis
 
 STABLE_ID_TAG = "simcodearena.stable_actor_id="
 ORIGIN_TAG = "simcodearena.actor_origin=source"
@@ -263,7 +265,7 @@ class Author:
     def rotate(self, name: str, yaw_deg: float) -> Corruption:
         """The actor is turned by ``yaw_deg`` about the vertical."""
         pitch, yaw, roll = self.actor(name).transform.rotation_deg
-        turned = (yaw + yaw_deg + 180.0) % 360.0 - 180.0
+        turned = normalize_axis(yaw + yaw_deg)
         return Corruption("rotate", (SetTransform(target=self.target(name), rotation_deg=(pitch, turned, roll)),))
 
     def rescale(self, name: str, factor: float | Vector) -> Corruption:
@@ -280,16 +282,24 @@ class Author:
 
     def _spawn(self, source: dict[str, str], location_cm: Vector, rotation_deg: Vector, scale: Vector,
                expect: dict[str, Any]) -> SpawnActor:
-        stem = next(iter(source.values())).rsplit(".", 1)[-1].removesuffix("_C")
-        name = f"{stem}_{self._free_number(stem)}"
+        name = self._fresh_name(next(iter(source.values())))
         self.names.add(name)
         key = f"{name}|{source}|{location_cm}"
         return SpawnActor(stable_id=stable_id(self.scene_id, key, "spawned"), object_name=name, label=name,
                           source=source, location_cm=location_cm, rotation_deg=rotation_deg, scale=scale, expect=expect)
 
-    def _free_number(self, stem: str) -> int:
-        """A number that no actor of this stem has, from a gap among theirs if there is one: it must tell nothing."""
+    def _fresh_name(self, asset: str) -> str:
+        """An unused object name in the style of the scene's own names, numbered in a gap of theirs if there is one."""
+        stem, width = asset.rsplit(".", 1)[-1].removesuffix("_C"), 1
+        for actor in self.actors.values():
+            shown = next((c.static_mesh for c in actor.components if c.static_mesh), None)
+            style = re.fullmatch(r"(.+)_(\d+)", actor.name)
+            if shown and style:
+                width = 2 if style[2].startswith("0") else width
+                if not actor.name.startswith(("SM_", "BP_")):
+                    stem = stem.removeprefix("SM_").removeprefix("BP_")
         used = {int(name[len(stem) + 1:]) for name in self.names
                 if name.startswith(f"{stem}_") and name[len(stem) + 1:].isdigit()}
         free = [number for number in range(1, max(used, default=0) + 2) if number not in used]
-        return free[int(hashlib.sha256(f"{self.scene_id}|{stem}".encode()).hexdigest()[:8], 16) % len(free)]
+        number = free[int(hashlib.sha256(f"{self.scene_id}|{stem}".encode()).hexdigest()[:8], 16) % len(free)]
+        return f"{stem}_{number:0{width}d}"

@@ -7,6 +7,7 @@ import random
 from collections.abc import Iterable
 
 from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
+from c4s.scene.transform import normalize_axis
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of
 
 STACK_GAP_CM = 0.2
@@ -38,7 +39,7 @@ class Plot:
                                    static_mesh=self.paths[asset])
         self._append(name, STATIC_MESH_ACTOR, [component], Transform(
             location_cm=(round(x, 3), round(y, 3), round(z, 3)),
-            rotation_deg=(0.0, round((yaw + 180.0) % 360.0 - 180.0, 3), 0.0), scale=factors))
+            rotation_deg=(0.0, round(normalize_axis(yaw), 3), 0.0), scale=factors))
         return name
 
     def grid(self, asset: str, xs: Iterable[float], ys: Iterable[float], z: float = 0.0, *,

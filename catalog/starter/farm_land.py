@@ -32,7 +32,8 @@ def gravel(b: Builder) -> None:
     _slab(b, "Gravel", 500, 500)
 
 
-@KIT.asset("EarthGround", "ground", "Trodden earth of a yard, 5 x 5 m, top at the pivot", "ground floor earth yard tile")
+@KIT.asset("EarthGround", "ground", "Trodden earth of a yard, 5 x 5 m, top at the pivot",
+           "ground floor earth yard tile")
 def earth(b: Builder) -> None:
     _slab(b, "Earth", 500, 500)
 

@@ -218,7 +218,7 @@ def _beast(b: Builder, hide: str, length: float, height: float, girth: float, ne
             b.cylinder(dark, girth * 0.1, girth * 0.1, (x, y, 0), segments=8, body=None)
     b.ellipsoid(hide, (length, girth * 0.82, girth), (0, 0, height - girth), segments=14, body=None)
     top = (length * 0.62, 0.0, height + neck)
-    b.tube(hide, [(length * 0.34, 0, height - girth * 0.35), top], girth * 0.19)
+    b.tube(hide, [(length * 0.34, 0, height - girth * 0.35), top], girth * 0.26)
     size = girth * 0.36 * head
     b.ellipsoid(hide, (size * 2.1, size, size * 1.1), (top[0] + size * 0.5, 0, top[2] - size * 0.75), (20, 0, 0),
                 segments=10, body=None)
@@ -231,18 +231,18 @@ def _beast(b: Builder, hide: str, length: float, height: float, girth: float, ne
 
 @KIT.asset("Cow", "animals", "Black-and-white cow, head to +X", "cow cattle animal")
 def cow(b: Builder) -> None:
-    _beast(b, "Hide", 190, 145, 84, 8, head=1.15)
+    _beast(b, "Hide", 190, 145, 84, -6, head=1.2)
     for x, y, z, size in ((-40, 30, 84, 60), (36, -30, 92, 52), (-30, -31, 100, 46), (50, 28, 80, 36)):
         b.ellipsoid("HideDark", (size, 14, size * 0.7), (x, y, z), segments=10, body=None)
     b.ellipsoid("PigPink", (34, 26, 18), (-44, 0, 56), segments=10, body=None)
     for y in (-9, 9):
-        b.tube("Wool", [(120, y, 158), (118, y * 2.2, 170)], 2)
+        b.tube("Wool", [(118, y, 142), (116, y * 2.2, 156)], 2)
 
 
 @KIT.asset("Horse", "animals", "Brown horse, head to +X", "horse animal")
 def horse(b: Builder) -> None:
-    _beast(b, "HideBrown", 200, 160, 70, 50)
-    b.tube("HideDark", [(70, 0, 168), (122, 0, 222)], 6)
+    _beast(b, "HideBrown", 200, 160, 78, 34)
+    b.tube("HideDark", [(66, 0, 160), (120, 0, 208)], 9)
 
 
 @KIT.asset("Sheep", "animals", "Woolly sheep, head to +X", "sheep animal")

@@ -1,0 +1,51 @@
+"""The starter suite: four packs, four scenes, texts and repairs indoors and outdoors, all made by this project."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from c4s.case.package import Suite
+from c4s.home import packs_root, suites_root
+from cases.model import SuiteDefinition
+from cases.starter import indoor_cases, outdoor_cases
+from cases.suite import Progress, build_suite
+from catalog.build import build_pack, starter_pack
+from catalog.starter import STARTER
+
+SUITE_ID = "starter"
+
+
+def definition() -> SuiteDefinition:
+    """Scenes and cases of the suite."""
+    indoor, outdoor = indoor_cases.scenes(), outdoor_cases.scenes()
+    return SuiteDefinition(
+        SUITE_ID, "Starter suite",
+        "Made for c4s: an office, a flat, a harbour street and a small farm, with texts to build and damage to repair.",
+        tuple(STARTER), (*indoor, *outdoor), (*indoor_cases.cases(indoor), *outdoor_cases.cases(outdoor)))
+
+
+def build_packs(root: Path, progress: Progress = print) -> None:
+    """Build the four packs under ``root``; the same specification always gives the same bytes."""
+    for pack_id in STARTER:
+        pack = build_pack(starter_pack(pack_id), root)
+        progress(f"pack {pack_id}: {len(pack.assets)} assets")
+
+
+def build_starter(root: Path, packs: Path, progress: Progress = print) -> Suite:
+    """Build the packs under ``packs``, then the suite at ``root``; what is there already stays."""
+    build_packs(packs, progress)
+    return build_suite(definition(), root, packs, progress)
+
+
+def main() -> None:
+    """``python -m cases.starter.suite``: build everything under ``C4S_HOME``."""
+    parser = argparse.ArgumentParser(description="Build the starter packs and suite.")
+    parser.add_argument("--out", type=Path, default=None, help="suite folder (default: under C4S_HOME)")
+    options = parser.parse_args()
+    suite = build_starter(options.out or suites_root() / SUITE_ID, packs_root())
+    print(f"{suite.suite_id}: {len(suite.cases)} cases, {suite.sha256()[:12]}")
+
+
+if __name__ == "__main__":
+    main()
