@@ -23,6 +23,9 @@ Record = dict[str, Any]
 WIDTH, HEIGHT, FIELD_OF_VIEW = 1280, 720, 90.0
 MODES = ("lit", "base_color")
 _CAPTURES_OF_ONE = 4
+_LARGEST_CONTENT_CM = 10000.0
+_EMPTY_CM = 500.0
+_FRAME_PITCH_DEG, _FRAME_YAW_DEG = -35.0, 45.0
 _PNG_END = b"IEND\xaeB`\x82"
 
 source: Callable[[Sequence[Camera], Sequence[str], str, bool], list[Record]] | None = None
@@ -70,6 +73,31 @@ def viewport_camera() -> Record:
     location, rotation = info[-2], info[-1]
     return {"location_cm": [location.x, location.y, location.z],
             "rotation_deg": [rotation.pitch, rotation.yaw, rotation.roll]}
+
+
+def frame_level() -> Record:
+    """Put the viewport's camera where it sees the level's content (actors of up to 100 m), obliquely from above."""
+    low, high = [math.inf] * 3, [-math.inf] * 3
+    for actor in unreal.get_editor_subsystem(unreal.EditorActorSubsystem).get_all_level_actors():
+        origin, extent = actor.get_actor_bounds(False)
+        size = max(extent.x, extent.y, extent.z)
+        if not 0 < size <= _LARGEST_CONTENT_CM / 2:
+            continue
+        for axis, (middle, half) in enumerate(zip((origin.x, origin.y, origin.z), (extent.x, extent.y, extent.z),
+                                                  strict=True)):
+            low[axis], high[axis] = min(low[axis], middle - half), max(high[axis], middle + half)
+    if not math.isfinite(low[0]):
+        low, high = [-_EMPTY_CM, -_EMPTY_CM, 0.0], [_EMPTY_CM, _EMPTY_CM, _EMPTY_CM]
+    centre = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
+    radius = max(math.dist(low, high) / 2, _EMPTY_CM / 2)
+    pitch, yaw = math.radians(_FRAME_PITCH_DEG), math.radians(_FRAME_YAW_DEG)
+    distance = radius / math.sin(math.radians(FIELD_OF_VIEW / 2))
+    place = unreal.Vector(centre[0] - distance * math.cos(pitch) * math.cos(yaw),
+                          centre[1] - distance * math.cos(pitch) * math.sin(yaw),
+                          centre[2] - distance * math.sin(pitch))
+    turn = unreal.Rotator(roll=0.0, pitch=_FRAME_PITCH_DEG, yaw=_FRAME_YAW_DEG)
+    unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).set_level_viewport_camera_info(place, turn)
+    return viewport_camera()
 
 
 def _shot_camera(shot: Mapping[str, Any]) -> Record:

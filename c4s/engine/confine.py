@@ -31,7 +31,7 @@ _LAST_CAPABILITY = 63
 class Limits:
     """Limits of one engine process. Addresses and file sizes in bytes, CPU time in seconds over all its threads."""
 
-    address_space: int = 12 << 30
+    address_space: int = 8 << 30
     cpu_s: int = 8 * 3600
     file_size: int = 1 << 30
     open_files: int = 256

@@ -112,7 +112,7 @@ class EngineSession:
         """Whether the process runs."""
         return self._process.poll() is None
 
-    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 60.0) -> dict[str, Any]:
+    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 300.0) -> dict[str, Any]:
         """One bridge request; its reply whatever its status. ``EngineDied`` when the process has ended."""
         try:
             return self.bridge.request(kind, params, timeout_s=timeout_s)

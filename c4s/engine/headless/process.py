@@ -40,6 +40,9 @@ def serve(listener: socket.socket, settings: dict[str, Any]) -> None:
         _refuse(listener, error.what, error.where, error.todo)
         return
     attach()
+    from c4s.editor.capture import frame_level  # needs the `unreal` that boot installs
+
+    frame_level()
     runner = JobRunner(scratch / "jobs", tick)
     BridgeServer(listener, runner, scratch).start()
     runner.run_forever()
