@@ -107,7 +107,7 @@ def test_advisories_name_the_oddities() -> None:
     hopeless = repair_verdict(moved(dynamic, "globe", 50), dynamic, dynamic)
     assert (hopeless.score, hopeless.advisories[0]["code"]) == (0.0, "unmeasurable-material-slot")
     swapped = repair_verdict(with_actor(without(ROOM, "chair"), actor("other", "Chair", (500, 0, 0))), ROOM, ROOM)
-    assert swapped.advisories[0]["code"] == "removal-and-addition-share-a-descriptor"
+    assert swapped.advisories[0]["code"] == "removal-shares-a-descriptor"
     assert swapped.score == pytest.approx(2 / 3)
 
 
@@ -199,5 +199,5 @@ def test_the_truth_itself_repairs_everything_unless_an_advisory_says_why_not(cas
     if scored(start, truth, truth) is None:
         return
     verdict = repair_verdict(start, truth, truth)
-    same_kind = any(a["code"] == "removal-and-addition-share-a-descriptor" for a in verdict.advisories)
+    same_kind = any(a["code"] == "removal-shares-a-descriptor" for a in verdict.advisories)
     assert verdict.score == 1.0 or same_kind

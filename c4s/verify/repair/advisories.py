@@ -20,11 +20,11 @@ def advisories(result: RepairResult) -> list[dict[str, Any]]:
     targets = result.case.targets
     found = []
     removals = {t.descriptor for t in targets if t.operation == "remove"}
-    shared = [t.label for t in targets if t.operation == "add" and t.descriptor in removals]
+    shared = [t.label for t in targets if t.operation != "remove" and t.descriptor in removals]
     if shared:
-        found.append(_advisory("removal-and-addition-share-a-descriptor",
-                               "one of each pair can be counted as missed although both were done, because the "
-                               "removed actor is matched to the added one", shared))
+        found.append(_advisory("removal-shares-a-descriptor",
+                               "an actor to remove is of the same kind as these to add or restore; it can be matched "
+                               "to one of them, and then counts as not removed although it is gone", shared))
     phantom = [t.label for t in targets if t.operation == "repair" and t.fields == ("transform.rotation",)
                and t.truth is not None and t.start is not None and "transform.rotation" in target_differences(
                    t.truth, t.start) and same_but_for_identity(t.truth, t.start)]
