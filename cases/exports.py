@@ -5,14 +5,26 @@ All of it comes from clean engine processes, by the very code that exports a sub
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from string import Template
 
 from c4s.engine import evidence
+from c4s.engine.bridge import FAILED
+from c4s.engine.session import EngineSession
+from c4s.errors import MachineryFault
+from c4s.files import write_json
 from c4s.scene.level import Level
+from c4s.verify.views import VIEWS, overview_cameras
 from cases.model import View
 from cases.views import camera
+
+_OPEN = Template("""import unreal
+if not unreal.get_editor_subsystem(unreal.LevelEditorSubsystem).load_level("$package"):
+    raise RuntimeError("the level does not load")
+""")
 
 
 @dataclass(frozen=True)
@@ -22,23 +34,48 @@ class Exported:
     truth: Path
     inputs: dict[str, Path]
     views: dict[str, list[Path]]
+    start_views: dict[str, list[Path]]
+    """The corrupted level from the same cameras."""
+    overview: list[Path]
+    """The original from the four overview cameras of the evaluator."""
 
 
 def scene(packs: Sequence[Path], truth: Level, corrupted: Mapping[str, Level], views: Mapping[str, Sequence[View]],
           out: Path, progress: Callable[[str], None]) -> Exported:
-    """Export a scene into the folder ``out``: one engine for the original with all pictures, one a corrupted level."""
+    """Export a scene into the folder ``out``: one engine for the original and its pictures, one for all other levels."""
     content = out / "content"
     truth.write(content / f"{truth.package.lstrip('/')}.level.json")
     cameras = [{**camera(view), "name": f"{case_id}--{view.name}"}
                for case_id, wanted in views.items() for view in wanted]
     progress(f"  original: snapshot and {len(cameras)} pictures")
-    evidence.collect(packs=packs, submission_content=content, package=truth.package, out=out / "truth", cameras=cameras)
-    inputs = {}
-    for case_id, level in corrupted.items():
-        progress(f"  {case_id}: snapshot of the corrupted level")
-        inputs[case_id] = out / "inputs" / f"{case_id}.snapshot.json"
-        level.write(out / "levels" / f"{case_id}.level.json")
-        evidence.export_level(packs=packs, level=out / "levels" / f"{case_id}.level.json", out=inputs[case_id])
-    pictures = {case_id: [out / "truth" / "captures" / f"{case_id}--{view.name}.png" for view in wanted]
+    evidence.collect(packs=packs, submission_content=content, package=truth.package, out=out / "truth",
+                     cameras=lambda snapshot: [*cameras, *overview_cameras(snapshot)])
+    inputs, starts = _inputs(packs, corrupted, views, out / "inputs", progress) if corrupted else ({}, {})
+    captures = out / "truth" / "captures"
+    pictures = {case_id: [captures / f"{case_id}--{view.name}.png" for view in wanted]
                 for case_id, wanted in views.items()}
-    return Exported(out / "truth" / "snapshot.json", inputs, pictures)
+    return Exported(out / "truth" / "snapshot.json", inputs, pictures, starts,
+                    [captures / f"overview-{number}.png" for number in range(1, VIEWS + 1)])
+
+
+def _inputs(packs: Sequence[Path], levels: Mapping[str, Level], views: Mapping[str, Sequence[View]], out: Path,
+            progress: Callable[[str], None]) -> tuple[dict[str, Path], dict[str, list[Path]]]:
+    """Snapshot and pictures of each corrupted level; opened one after the other, none holds anything of another."""
+    for case_id, level in levels.items():
+        level.write(out / "levels" / f"{case_id}.level.json")
+    files = {case_id: out / f"{case_id}.snapshot.json" for case_id in levels}
+    pictures: dict[str, list[Path]] = {}
+    with EngineSession.start(packs=packs, content=out / "content", scratch=out / "engine",
+                             levels=[out / "levels" / f"{case_id}.level.json" for case_id in levels]) as engine:
+        for case_id, level in levels.items():
+            progress(f"  {case_id}: snapshot and pictures of the corrupted level")
+            reply = engine.execute(_OPEN.substitute(package=level.package))
+            if reply["status"] in FAILED:
+                raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=case_id)
+            write_json(files[case_id], engine.call("snapshot.export"))
+            folder = out / "engine" / f"views-{case_id}"
+            engine.call("capture.capture_views", cameras=[camera(view) for view in views[case_id]],
+                        folder=str(folder))
+            pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]
+            shutil.copytree(folder, out / "pictures" / case_id)
+    return files, pictures

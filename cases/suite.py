@@ -27,7 +27,7 @@ from cases.prompts import repair_prompt, spawn_path, text_prompt
 from cases.requirements import bundle
 from cases.views import cameras_record
 
-BUILDER_VERSION = 1
+BUILDER_VERSION = 2
 """Part of the definition's digest: raise it when the same definition is built into other files."""
 BLANK_STAGE = "/Game/SceneBench/BlankStage"
 Progress = Callable[[str], None]
@@ -144,9 +144,12 @@ class _Builder:
         agent, withheld = self.folder.agent(case.case_id), self.folder.withheld(case.case_id)
         budget = case.budget or (INDOOR_BUDGET if scene.environment == "indoor" else OUTDOOR_BUDGET)
         names = []
-        for view, picture in zip(case.views, exported.views[case.case_id], strict=True):
+        for view, picture, start in zip(case.views, exported.views[case.case_id], exported.start_views[case.case_id],
+                                        strict=True):
             names.append(f"references/{view.name}.png")
             _copy(picture, agent / names[-1])
+            _copy(picture, withheld / f"views/truth/{view.name}.png")
+            _copy(start, withheld / f"views/start/{view.name}.png")
         AgentCase(case_id=case.case_id, setting=case.setting, title=case.title, start_map=corrupted.package,
                   prompt=case.prompt or repair_prompt(scene.environment, len(names)), budget=budget,
                   packs=self._refs(scene), catalog=[spawn_path(asset) for asset in assets.values()],
@@ -179,6 +182,8 @@ class _Builder:
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")
         write_json(withheld / "requirements.bundle.json", requirements)
+        for picture in exported.overview:
+            _copy(picture, withheld / f"views/truth/{picture.name}")
         write_text(withheld / "prompt.txt", prompt + "\n")
 
 

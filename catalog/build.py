@@ -13,7 +13,7 @@ import numpy as np
 import trimesh
 
 from c4s.errors import BadInput
-from c4s.files import digest_bytes, write_bytes
+from c4s.files import digest, digest_bytes, digest_file, read_json, write_bytes, write_json
 from c4s.home import packs_root
 from c4s.packs.manifest import Asset, BlueprintPart, Material, MaterialSlot, Pack
 from c4s.packs.meshes import Mesh
@@ -122,6 +122,24 @@ def build_pack(spec: PackSpec, root: Path) -> Pack:
                 description=spec.description, assets=assets, materials=materials,
                 category_descriptions=spec.category_descriptions)
     pack.write(writer.folder / "pack.json")
+    return pack
+
+
+def sources_digest() -> str:
+    """SHA-256 of all that decides what a pack is built into: the sources of the builders and of the pack models."""
+    import c4s.packs
+
+    folders = [Path(__file__).parent, Path(c4s.packs.__file__).parent]
+    return digest([[path.name, digest_file(path)] for folder in folders for path in sorted(folder.rglob("*.py"))])
+
+
+def ensure_pack(pack_id: str, root: Path) -> Pack:
+    """The starter pack under ``root``: as it is there when it was built by these sources, else built now."""
+    manifest, stamp = root / pack_id / "pack.json", root / pack_id / "build.json"
+    if manifest.is_file() and stamp.is_file() and read_json(stamp).get("sources") == sources_digest():
+        return Pack.read(manifest)
+    pack = build_pack(starter_pack(pack_id), root)
+    write_json(stamp, {"sources": sources_digest()})
     return pack
 
 

@@ -10,6 +10,7 @@
     <suite>/withheld/<case>/truth.level.json       the original scene; for text-to-scene the scene that the oracle saves
     <suite>/withheld/<case>/input.snapshot.json    exported from start.level.json (image-to-scene)
     <suite>/withheld/<case>/truth.snapshot.json    exported from truth.level.json
+    <suite>/withheld/<case>/views/{start,truth}/*.png   what the reports show beside a submission
     <suite>/withheld/<case>/recipe.json, cameras.json, requirements.bundle.json   in the published formats
 
 ``agent/`` and ``withheld/`` are two trees that are never under one mount. Packs are named by id and digest and lie

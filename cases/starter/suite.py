@@ -10,7 +10,7 @@ from c4s.home import packs_root, suites_root
 from cases.model import SuiteDefinition
 from cases.starter import indoor_cases, outdoor_cases
 from cases.suite import Progress, build_suite
-from catalog.build import build_pack, starter_pack
+from catalog.build import ensure_pack
 from catalog.starter import STARTER
 
 SUITE_ID = "starter"
@@ -26,10 +26,10 @@ def definition() -> SuiteDefinition:
 
 
 def build_packs(root: Path, progress: Progress = print) -> None:
-    """Build the four packs under ``root``; the same specification always gives the same bytes."""
+    """Build the four packs under ``root`` where they are not there yet; the same sources give the same bytes."""
     for pack_id in STARTER:
-        pack = build_pack(starter_pack(pack_id), root)
-        progress(f"pack {pack_id}: {len(pack.assets)} assets")
+        progress(f"pack {pack_id}")
+        ensure_pack(pack_id, root)
 
 
 def build_starter(root: Path, packs: Path, progress: Progress = print) -> Suite:
