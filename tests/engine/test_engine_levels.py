@@ -199,3 +199,36 @@ def test_many_actors_load_and_save_fast(tmp_path):
     assert world.load_map("/Game/S/Big") is not None
     assert len(world.actors) == ACTORS
     assert saved - started < SECONDS and time.process_time() - saved < SECONDS
+
+
+def place(**changes):
+    """A level document of one cube with some of its content changed."""
+    component = {"name": "StaticMeshComponent0", "class_path": "/Script/Engine.StaticMeshComponent",
+                 "static_mesh": "/Engine/BasicShapes/Cube.Cube", **changes.pop("component", {})}
+    actor = {"name": "A_0", "label": "A", "class_path": "/Script/Engine.StaticMeshActor", "guid": "AB" * 16,
+             "components": [component], **changes}
+    return {"schema_version": "c4s.level.v1", "package": "/Game/A", "actors": [actor]}
+
+
+@pytest.mark.parametrize("document", [
+    place(transform={"location_cm": [float("nan"), 0, 0]}), place(guid="xyz"), place(parent="Nobody"),
+    place(parent="A_0"), place(properties={"colour": 1}), place(component={"properties": {"visible": [1]}}),
+    place(component={"class_path": "/Script/Engine.Magic"}),
+    place(component={"properties": {"dynamic_materials": {"0": {"name": "x"}}}}),
+    place(component={"properties": {"dynamic_materials": {"first": {"name": "x", "parent": ""}}}}),
+])
+def test_tampered_levels_are_bad_input(tmp_path, document):
+    (tmp_path / "a.level.json").write_text(json.dumps(document))
+    with pytest.raises(BadInput):
+        boot([], tmp_path / "content", levels=[tmp_path / "a.level.json"], start_map="/Game/A")
+
+
+def test_material_instances_that_follow_each_other_are_refused(tmp_path):
+    for name, parent in (("A", "B"), ("B", "A")):
+        file = tmp_path / f"Game/M/{name}.asset.json"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps({"path": f"/Game/M/{name}.{name}", "parent": f"/Game/M/{parent}.{parent}",
+                                    "class_path": "/Script/Engine.MaterialInstanceConstant"}))
+    unreal = boot([], tmp_path)
+    with pytest.raises(BadInput, match="parent"):
+        unreal.load_asset("/Game/M/A")

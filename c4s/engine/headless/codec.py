@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import TYPES, Prop, converted, copied
+from c4s.engine.headless.unreal.core import TYPES, Prop, converted, copied, need
 from c4s.engine.headless.unreal.enums import EnumBase
 from c4s.engine.headless.unreal.structs import Color, Rotator, StructBase
 from c4s.errors import BadInput
@@ -41,6 +42,7 @@ def initial(prop: Prop) -> Any:
 def decode(raw: Any, kind: str, where: str) -> Any:
     """A property value of JSON data; ``BadInput`` when it does not fit the kind."""
     try:
+        json.dumps(raw, allow_nan=False)
         return _decode(raw, kind)
     except (TypeError, ValueError, KeyError, OverflowError, AttributeError) as error:
         raise BadInput(f"{raw!r} is no {kind}: {error}", where=where) from None
@@ -48,6 +50,7 @@ def decode(raw: Any, kind: str, where: str) -> Any:
 
 def _decode(raw: Any, kind: str) -> Any:
     if raw is None or kind in ("float", "int", "bool", "str", "Name"):
+        need(raw, kind, "value")
         return converted(raw, kind) if raw is not None else None
     if kind.startswith("Sequence"):
         item = kind[len("Sequence["):-1]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import math
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pydantic import ValidationError
+from pydantic import Field, ValidationError
 
 from c4s.engine.headless import codec
 from c4s.engine.headless.pose import Pose, relative_to
@@ -24,12 +26,32 @@ from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.enums import CollisionEnabled
 from c4s.errors import BadInput
 from c4s.files import write_json
+from c4s.model import Record
 from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
 
 if TYPE_CHECKING:
     from c4s.engine.headless.world import World
 
+_GUID = re.compile(r"[0-9A-Fa-f]{32}")
 _DYNAMIC = "dynamic_materials"
+
+
+class DynamicMaterial(Record):
+    """A dynamic material instance that a component owns, kept in the component's properties by slot."""
+
+    name: str
+    parent: str
+    """Path of the parent material; empty when it has none."""
+    vectors: dict[str, tuple[float, float, float, float]] = Field(default_factory=dict)
+    scalars: dict[str, float] = Field(default_factory=dict)
+
+
+class _DynamicMaterials(Record):
+    slots: dict[int, DynamicMaterial]
+
+
+def _dynamic(properties: dict[str, Any], where: str) -> dict[int, DynamicMaterial]:
+    return _DynamicMaterials.parse({"slots": properties.get(_DYNAMIC, {})}, where=where).slots
 
 
 def read(path: Path) -> Level:
@@ -45,6 +67,9 @@ def read(path: Path) -> Level:
 
 
 def _pose(transform: Transform) -> Pose:
+    numbers = (*transform.location_cm, *transform.rotation_deg, *transform.scale)
+    if not all(math.isfinite(number) for number in numbers):
+        raise BadInput("a transform must be finite numbers", where=str(numbers))
     return Pose.from_rotator(transform.location_cm, transform.rotation_deg, transform.scale)
 
 
@@ -62,8 +87,8 @@ def references(level: Level) -> list[str]:
             if component.static_mesh:
                 found.add(component.static_mesh)
             found.update(component.materials.values())
-            for spec in component.properties.get(_DYNAMIC, {}).values():
-                found.add(spec["parent"])
+            dynamic = _dynamic(component.properties, f"{level.package}: {actor.name}.{component.name}")
+            found.update(spec.parent for spec in dynamic.values() if spec.parent)
     return sorted(found)
 
 
@@ -85,13 +110,13 @@ def _fill(world: World, actor: Actor, component: ActorComponent, doc: LevelCompo
                 component._materials[slot] = material
             else:
                 world.log.warning(f"{component._path()}: failed to find material '{path}'")
-        for slot_text, spec in properties.pop(_DYNAMIC, {}).items():
-            parent = world.find(spec["parent"])
-            made = MaterialInstanceDynamic._owned(spec["name"], component, parent
+        for slot, spec in _dynamic(properties, where).items():
+            parent = world.find(spec.parent)
+            made = MaterialInstanceDynamic._owned(spec.name, component, parent
                                                   if isinstance(parent, MaterialInterface) else None)
-            made._vectors = {k: tuple(v) for k, v in spec["vectors"].items()}
-            made._scalars = dict(spec["scalars"])
-            component._materials[int(slot_text)] = made
+            made._vectors, made._scalars = dict(spec.vectors), dict(spec.scalars)
+            component._materials[slot] = made
+        properties.pop(_DYNAMIC, None)
     if isinstance(component, InstancedStaticMeshComponent):
         component._instances = [_pose(t) for t in doc.instances]
     codec.restore(component._properties, component._values, properties, where)
@@ -131,7 +156,7 @@ def build(world: World, level: Level, where: str) -> dict[str, Actor]:
             world.log.warning(f"{spot}: failed to find class '{doc.class_path}', the actor is not loaded")
             continue
         actor._label, actor._guid, actor._folder = doc.label, doc.guid, doc.folder
-        if len(doc.guid) != 32:
+        if not _GUID.fullmatch(doc.guid):
             raise BadInput(f"guid {doc.guid!r} is not 32 hex digits", where=spot)
         if doc.tags:
             actor._values["tags"] = Array._of("Name", [Name(t) for t in doc.tags])

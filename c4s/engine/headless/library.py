@@ -24,6 +24,7 @@ from c4s.engine.headless.unreal.assets import (
     StaticMesh,
 )
 from c4s.engine.headless.unreal.core import Class
+from c4s.errors import BadInput
 from c4s.model import Record
 from c4s.packs import manifest
 from c4s.packs.store import PackStore, object_path
@@ -79,7 +80,10 @@ class AssetLibrary:
         file = self.content_file(full.rsplit(".", 1)[0], ".asset.json")
         if file is None or not file.is_file():
             return None
-        made = self._from_document(AssetDocument.read(file))
+        document = AssetDocument.read(file)
+        if document.path != full:
+            raise BadInput(f"the document calls itself {document.path}, not {full}", where=str(file))
+        made = self._from_document(document)
         self.created[full] = made
         made._dirty = False
         return made
@@ -188,11 +192,14 @@ class AssetLibrary:
 
     def _from_document(self, document: AssetDocument) -> AssetObject:
         if document.class_path == MaterialInstanceConstant._class_path():
-            instance = MaterialInstanceConstant._at(document.path, created=True)
-            parent = self.find(document.parent) if document.parent else None
-            instance._values["parent"] = parent if isinstance(parent, MaterialInterface) else None
+            instance: MaterialInstanceConstant = MaterialInstanceConstant._at(document.path, created=True)
             instance._vectors, instance._scalars = dict(document.vectors), dict(document.scalars)
-            return instance  # type: ignore[no-any-return]
+            self.created[document.path] = instance
+            parent = self.find(document.parent) if document.parent else None
+            if parent is not None and not (isinstance(parent, MaterialInterface) and instance._may_follow(parent)):
+                raise BadInput(f"{document.parent} cannot be its parent", where=document.path)
+            instance._values["parent"] = parent
+            return instance
         if document.material is not None:
             return Material._at(document.path, created=True)._bind(document.material)  # type: ignore[no-any-return]
         source = self.store.asset(document.parent or "")

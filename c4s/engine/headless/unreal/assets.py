@@ -85,7 +85,7 @@ class Material(MaterialInterface):
 class _Overriding(MaterialInterface):
     """A material given by a parent and parameter values."""
 
-    _declares = {"parent": Prop("MaterialInterface | None", None)}
+    _declares = {"parent": Prop("MaterialInterface | None", get="_parent", set="_set_parent")}
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)
@@ -95,6 +95,18 @@ class _Overriding(MaterialInterface):
     def _parent(self) -> MaterialInterface | None:
         found: MaterialInterface | None = self._values.get("parent")
         return found
+
+    def _may_follow(self, parent: MaterialInterface | None) -> bool:
+        """Whether taking this parent leaves no circle."""
+        above: MaterialInterface | None = parent
+        while above is not None and above is not self:
+            above = above._parent() if isinstance(above, _Overriding) else None
+        return above is None
+
+    def _set_parent(self, parent: MaterialInterface | None) -> None:
+        if not self._may_follow(parent):
+            raise Exception(f"{self._name}: a material instance cannot be its own parent")
+        self._values["parent"] = parent
 
     def _surface(self) -> manifest.Material:
         parent = self._parent()
