@@ -205,6 +205,8 @@ def test_screenshots_show_the_level_and_name_its_actors(tmp_path: Path, level: P
         assert reply["status"] == "ok" and reply["filename"] == "one.png"
         with Image.open(reply["filepath"]) as picture:
             assert picture.size == (160, 90) and np.asarray(picture).std() > 5
+        unmoved = engine.request("take_screenshot", {"width": 160, "height": 90})
+        assert set(unmoved["visible"]) == {f"StaticMeshActor_{number}" for number in range(3)}, "the viewport sees all"
         batch = engine.request("take_screenshot_batch", {"shots": [{**shot, "filepath": f"b{i}.png", "mode": mode}
                                                                    for i, mode in enumerate(["lit", "base_color"])]})
         assert batch["status"] == "success" and len(batch["results"]) == 2 and batch["missing"] == []
