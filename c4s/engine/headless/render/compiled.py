@@ -68,18 +68,22 @@ def kernel(function: _Kernel) -> _Kernel:
     """Compile a function with numba at its first call, without the interpreter lock, and keep the machine code."""
     folder = code_folder()
     if folder is None:
-        compiled: _Kernel = numba.njit(nogil=True)(function)
+        compiled: _Kernel = numba.njit(nogil=True, error_model="numpy")(function)
         return compiled
     before = config.CACHE_DIR
     config.CACHE_DIR = str(folder)
     try:
-        kept: _Kernel = numba.njit(nogil=True, cache=True)(function)
+        kept: _Kernel = numba.njit(nogil=True, cache=True, error_model="numpy")(function)
     finally:
         config.CACHE_DIR = before
     return kept
 
 
 def inner(function: _Kernel) -> _Kernel:
-    """Compile a function that only kernels call."""
-    compiled: _Kernel = numba.njit(nogil=True)(function)
+    """Compile a function that only kernels call.
+
+    It counts no references, as its arrays belong to the caller, and therefore cannot allocate; at the boundary to
+    Python that would be unsafe, so a ``kernel`` must stand before it.
+    """
+    compiled: _Kernel = numba.njit(nogil=True, _nrt=False, error_model="numpy")(function)
     return compiled

@@ -20,34 +20,66 @@ _OCCLUSION_FLOOR = 0.12
 
 
 @kernel
-def combine_rows(first: int, last: int, buffers: Buffers, light: NDArray[np.float32],
+def mark_edges(first: int, last: int, width: int, height: int, buffers: Buffers, edge: NDArray[np.bool_]) -> None:
+    """Mark the pixels of some rows that need more samples: a neighbour shows another surface, slope or light."""
+    for y in range(first, last):
+        for x in range(width):
+            here = y * width + x
+            n0, n1, n2 = buffers.normal[here, 0], buffers.normal[here, 1], buffers.normal[here, 2]
+            p0, p1, p2 = buffers.point[here, 0], buffers.point[here, 1], buffers.point[here, 2]
+            seen = n0 * n0 + n1 * n1 + n2 * n2 > 0.5
+            near = 0.004 * buffers.depth[here] + 0.5 if seen else 0.0
+            found = False
+            for j in range(max(y - 1, 0), min(y + 2, height)):
+                for i in range(max(x - 1, 0), min(x + 2, width)):
+                    there = j * width + i
+                    if buffers.identity[there] != buffers.identity[here]:
+                        found = True
+                    elif seen:
+                        other, point = buffers.normal, buffers.point
+                        if n0 * other[there, 0] + n1 * other[there, 1] + n2 * other[there, 2] < 0.97:
+                            found = True
+                        away = (n0 * (point[there, 0] - p0) + n1 * (point[there, 1] - p1)
+                                + n2 * (point[there, 2] - p2))
+                        if abs(away) > near:
+                            found = True
+            edge[here] = found
+
+
+@kernel
+def combine_rows(first: int, last: int, width: int, height: int, buffers: Buffers, light: NDArray[np.float32],
                  histogram: NDArray[np.int64]) -> None:
     """Write direct plus occluded ambient light of some rows, and count the luminance of their surfaces.
 
     Occlusion is averaged over 4x4 neighbours on the same plane, one full period of the sample pattern.
     """
-    height, width = buffers.depth.shape
+    normal, point = buffers.normal, buffers.point
     for y in range(first, last):
         for x in range(width):
-            weight, total = 1e-6, 1e-6 * buffers.open[y, x]
-            n0, n1, n2 = buffers.normal[y, x, 0], buffers.normal[y, x, 1], buffers.normal[y, x, 2]
+            here = y * width + x
+            away, rays = 1e-6 + buffers.open[here, 0], 1e-6 + buffers.open[here, 1]
+            n0, n1, n2 = normal[here, 0], normal[here, 1], normal[here, 2]
             seen = n0 * n0 + n1 * n1 + n2 * n2 > 0.5
             if seen:
-                p0, p1, p2 = buffers.point[y, x, 0], buffers.point[y, x, 1], buffers.point[y, x, 2]
-                near = 0.004 * buffers.depth[y, x] + 0.5
+                away, rays = 1e-6, 1e-6
+                p0, p1, p2 = point[here, 0], point[here, 1], point[here, 2]
+                near = 0.004 * buffers.depth[here] + 0.5
                 for j in range(max(y - 2, 0), min(y + 2, height)):
                     for i in range(max(x - 2, 0), min(x + 2, width)):
-                        other, point = buffers.normal[j, i], buffers.point[j, i]
-                        if n0 * other[0] + n1 * other[1] + n2 * other[2] < 0.85:
+                        there = j * width + i
+                        if n0 * normal[there, 0] + n1 * normal[there, 1] + n2 * normal[there, 2] < 0.85:
                             continue
-                        if abs(n0 * (point[0] - p0) + n1 * (point[1] - p1) + n2 * (point[2] - p2)) < near:
-                            weight += 1.0
-                            total += buffers.open[j, i]
-            share = _OCCLUSION_FLOOR + (1.0 - _OCCLUSION_FLOOR) * total / weight
+                        if abs(n0 * (point[there, 0] - p0) + n1 * (point[there, 1] - p1)
+                               + n2 * (point[there, 2] - p2)) < near:
+                            away += buffers.open[there, 0]
+                            rays += buffers.open[there, 1]
+            share = (_OCCLUSION_FLOOR + (1.0 - _OCCLUSION_FLOOR) * away / rays) / buffers.samples[here]
+            luminance = 0.0
             for channel in range(3):
-                light[y, x, channel] = buffers.direct[y, x, channel] + buffers.ambient[y, x, channel] * share
+                value = buffers.direct[here, channel] / buffers.samples[here] + buffers.ambient[here, channel] * share
+                light[here, channel] = value
+                luminance += value * (0.2126 if channel == 0 else (0.7152 if channel == 1 else 0.0722))
             if seen:
-                luminance = 0.2126 * light[y, x, 0] + 0.7152 * light[y, x, 1] + 0.0722 * light[y, x, 2]
                 step = int(math.floor((math.log2(max(luminance, 1e-6)) - LOWEST_STOP) * BINS_PER_STOP))
                 histogram[min(max(step, 0), BINS - 1)] += 1
 
@@ -69,16 +101,14 @@ def exposure_for(histogram: NDArray[np.int64]) -> float:
 
 
 @kernel
-def develop_rows(first: int, last: int, light: NDArray[np.float32], gain: float, curve: bool,
-                 encode: NDArray[np.uint8], rgb: NDArray[np.uint8]) -> None:
-    """sRGB bytes of some rows; ``curve`` applies the filmic tone curve (Narkowicz 2015), else values are clamped."""
-    width = light.shape[1]
-    for y in range(first, last):
-        for x in range(width):
-            for channel in range(3):
-                value = light[y, x, channel] * gain
-                if curve:
-                    value = value * 0.6
-                    value = value * (2.51 * value + 0.03) / (value * (2.43 * value + 0.59) + 0.14)
-                value = min(max(value, 0.0), 1.0)
-                rgb[y, x, channel] = encode[int(math.sqrt(value) * ENCODE_STEPS + 0.5)]
+def develop_pixels(first: int, last: int, light: NDArray[np.float32], gain: float, curve: bool,
+                   encode: NDArray[np.uint8], rgb: NDArray[np.uint8]) -> None:
+    """sRGB bytes of some pixels; ``curve`` applies the filmic tone curve (Narkowicz 2015), else values are clamped."""
+    for pixel in range(first, last):
+        for channel in range(3):
+            value = light[pixel, channel] * gain
+            if curve:
+                value = value * 0.6
+                value = value * (2.51 * value + 0.03) / (value * (2.43 * value + 0.59) + 0.14)
+            value = min(max(value, 0.0), 1.0)
+            rgb[pixel, channel] = encode[int(math.sqrt(value) * ENCODE_STEPS + 0.5)]

@@ -65,8 +65,8 @@ def library() -> ctypes.CDLL:
         "rtcSetGeometryMask": (None, [pointer, uint]),
         "rtcAttachGeometry": (uint, [pointer, pointer]),
         "rtcAttachGeometryByID": (None, [pointer, pointer, uint]),
-        "rtcIntersect16": (None, [pointer, pointer, pointer, pointer]),
-        "rtcOccluded16": (None, [pointer, pointer, pointer, pointer]),
+        "rtcIntersect8": (None, [pointer, pointer, pointer, pointer]),
+        "rtcOccluded8": (None, [pointer, pointer, pointer, pointer]),
     }
     for name, (result, arguments) in signatures.items():
         function = getattr(lib, name)
@@ -83,7 +83,7 @@ def functions() -> Functions:
     def address(name: str) -> int:
         return ctypes.cast(getattr(lib, name), ctypes.c_void_p).value or 0
 
-    return Functions(address("rtcIntersect16"), address("rtcOccluded16"))
+    return Functions(address("rtcIntersect8"), address("rtcOccluded8"))
 
 
 class RayScene:
@@ -188,8 +188,8 @@ def _prove_layout() -> None:
         for start in (layout.PRIMITIVE, layout.GEOMETRY, layout.INSTANCE):
             numbers[start:start + layout.LANES] = -1
         lib = library()
-        lib.rtcIntersect16(valid.ctypes.data, scene.handle, rays.ctypes.data, None)
-        normal = rays[layout.NORMAL + 3:layout.NORMAL + 48:layout.LANES]
+        lib.rtcIntersect8(valid.ctypes.data, scene.handle, rays.ctypes.data, None)
+        normal = rays[layout.NORMAL + 3:layout.PRIMITIVE - 2 * layout.LANES:layout.LANES]
         found = (round(float(rays[layout.TFAR + 3]), 4), int(numbers[layout.INSTANCE + 3]),
                  int(numbers[layout.PRIMITIVE + 3]), int(numbers[layout.GEOMETRY + 3]),
                  round(float(rays[layout.HIT_U + 3]), 4), round(float(rays[layout.HIT_V + 3]), 4),
@@ -197,7 +197,7 @@ def _prove_layout() -> None:
         shadow = aligned_words(layout.RAY_WORDS)
         shadow[:] = rays[:layout.RAY_WORDS]
         shadow[layout.TFAR + 3] = 1e30
-        lib.rtcOccluded16(valid.ctypes.data, scene.handle, shadow.ctypes.data, None)
+        lib.rtcOccluded8(valid.ctypes.data, scene.handle, shadow.ctypes.data, None)
         hidden = bool(shadow[layout.TFAR + 3] < 0)
         masks_work = scene.masks_work
     finally:

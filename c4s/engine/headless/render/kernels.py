@@ -1,7 +1,7 @@
-"""The compiled core: rays for a band of tiles, what they hit, and the light there.
+"""The compiled core: rays for a list of pixels, what they hit, and the light there.
 
-A tile is 4x4 pixels, one a lane of Embree's 16-ray packets. Translucent surfaces are layers: the ray goes on behind
-them with what they let through. Everything is scalar code in a fixed order, so a scene gives the same bytes whatever
+Eight pixels are traced together, one a lane of Embree's packets. Translucent surfaces are layers: the ray goes on
+behind them with what they let through. Everything is scalar code in a fixed order, so a scene gives the same bytes whatever
 the number of threads.
 """
 
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from c4s.engine.headless.render import lighting as li
 from c4s.engine.headless.render.compiled import inner, kernel
+from c4s.engine.headless.render.embree import aligned_words
 from c4s.engine.headless.render.layout import (
     DIRECTION,
     FLAGS,
@@ -39,20 +40,13 @@ from c4s.engine.headless.render.layout import (
     TNEAR,
 )
 from c4s.engine.headless.render.lighting import Lanes, LightTables, add_light, add_surroundings, new_lanes, sky_radiance
+from c4s.engine.headless.render.sampling import Patterns
 from c4s.engine.headless.render.tables import BASE, EMISSIVE, METALLIC, OPACITY, ROUGHNESS, SceneTables
 from c4s.engine.headless.render.textures import Textures
 
 MAX_LAYERS = 6
 """Translucent surfaces seen through before the next one is drawn as opaque."""
 _FAR = 1e30
-
-
-class Patterns(NamedTuple):
-    """Sample patterns (``sampling``)."""
-
-    pixel: NDArray[np.float64]
-    disk: NDArray[np.float64]
-    hemisphere: NDArray[np.float64]
 
 
 class View(NamedTuple):
@@ -66,25 +60,49 @@ class View(NamedTuple):
 
 
 class Buffers(NamedTuple):
-    """What the kernels write, one entry a pixel."""
+    """What the kernels write, one row a pixel in reading order. Sums are over the samples of a pixel."""
 
     direct: NDArray[np.float32]
+    """(n, 3) sum of the light that ambient occlusion leaves alone."""
     ambient: NDArray[np.float32]
+    """(n, 3) sum of the light that it takes from."""
     open: NDArray[np.float32]
+    """(n, 2): rays of ambient occlusion that got away, and all of them, by weight."""
+    samples: NDArray[np.int32]
     normal: NDArray[np.float32]
+    """(n, 3) geometric normal of the centre's surface; zero where nothing is seen."""
     point: NDArray[np.float32]
+    """(n, 3) point of the centre's surface."""
+    identity: NDArray[np.int64]
+    """A number for the surfaces that the centre's ray met and the lights that reach them."""
     actor: NDArray[np.int32]
     depth: NDArray[np.float32]
 
 
 class Packet(NamedTuple):
-    """Sixteen rays: the words as floats and as integers, the valid lanes, and the addresses of both."""
+    """Eight rays: the words as floats and as integers, the valid lanes, and the addresses of both."""
 
     words: NDArray[np.float32]
     numbers: NDArray[np.int32]
     valid: NDArray[np.int32]
     address: np.uintp
     valid_address: np.uintp
+
+
+class Scratch(NamedTuple):
+    """What a band works in; each thread has its own."""
+
+    primary: Packet
+    shadow: Packet
+    lanes: Lanes
+    pixel: NDArray[np.int64]
+    """Row of ``Buffers`` of each lane."""
+    cell: NDArray[np.int64]
+    """Place of each lane's pixel in its 4x4 tile."""
+    through: NDArray[np.float64]
+    """Share of each pixel's light that passes the layers met so far."""
+    arriving: NDArray[np.float64]
+    """(LANES, 4): direction to a local light, and its irradiance factor."""
 
 
 @intrinsic  # type: ignore[untyped-decorator]
@@ -100,16 +118,17 @@ def _query(typing_context: Any, function: Any, valid: Any, scene: Any, rays: Any
     return nb_types.void(nb_types.uintp, nb_types.uintp, nb_types.uintp, nb_types.uintp), generate
 
 
-@inner
-def _new_packet(words: int) -> Packet:
-    raw = np.zeros(words + 16, np.float32)
-    start = (64 - (raw.ctypes.data & 63) & 63) // 4
-    aligned = raw[start:start + words]
-    raw_valid = np.zeros(LANES + 16, np.int32)
-    start = (64 - (raw_valid.ctypes.data & 63) & 63) // 4
-    valid = raw_valid[start:start + LANES]
-    return Packet(aligned, aligned.view(np.int32), valid, np.uintp(aligned.ctypes.data),
-                  np.uintp(valid.ctypes.data))
+def new_packet(words: int) -> Packet:
+    """A packet without valid lanes."""
+    rays, valid = aligned_words(words), aligned_words(LANES).view(np.int32)
+    return Packet(rays, rays.view(np.int32), valid, np.uintp(rays.ctypes.data), np.uintp(valid.ctypes.data))
+
+
+def new_scratch() -> Scratch:
+    """Scratch for one band."""
+    return Scratch(new_packet(RAYHIT_WORDS), new_packet(RAY_WORDS), new_lanes(),
+                   np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64), np.zeros(LANES),
+                   np.zeros((LANES, 4)))
 
 
 @inner
@@ -178,6 +197,7 @@ def _read_hit(packet: Packet, k: int, lanes: Lanes, scene: SceneTables, textures
             normal[axis] *= 1.0 / length if agree >= 0.0 else -1.0 / length
         lanes.point[k, axis] = words[ORIGIN + axis * LANES + k] + view[axis] * t + facing[axis] * lift
     material = scene.materials[scene.first_material[hit] + scene.face_slot[face]]
+    lanes.surface[k] = hit * 64 + scene.face_slot[face]
     surface, albedo = scene.surfaces[material], lanes.albedo[k]
     for channel in range(3):
         albedo[channel] = surface[BASE + channel]
@@ -195,14 +215,15 @@ def _read_hit(packet: Packet, k: int, lanes: Lanes, scene: SceneTables, textures
 
 
 @inner
-def _add_sun(shadow: Packet, lanes: Lanes, lights: LightTables, view: View, disk: NDArray[np.float64]) -> None:
+def _add_sun(shadow: Packet, lanes: Lanes, lights: LightTables, view: View, disk: NDArray[np.float64],
+             cell: NDArray[np.int64]) -> None:
     sun, any_lane = lights.to_sun, False
     for k in range(LANES):
         shadow.valid[k] = 0
         if lanes.weight[k] == 0.0:
             continue
         facing = lanes.facing[k]
-        a, b = disk[k, 0], disk[k, 1]
+        a, b = disk[cell[k], 0], disk[cell[k], 1]
         x = sun[0] + lights.sun_disk[0, 0] * a + lights.sun_disk[1, 0] * b
         y = sun[1] + lights.sun_disk[0, 1] * a + lights.sun_disk[1, 1] * b
         z = sun[2] + lights.sun_disk[0, 2] * a + lights.sun_disk[1, 2] * b
@@ -213,12 +234,13 @@ def _add_sun(shadow: Packet, lanes: Lanes, lights: LightTables, view: View, disk
         _query(view.occluded, shadow.valid_address, view.scene, shadow.address)
         for k in range(LANES):
             if shadow.valid[k] != 0 and shadow.words[TFAR + k] >= 0.0:
+                lanes.reached[k] += 1
                 add_light(lanes, k, sun[0], sun[1], sun[2], lights.sun[0], lights.sun[1], lights.sun[2])
 
 
 @inner
-def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], share: float, view: View,
-               disk: NDArray[np.float64], arriving: NDArray[np.float64]) -> None:
+def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], view: View,
+               disk: NDArray[np.float64], cell: NDArray[np.int64], arriving: NDArray[np.float64], bit: int) -> None:
     """Add one point or spot light; ``arriving`` is scratch of (LANES, 4): direction and irradiance factor."""
     any_lane = False
     radius, source = light[li.RADIUS], light[li.SOURCE]
@@ -235,7 +257,7 @@ def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], share: 
         x, y, z = x / distance, y / distance, z / distance
         fade = square / (radius * radius)
         fade = 1.0 - fade * fade
-        strength = share * fade * fade / max(square, max(25.0, source * source))
+        strength = fade * fade / max(square, max(25.0, source * source))
         if light[li.OUTER_COS] > -0.9999:
             along = -(x * light[li.AXIS] + y * light[li.AXIS + 1] + z * light[li.AXIS + 2])
             edge = (along - light[li.OUTER_COS]) / max(light[li.INNER_COS] - light[li.OUTER_COS], 1e-4)
@@ -245,20 +267,22 @@ def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], share: 
             continue
         arriving[k, 0], arriving[k, 1], arriving[k, 2], arriving[k, 3] = x, y, z, strength
         spread = source / distance
-        sx, sy, sz = x + disk[k, 0] * spread * (1.0 - x * x), y + disk[k, 1] * spread * (1.0 - y * y), z
+        sx, sy, sz = x + disk[cell[k], 0] * spread * (1.0 - x * x), y + disk[cell[k], 1] * spread * (1.0 - y * y), z
         _aim(shadow, k, point, 0.0, sx, sy, sz, max(distance - source - 1.0, 0.0), OPAQUE_MASK)
         any_lane = True
     if any_lane:
         _query(view.occluded, shadow.valid_address, view.scene, shadow.address)
         for k in range(LANES):
             if shadow.valid[k] != 0 and shadow.words[TFAR + k] >= 0.0:
+                lanes.reached[k] += bit
                 power = arriving[k, 3]
                 add_light(lanes, k, arriving[k, 0], arriving[k, 1], arriving[k, 2], light[li.POWER] * power,
                           light[li.POWER + 1] * power, light[li.POWER + 2] * power)
 
 
 @inner
-def _add_occlusion(shadow: Packet, lanes: Lanes, view: View, directions: NDArray[np.float64], reach: float) -> None:
+def _add_occlusion(shadow: Packet, lanes: Lanes, view: View, directions: NDArray[np.float64], cell: NDArray[np.int64],
+                   reach: float) -> None:
     for k in range(LANES):
         shadow.valid[k] = 0
         if lanes.weight[k] == 0.0:
@@ -267,11 +291,12 @@ def _add_occlusion(shadow: Packet, lanes: Lanes, view: View, directions: NDArray
         sign = 1.0 if n2 >= 0.0 else -1.0
         a = -1.0 / (sign + n2)
         b = n0 * n1 * a
-        cx, cy, cz = directions[k, 0], directions[k, 1], directions[k, 2]
+        spot = cell[k]
+        cx, cy, cz = directions[spot, 0], directions[spot, 1], directions[spot, 2]
         x = (1.0 + sign * n0 * n0 * a) * cx + b * cy + n0 * cz
         y = sign * b * cx + (sign + n1 * n1 * a) * cy + n1 * cz
         z = -sign * n0 * cx - n1 * cy + n2 * cz
-        _aim(shadow, k, lanes.point[k], 0.0, x, y, z, reach * directions[k, 3], OPAQUE_MASK)
+        _aim(shadow, k, lanes.point[k], 0.0, x, y, z, reach * directions[spot, 3], OPAQUE_MASK)
     _query(view.occluded, shadow.valid_address, view.scene, shadow.address)
     for k in range(LANES):
         if shadow.valid[k] != 0:
@@ -281,114 +306,133 @@ def _add_occlusion(shadow: Packet, lanes: Lanes, view: View, directions: NDArray
 
 
 @inner
-def _shade(shadow: Packet, lanes: Lanes, view: View, lights: LightTables, patterns: Patterns, sample: int,
-           arriving: NDArray[np.float64]) -> None:
-    """Light all lanes of one layer."""
-    samples, count = len(patterns.pixel), len(lights.local)
+def _shade(scratch: Scratch, view: View, lights: LightTables, patterns: Patterns, sample: int) -> None:
+    """Light all lanes of one layer. With many local lights the samples of a pixel take turns at them."""
+    shadow, lanes, cell = scratch.shadow, scratch.lanes, scratch.cell
     for k in range(LANES):
         if lanes.weight[k] != 0.0:
             add_surroundings(lanes, k, lights)
     if lights.sun[0] + lights.sun[1] + lights.sun[2] > 0.0:
-        _add_sun(shadow, lanes, lights, view, patterns.disk[sample])
-    turns = min(samples, max(1, (count + 3) // 4))
-    share = samples / ((samples - 1 - sample % turns) // turns * 1.0 + 1.0) if turns > 1 else 1.0
-    for number in range(count):
-        if turns == 1 or (number + sample) % turns == 0:
-            _add_local(shadow, lanes, lights.local[number], share if turns > 1 else 1.0, view,
-                       patterns.disk[sample], arriving)
-    _add_occlusion(shadow, lanes, view, patterns.hemisphere[sample], lights.occlusion_cm)
+        _add_sun(shadow, lanes, lights, view, patterns.disk[sample], cell)
+    for number in range(len(lights.local)):
+        _add_local(shadow, lanes, lights.local[number], view, patterns.disk[sample], cell, scratch.arriving,
+                   2 << (number % 20))
+    rays = patterns.hemisphere.shape[1] if sample == 0 else 1
+    for number in range(rays):
+        _add_occlusion(shadow, lanes, view, patterns.hemisphere[sample, number], cell, lights.occlusion_cm)
+
+
+@inner
+def _start_rays(scratch: Scratch, count: int, pixels: NDArray[np.int64], first: int, view: View, width: int,
+                height: int, offset_x: float, offset_y: float) -> None:
+    """Aim the primary packet at an offset within each of ``count`` pixels."""
+    primary, lanes, axes = scratch.primary, scratch.lanes, view.axes
+    for k in range(LANES):
+        primary.valid[k] = 0
+        scratch.through[k] = 0.0
+        if k >= count:
+            continue
+        pixel = pixels[first + k]
+        x, y = pixel % width, pixel // width
+        scratch.pixel[k], scratch.cell[k] = pixel, (y & 3) * 4 + (x & 3)
+        sx = (x + offset_x) / width * 2.0 - 1.0
+        sy = 1.0 - (y + offset_y) / height * 2.0
+        dx = axes[1, 0] + axes[2, 0] * sx + axes[3, 0] * sy
+        dy = axes[1, 1] + axes[2, 1] * sx + axes[3, 1] * sy
+        dz = axes[1, 2] + axes[2, 2] * sx + axes[3, 2] * sy
+        scale = 1.0 / math.sqrt(dx * dx + dy * dy + dz * dz)
+        lanes.ray[k, 0], lanes.ray[k, 1], lanes.ray[k, 2] = dx * scale, dy * scale, dz * scale
+        _aim(primary, k, axes[0], 0.1, dx * scale, dy * scale, dz * scale, _FAR, -1)
+        scratch.through[k] = 1.0
+
+
+@inner
+def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Textures, lights: LightTables,
+                out: Buffers, pixel_size: float, blend: float, first_sample: bool, last_layer: bool) -> bool:
+    """Find the next surface of every lane that is still going; whether any goes on behind it is returned."""
+    primary, lanes, through = scratch.primary, scratch.lanes, scratch.through
+    for k in range(LANES):
+        primary.numbers[PRIMITIVE + k] = -1
+        primary.numbers[GEOMETRY + k] = -1
+        primary.numbers[INSTANCE + k] = -1
+    _query(view.intersect, primary.valid_address, view.scene, primary.address)
+    going = False
+    for k in range(LANES):
+        lanes.weight[k] = 0.0
+        if primary.valid[k] == 0:
+            continue
+        if primary.numbers[GEOMETRY + k] == -1:
+            if view.lit:
+                for channel in range(3):
+                    lanes.direct[k, channel] += through[k] * sky_radiance(lights.sky, lanes.ray[k, 2], channel)
+            primary.valid[k] = 0
+            continue
+        opacity = _read_hit(primary, k, lanes, scene, textures, pixel_size, blend)
+        if last_layer:
+            opacity = 1.0
+        distance = primary.words[TFAR + k]
+        lanes.weight[k] = through[k] * opacity
+        pixel = scratch.pixel[k]
+        if first_sample:
+            out.identity[pixel] = out.identity[pixel] * 31 + lanes.surface[k] + 1
+            if out.actor[pixel] == -1 and opacity >= 0.5:
+                out.actor[pixel] = scene.actor[primary.numbers[INSTANCE + k]]
+                out.depth[pixel] = distance * (lanes.ray[k, 0] * view.axes[1, 0] + lanes.ray[k, 1] * view.axes[1, 1]
+                                               + lanes.ray[k, 2] * view.axes[1, 2])
+                for axis in range(3):
+                    out.normal[pixel, axis] = lanes.facing[k, axis]
+                    out.point[pixel, axis] = lanes.point[k, axis]
+        if not view.lit:
+            for channel in range(3):
+                lanes.direct[k, channel] += lanes.weight[k] * lanes.albedo[k, channel]
+        through[k] *= 1.0 - opacity
+        if through[k] < 0.004:
+            primary.valid[k] = 0
+        else:
+            primary.words[TNEAR + k] = distance + 1e-4 * distance + 0.02
+            primary.words[TFAR + k] = _FAR
+            going = True
+    return going
+
+
+@inner
+def _trace_pixels(pixels: NDArray[np.int64], width: int, height: int, first_sample: int, last_sample: int, view: View,
+                  scene: SceneTables, textures: Textures, lights: LightTables, patterns: Patterns, out: Buffers,
+                  scratch: Scratch) -> None:
+    lanes, axes = scratch.lanes, view.axes
+    pixel_size = 2.0 * math.sqrt(axes[2, 0] * axes[2, 0] + axes[2, 1] * axes[2, 1] + axes[2, 2] * axes[2, 2]) / width
+    for first in range(0, len(pixels), LANES):
+        count = min(LANES, len(pixels) - first)
+        for k in range(LANES):
+            lanes.open[k], lanes.covered[k], lanes.reached[k] = 0.0, 0.0, 0
+            for channel in range(3):
+                lanes.direct[k, channel], lanes.ambient[k, channel] = 0.0, 0.0
+        for sample in range(first_sample, last_sample):
+            _start_rays(scratch, count, pixels, first, view, width, height, patterns.pixel[sample, 0],
+                        patterns.pixel[sample, 1])
+            for layer in range(MAX_LAYERS):
+                going = _next_layer(scratch, view, scene, textures, lights, out, pixel_size, patterns.blend[sample],
+                                    sample == 0, layer == MAX_LAYERS - 1)
+                if view.lit:
+                    _shade(scratch, view, lights, patterns, sample)
+                if not going:
+                    break
+        for k in range(count):
+            pixel = scratch.pixel[k]
+            out.samples[pixel] += last_sample - first_sample
+            out.open[pixel, 0] += lanes.open[k]
+            out.open[pixel, 1] += lanes.covered[k]
+            if first_sample == 0:
+                out.identity[pixel] = out.identity[pixel] * 4194304 + lanes.reached[k]
+            for channel in range(3):
+                out.direct[pixel, channel] += lanes.direct[k, channel]
+                out.ambient[pixel, channel] += lanes.ambient[k, channel]
 
 
 @kernel
-def trace_band(first_row: int, last_row: int, view: View, scene: SceneTables, textures: Textures, lights: LightTables,
-               patterns: Patterns, out: Buffers) -> None:
-    """Trace the rows of tiles ``first_row`` to ``last_row - 1`` into ``out``."""
-    height, width = out.depth.shape
-    eye, forward, right, up = view.axes[0], view.axes[1], view.axes[2], view.axes[3]
-    samples = len(patterns.pixel)
-    pixel_size = 2.0 * math.sqrt(right[0] * right[0] + right[1] * right[1] + right[2] * right[2]) / width
-    primary, shadow, lanes = _new_packet(RAYHIT_WORDS), _new_packet(RAY_WORDS), new_lanes()
-    through, arriving = np.zeros(LANES), np.zeros((LANES, 4))
-    for tile_y in range(first_row, last_row):
-        for tile_x in range((width + 3) // 4):
-            lanes.direct[:] = 0.0
-            lanes.ambient[:] = 0.0
-            lanes.open[:] = 0.0
-            lanes.covered[:] = 0.0
-            for sample in range(samples):
-                for k in range(LANES):
-                    x, y = tile_x * 4 + (k & 3), tile_y * 4 + (k >> 2)
-                    primary.valid[k] = 0
-                    through[k] = 0.0
-                    if x >= width or y >= height:
-                        continue
-                    sx = (x + patterns.pixel[sample, 0]) / width * 2.0 - 1.0
-                    sy = 1.0 - (y + patterns.pixel[sample, 1]) / height * 2.0
-                    ray = lanes.ray[k]
-                    for axis in range(3):
-                        ray[axis] = forward[axis] + right[axis] * sx + up[axis] * sy
-                    scale = 1.0 / math.sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2])
-                    for axis in range(3):
-                        ray[axis] *= scale
-                    _aim(primary, k, eye, 0.1, ray[0], ray[1], ray[2], _FAR, -1)
-                    through[k] = 1.0
-                    if sample == 0:
-                        out.actor[y, x] = -1
-                        out.depth[y, x] = np.inf
-                        for axis in range(3):
-                            out.normal[y, x, axis] = 0.0
-                for layer in range(MAX_LAYERS):
-                    for k in range(LANES):
-                        primary.numbers[PRIMITIVE + k] = -1
-                        primary.numbers[GEOMETRY + k] = -1
-                        primary.numbers[INSTANCE + k] = -1
-                    _query(view.intersect, primary.valid_address, view.scene, primary.address)
-                    going = False
-                    for k in range(LANES):
-                        lanes.weight[k] = 0.0
-                        if primary.valid[k] == 0:
-                            continue
-                        x, y = tile_x * 4 + (k & 3), tile_y * 4 + (k >> 2)
-                        if primary.numbers[GEOMETRY + k] == -1:
-                            if view.lit:
-                                for channel in range(3):
-                                    lanes.direct[k, channel] += through[k] * sky_radiance(
-                                        lights.sky, lanes.ray[k, 2], channel)
-                            primary.valid[k] = 0
-                            continue
-                        opacity = _read_hit(primary, k, lanes, scene, textures, pixel_size,
-                                            (sample + 0.5) / samples)
-                        distance = primary.words[TFAR + k]
-                        if layer == MAX_LAYERS - 1:
-                            opacity = 1.0
-                        lanes.weight[k] = through[k] * opacity
-                        if sample == 0 and out.actor[y, x] == -1 and opacity >= 0.5:
-                            ray = lanes.ray[k]
-                            out.actor[y, x] = scene.actor[primary.numbers[INSTANCE + k]]
-                            out.depth[y, x] = distance * (
-                                ray[0] * forward[0] + ray[1] * forward[1] + ray[2] * forward[2])
-                            for axis in range(3):
-                                out.normal[y, x, axis] = lanes.facing[k, axis]
-                                out.point[y, x, axis] = lanes.point[k, axis]
-                        if not view.lit:
-                            for channel in range(3):
-                                lanes.direct[k, channel] += lanes.weight[k] * lanes.albedo[k, channel]
-                        through[k] *= 1.0 - opacity
-                        if through[k] < 0.004:
-                            primary.valid[k] = 0
-                        else:
-                            primary.words[TNEAR + k] = distance + 1e-4 * distance + 0.02
-                            primary.words[TFAR + k] = _FAR
-                            going = True
-                    if view.lit:
-                        _shade(shadow, lanes, view, lights, patterns, sample, arriving)
-                    if not going:
-                        break
-            for k in range(LANES):
-                x, y = tile_x * 4 + (k & 3), tile_y * 4 + (k >> 2)
-                if x >= width or y >= height:
-                    continue
-                out.open[y, x] = lanes.open[k] / lanes.covered[k] if lanes.covered[k] > 0.0 else 1.0
-                for channel in range(3):
-                    out.direct[y, x, channel] = lanes.direct[k, channel] / samples
-                    out.ambient[y, x, channel] = lanes.ambient[k, channel] / samples
+def trace_pixels(pixels: NDArray[np.int64], width: int, height: int, first_sample: int, last_sample: int, view: View,
+                 scene: SceneTables, textures: Textures, lights: LightTables, patterns: Patterns, out: Buffers,
+                 scratch: Scratch) -> None:
+    """Add samples ``first_sample`` to ``last_sample - 1`` of some pixels to ``out``."""
+    _trace_pixels(pixels, width, height, first_sample, last_sample, view, scene, textures, lights, patterns, out,
+                  scratch)

@@ -1,34 +1,36 @@
-"""Where Embree 4.4.0 keeps the fields of a packet of 16 rays and their hits, in 4-byte words (``rtcore_ray.h``).
+"""Where Embree 4.4.0 keeps the fields of a packet of 8 rays and their hits, in 4-byte words (``rtcore_ray.h``).
 
-A field holds 16 consecutive lanes. Fields marked (int) are 32-bit integers, the others 32-bit floats.
+A field holds 8 consecutive lanes. Fields marked (int) are 32-bit integers, the others 32-bit floats.
 """
 
 from __future__ import annotations
 
-LANES = 16
-ORIGIN = 0
-"""x, y, z: three fields of 16 lanes."""
-TNEAR = 48
-DIRECTION = 64
+LANES = 8
+"""Rays a packet: what AVX2 traces natively. (Packets of 16 are then split by Embree, which also copies hit fields that
+an occlusion query's shorter structure does not have.)"""
+ORIGIN = 0 * LANES
+"""x, y, z: three fields."""
+TNEAR = 3 * LANES
+DIRECTION = 4 * LANES
 """x, y, z."""
-TIME = 112
-TFAR = 128
+TIME = 7 * LANES
+TFAR = 8 * LANES
 """Distance to the hit; negative after an occlusion query that found something."""
-RAY_MASK = 144
+RAY_MASK = 9 * LANES
 """(int)"""
-RAY_ID = 160
+RAY_ID = 10 * LANES
 """(int)"""
-FLAGS = 176
+FLAGS = 11 * LANES
 """(int)"""
-NORMAL = 192
+NORMAL = 12 * LANES
 """x, y, z: geometric normal of the hit in the instance's own axes, not of unit length."""
-HIT_U = 240
-HIT_V = 256
-PRIMITIVE = 272
+HIT_U = 15 * LANES
+HIT_V = 16 * LANES
+PRIMITIVE = 17 * LANES
 """(int)"""
-GEOMETRY = 288
+GEOMETRY = 18 * LANES
 """(int) -1 for a miss."""
-INSTANCE = 304
+INSTANCE = 19 * LANES
 """(int)"""
 RAY_WORDS = 12 * LANES
 RAYHIT_WORDS = 21 * LANES

@@ -40,7 +40,7 @@ class LightTables(NamedTuple):
 
 
 class Lanes(NamedTuple):
-    """State of the 16 pixels of a tile while one layer of one sample is shaded."""
+    """State of the pixels of a packet while one layer of one sample is shaded."""
 
     point: NDArray[np.float64]
     """A point just off the surface, where secondary rays start."""
@@ -62,14 +62,18 @@ class Lanes(NamedTuple):
     """Sum of weight times unoccluded share of the hemisphere."""
     covered: NDArray[np.float64]
     """Sum of weights."""
+    surface: NDArray[np.int64]
+    """A number for the instance and slot that was hit."""
+    reached: NDArray[np.int64]
+    """A sum of numbers of the lights that arrived."""
 
 
-@inner
 def new_lanes() -> Lanes:
-    """State of a tile, all zero."""
+    """State of a packet, all zero."""
     return Lanes(np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros((LANES, 3)),
                  np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES), np.zeros(LANES),
-                 np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES))
+                 np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES),
+                 np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64))
 
 
 def _unit(vector: tuple[float, float, float]) -> NDArray[np.float64]:

@@ -16,7 +16,8 @@ from c4s.errors import BadInput
 from c4s.packs.meshes import Mesh
 from c4s.scene.transform import rotation_matrix
 
-_BAND = 4
+_PIXELS = 4096
+_ROWS = 16
 
 
 def default_threads() -> int:
@@ -69,12 +70,13 @@ class Renderer:
         Args:
             camera: where from.
             mode: ``lit``; or ``base_color``: the surfaces' own colour without light, black where there is none.
-            samples: rays a pixel, the first through its centre; 4 is twice the resolution each way.
+            samples: rays a pixel where surfaces or shadows meet, the first through its centre; elsewhere one. 4 is
+                twice the resolution each way.
             exposure_bias_ev: stops added to the exposure of a lit picture.
         """
-        from c4s.engine.headless.render.develop import BINS, combine_rows, develop_rows, exposure_for
-        from c4s.engine.headless.render.kernels import Buffers, Patterns, View, trace_band
-        from c4s.engine.headless.render.sampling import disk_points, hemisphere_directions, pixel_offsets
+        from c4s.engine.headless.render.develop import BINS, combine_rows, develop_pixels, exposure_for, mark_edges
+        from c4s.engine.headless.render.kernels import Buffers, View, new_scratch, trace_pixels
+        from c4s.engine.headless.render.sampling import patterns_for, tile_order
         from c4s.engine.headless.render.textures import encode_table
 
         if mode not in ("lit", "base_color"):
@@ -84,29 +86,42 @@ class Renderer:
         if not self._release.alive:
             raise BadInput("the renderer has been closed", where="renderer")
         height, width, lit = camera.height, camera.width, mode == "lit"
+        pixels = height * width
 
         def plane(*channels: int) -> NDArray[np.float32]:
-            return np.zeros((height, width, *channels), dtype=np.float32)
+            return np.zeros((pixels, *channels), dtype=np.float32)
 
-        buffers = Buffers(plane(3), plane(3), plane(), plane(3), plane(3),
-                          np.full((height, width), -1, dtype=np.int32), plane())
+        buffers = Buffers(plane(3), plane(3), plane(2), np.zeros(pixels, dtype=np.int32), plane(3), plane(3),
+                          np.zeros(pixels, dtype=np.int64), np.full(pixels, -1, dtype=np.int32),
+                          np.full(pixels, np.inf, dtype=np.float32))
         view = View(_axes(camera, self._origin), np.uintp(self._functions.intersect),
                     np.uintp(self._functions.occluded), np.uintp(self._scene.handle), lit)
-        patterns = Patterns(pixel_offsets(samples), disk_points(samples), hemisphere_directions(samples))
-        light, rgb = plane(3), np.zeros((height, width, 3), dtype=np.uint8)
-        histograms = np.zeros((height // 16 + 1, BINS), dtype=np.int64)
+        patterns = patterns_for(samples)
+        light, rgb = plane(3), np.zeros((pixels, 3), dtype=np.uint8)
+        edge, order = np.zeros(pixels, dtype=np.bool_), tile_order(width, height)
+        histograms = np.zeros((height // _ROWS + 1, BINS), dtype=np.int64)
+
+        def trace(chosen: NDArray[np.int64], first: int, last: int) -> None:
+            _in_bands(pool, len(chosen), _PIXELS, lambda low, high: trace_pixels(
+                chosen[low:high], width, height, first, last, view, self._tables, self._textures,
+                self._light_tables, patterns, buffers, new_scratch()))
+
         with ThreadPoolExecutor(self._threads) as pool:
-            _in_bands(pool, (height + 3) // 4, _BAND, lambda first, last: trace_band(
-                first, last, view, self._tables, self._textures, self._light_tables, patterns, buffers))
-            _in_bands(pool, height, 16, lambda first, last: combine_rows(
-                first, last, buffers, light, histograms[first // 16]))
+            trace(order, 0, 1)
+            if samples > 1:
+                _in_bands(pool, height, _ROWS, lambda first, last: mark_edges(
+                    first, last, width, height, buffers, edge))
+                trace(order[edge[order]], 1, samples)
+            _in_bands(pool, height, _ROWS, lambda first, last: combine_rows(
+                first, last, width, height, buffers, light, histograms[first // _ROWS]))
             exposure = self._lights.exposure_ev
             if exposure is None:
                 exposure = exposure_for(histograms.sum(axis=0))
             gain = 2.0 ** (exposure + exposure_bias_ev) if lit else 1.0
-            _in_bands(pool, height, 16, lambda first, last: develop_rows(
+            _in_bands(pool, pixels, 16 * _PIXELS, lambda first, last: develop_pixels(
                 first, last, light, gain, lit, encode_table(), rgb))
-        return Picture(rgb, buffers.actor, buffers.depth)
+        return Picture(rgb.reshape(height, width, 3), buffers.actor.reshape(height, width),
+                       buffers.depth.reshape(height, width))
 
 
 def _axes(camera: Camera, origin: NDArray[np.float64]) -> NDArray[np.float64]:

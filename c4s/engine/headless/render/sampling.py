@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import functools
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from c4s.engine.headless.render.layout import LANES
-
+CELLS = 16
+"""Pixels of a tile."""
 _GOLDEN = 0.6180339887498949
 _PLASTIC = 0.7548776662466927
+_FIRST_RAYS = 3
 _DITHER = (0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5)
 
 
@@ -32,29 +34,59 @@ def pixel_offsets(samples: int) -> NDArray[np.float64]:
 
 @functools.cache
 def disk_points(samples: int) -> NDArray[np.float64]:
-    """(samples, LANES, 2) points of the unit disk, evenly spread over the samples of a pixel and over a tile."""
-    points = np.zeros((samples, LANES, 2))
+    """(samples, CELLS, 2) points of the unit disk, evenly spread over the samples of a pixel and over a tile."""
+    points = np.zeros((samples, CELLS, 2))
     for sample in range(samples):
-        for lane in range(LANES):
-            step = _DITHER[lane]
-            radius = math.sqrt(((sample * LANES + step * 7 % LANES) + 0.5) / (samples * LANES))
-            angle = 2 * math.pi * ((step / LANES + sample * _GOLDEN) % 1.0)
-            points[sample, lane] = (round(radius * math.cos(angle), 6), round(radius * math.sin(angle), 6))
+        for cell in range(CELLS):
+            step = _DITHER[cell]
+            radius = math.sqrt(((sample * CELLS + step * 7 % CELLS) + 0.5) / (samples * CELLS))
+            angle = 2 * math.pi * ((step / CELLS + sample * _GOLDEN) % 1.0)
+            points[sample, cell] = (round(radius * math.cos(angle), 6), round(radius * math.sin(angle), 6))
     return points
 
 
 @functools.cache
-def hemisphere_directions(samples: int) -> NDArray[np.float64]:
-    """(samples, LANES, 4): cosine-weighted directions around +Z and the share of the full reach of each."""
-    directions = np.zeros((samples, LANES, 4))
-    total = samples * LANES
-    for sample in range(samples):
-        for lane in range(LANES):
-            number = sample * LANES + _DITHER[lane]
+def texture_blends(samples: int) -> NDArray[np.float64]:
+    """(samples,) what each sample adds to a texture's level before rounding down; their mean is 0.5."""
+    return np.array([0.5, *((number + 0.5) / (samples - 1) for number in range(samples - 1))])
+
+
+@functools.cache
+def hemisphere_directions(samples: int, rays: int) -> NDArray[np.float64]:
+    """(samples, rays, CELLS, 4): cosine-weighted directions around +Z and the share of the full reach of each."""
+    directions = np.zeros((samples * rays, CELLS, 4))
+    total = samples * rays * CELLS
+    for ray in range(samples * rays):
+        for cell in range(CELLS):
+            number = ray * CELLS + _DITHER[cell]
             height = ((number * _PLASTIC) % 1.0 * (total - 1) + 0.5) / total
             angle = 2 * math.pi * ((number * _GOLDEN * _GOLDEN) % 1.0)
             flat = math.sqrt(height)
             reach = 0.35 + 0.65 * ((number * _GOLDEN) % 1.0)
             values = (flat * math.cos(angle), flat * math.sin(angle), math.sqrt(1 - height), reach)
-            directions[sample, lane] = [round(value, 6) for value in values]
-    return directions
+            directions[ray, cell] = [round(value, 6) for value in values]
+    return directions.reshape(samples, rays, CELLS, 4)
+
+
+@functools.lru_cache(maxsize=4)
+def tile_order(width: int, height: int) -> NDArray[np.int64]:
+    """All pixels in reading order of 4x4 tiles, so that those of a packet lie together."""
+    y, x = np.mgrid[0:height, 0:width]
+    tile = (y // 4) * ((width + 3) // 4) + x // 4
+    order: NDArray[np.int64] = np.argsort((tile * 16 + (y & 3) * 4 + (x & 3)).ravel(), kind="stable")
+    return order
+
+
+class Patterns(NamedTuple):
+    """All patterns of a picture, for the kernels."""
+
+    pixel: NDArray[np.float64]
+    blend: NDArray[np.float64]
+    disk: NDArray[np.float64]
+    hemisphere: NDArray[np.float64]
+
+
+def patterns_for(samples: int) -> Patterns:
+    """Patterns for a picture with so many samples a pixel; the first sample sends more occlusion rays."""
+    return Patterns(pixel_offsets(samples), texture_blends(samples), disk_points(samples),
+                    hemisphere_directions(samples, _FIRST_RAYS if samples > 1 else 1))
