@@ -169,7 +169,7 @@ def last_saved(content: Path) -> str | None:
         handle = os.open(content / "saves.jsonl", os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError:
         return None
-    with open(handle, "rb") as source:
+    with os.fdopen(handle, "rb") as source:
         if not stat.S_ISREG(os.fstat(handle).st_mode):
             return None
         lines = source.read(MOST_SAVES_BYTES).decode("utf-8", "replace").splitlines()

@@ -1,7 +1,7 @@
 """The scene side of the tools. Runs inside the engine's Python: standard library and ``unreal`` only.
 
-All functions take and return JSON-able values; centimetres and degrees, rotations as ``[pitch, yaw, roll]``. An actor is
-addressed by its label, then by its object name, and an ambiguous address is an error.
+All functions take and return JSON-able values; centimetres and degrees, rotations as ``[pitch, yaw, roll]``. An actor
+is addressed by its label, then by its object name, and an ambiguous address is an error.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def _scale(value: float | Sequence[float]) -> Any:
 def actor_id(actor: Any) -> str:
     """The actor's guid where the engine gives one, else its path."""
     guid = actor.get_editor_property("actor_guid")
-    return guid.to_string() or actor.get_path_name()
+    return str(guid.to_string() or actor.get_path_name())
 
 
 def _mesh_paths(actor: Any) -> list[str]:
@@ -108,7 +108,7 @@ def actor_ids() -> list[str]:
 
 def current_level() -> str:
     """Package path of the level that is open."""
-    return _world().get_path_name().split(".", 1)[0]
+    return str(_world().get_path_name()).split(".", 1)[0]
 
 
 def list_actors() -> list[dict[str, Any]]:
@@ -169,7 +169,7 @@ def spawn_blueprint(name: str, blueprint: str, location: Sequence[float], rotati
 
 
 def spawn_many(entries: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """Spawn entries ``{name, asset, kind, location, rotation?, scale?}``; a wrong one is reported and the rest go on."""
+    """Spawn entries ``{name, asset, kind, location, rotation?, scale?}``; a wrong one is told and the rest go on."""
     spawned, failed = [], []
     for entry in entries:
         try:
@@ -220,7 +220,7 @@ def delete_all_but(ids: Sequence[str]) -> list[str]:
 
 
 def _is_ground(actor: Any) -> bool:
-    origin, extent = actor.get_actor_bounds(False)
+    _, extent = actor.get_actor_bounds(False)
     width = 2 * min(extent.x, extent.y)
     return (4 * extent.x * extent.y >= GROUND_AREA_CM2 and extent.z * 2 <= GROUND_FLATNESS * width
             and bool(_mesh_paths(actor)))
@@ -233,7 +233,8 @@ def setup_environment(ground_size: float = 100.0, time_of_day: str = "afternoon"
     """
     pitch, yaw = SUN_ANGLES[time_of_day]
     actors = _actors()
-    added, present = [], []
+    added: list[str] = []
+    present: list[str] = []
 
     def missing(label: str, cls: Any) -> bool:
         there = any(isinstance(actor, cls) for actor in actors)

@@ -43,15 +43,15 @@ def _preview(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 TOOLS = (
-    Tool("search_assets", GROUP, "Search this case's asset catalog in plain words. Gives matching assets, best first, with "
-         "id, description, tags, size in metres and the path to spawn by.", _search,
+    Tool("search_assets", GROUP, "Search this case's asset catalog in plain words. Gives matching assets, best first, "
+         "with id, description, tags, size in metres and the path to spawn by.", _search,
          {"query": text("What to look for, in plain words."), "category": text("Only assets of this category."),
           "k": {"type": "integer", "minimum": 1, "maximum": MOST_RESULTS,
                 "description": f"How many results at most (default {DEFAULT_RESULTS})."}}, ("query",)),
-    Tool("get_categories", GROUP, "List the categories of this case's catalog with the number of assets and a short text.",
+    Tool("get_categories", GROUP, "List the categories of this case's catalog with their size and a short text.",
          _categories),
-    Tool("get_asset_metadata", GROUP, "Category, description, tags, size in metres and spawn path of assets.", _metadata,
-         {"ids": {**names("Asset ids or paths."), "minItems": 1, "maxItems": 200}}, ("ids",)),
+    Tool("get_asset_metadata", GROUP, "Category, description, tags, size in metres and spawn path of assets.",
+         _metadata, {"ids": {**names("Asset ids or paths."), "minItems": 1, "maxItems": 200}}, ("ids",)),
     Tool("get_asset_preview", GROUP, "A preview picture of one asset, where there is one.", _preview,
          {"id": text("Asset id or path.")}, ("id",)),
 )

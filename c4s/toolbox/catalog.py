@@ -24,7 +24,8 @@ SYNONYMS: tuple[frozenset[str], ...] = tuple(frozenset(group.split()) for group 
     "sofa couch settee", "chair seat stool", "table desk", "lamp light lantern", "cabinet cupboard wardrobe closet",
     "shelf bookcase bookshelf rack", "rug carpet mat", "plant pot shrub bush", "tree conifer pine", "boat ship vessel",
     "box crate case", "trash bin waste garbage rubbish", "car vehicle auto", "truck lorry", "fence railing barrier",
-    "house building cottage barn", "road street path", "monitor screen display", "computer pc laptop", "picture painting frame",
+    "house building cottage barn", "road street path", "monitor screen display", "computer pc laptop",
+    "picture painting frame",
     "stone rock boulder", "ground floor terrain", "bed mattress", "wall partition", "dock pier quay jetty"))
 _WORD = re.compile(r"[a-z0-9]+")
 

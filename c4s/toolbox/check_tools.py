@@ -1,7 +1,7 @@
 """Verification tools: pictures, measurements and geometric checks of the scene as it is.
 
-The rules are those of ``c4s.verify`` and ``c4s.collision``; here they are applied to all actors, since there is no input
-scene to compare with.
+The rules are those of ``c4s.verify`` and ``c4s.collision``; here they are applied to all actors, since there is no
+input scene to compare with.
 """
 
 from __future__ import annotations
@@ -36,7 +36,8 @@ _FILE = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,99}")
 
 
 def _screenshot(bench: Workbench, arguments: Arguments) -> ToolResult:
-    wanted = arguments.get("filename") or Path(arguments.get("filepath", "")).name or f"screenshot_{bench.next_picture()}"
+    wanted = arguments.get("filename") or Path(arguments.get("filepath", "")).name
+    wanted = wanted or f"screenshot_{bench.next_picture()}"
     name = wanted if wanted.endswith(".png") else f"{wanted}.png"
     if not _FILE.fullmatch(name):
         raise ToolRefused("the file name may have letters, digits, _, - and . only")
@@ -58,7 +59,7 @@ def read_picture(path: Path, folder: Path) -> bytes:
         handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError as error:
         raise ToolRefused(f"the picture cannot be read: {error.strerror}") from error
-    with open(handle, "rb") as source:
+    with os.fdopen(handle, "rb") as source:
         if not stat.S_ISREG(os.fstat(handle).st_mode):
             raise ToolRefused("the picture is not a plain file")
         png = source.read(MOST_PICTURE_BYTES)
@@ -109,14 +110,16 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
     high = np.max([centre + half for centre, half in boxes], axis=0) if boxes else None
     return ToolResult({
         "actors": len(actors),
-        "floating_rate": floating["score"], "floating": [by_name.get(name, name) for name in floating["floating_actors"]],
+        "floating_rate": floating["score"],
+        "floating": [by_name.get(name, name) for name in floating["floating_actors"]],
         "floating_tested": floating["evaluated"], "floating_unresolved": floating["unresolved"],
         "collision_rate": None if solid["score"] is None else round(1 - solid["score"], 4),
         "colliding": [{**by_name.get(item["actor"], {"name": item["actor"]}), "tolerance_cm": item["tolerance_cm"],
                        "contacts": item["contacts"]} for item in solid["violations"]],
         "collision_tested": solid["evaluated"], "collision_unresolved": solid["unresolved"],
         "extent": None if low is None or high is None else
-        {"min_cm": low.round(2).tolist(), "max_cm": high.round(2).tolist(), "size_m": ((high - low) / 100).round(3).tolist()}})
+        {"min_cm": low.round(2).tolist(), "max_cm": high.round(2).tolist(),
+         "size_m": ((high - low) / 100).round(3).tolist()}})
 
 
 def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -148,18 +151,18 @@ def _check_collisions(bench: Workbench, arguments: Arguments) -> ToolResult:
 ACTORS = names("Labels or object names (default: all actors).")
 
 TOOLS = (
-    Tool("take_screenshot", GROUP, f"A {WIDTH} x {HEIGHT} picture of the viewport. The viewport camera is set in Python "
+    Tool("take_screenshot", GROUP, f"A {WIDTH} x {HEIGHT} picture of the viewport. Its camera is set in Python "
          "(unreal.UnrealEditorSubsystem.set_level_viewport_camera_info).", _screenshot,
          {"filename": text("File name in the run's screenshot folder."),
           "filepath": text("Like filename; folders are ignored.")}),
-    Tool("measure_scene", GROUP, "Number of actors, shares of floating and of colliding actors with the actors at fault, and "
-         "the extent of the scene.", _measure),
-    Tool("check_floating", GROUP, "Actors that hang further above the next surface below than a threshold, with the gap.",
+    Tool("measure_scene", GROUP, "Number of actors, shares of floating and of colliding actors with the "
+         "actors at fault, and the extent of the scene.", _measure),
+    Tool("check_floating", GROUP, "Actors that hang further above the next surface than a threshold, with the gap.",
          _check_floating, {"actor_names": ACTORS,
-                           "threshold_cm": number(f"Largest gap that still counts as standing (default {GAP_CM:g} cm).",
-                                                  minimum=0)}),
+                           "threshold_cm": number("Largest gap that counts as standing "
+                                                  f"(default {GAP_CM:g} cm).", minimum=0)}),
     Tool("check_collisions", GROUP, "Pairs of actors that overlap, with the depth.", _check_collisions,
          {"actor_names": ACTORS,
-          "touch_tolerance_cm": number(f"Overlap that still counts as touching (default {TOUCH_TOLERANCE_CM:g} cm).",
-                                       minimum=0)}),
+          "touch_tolerance_cm": number("Overlap that still counts as touching "
+                                       f"(default {TOUCH_TOLERANCE_CM:g} cm).", minimum=0)}),
 )

@@ -183,7 +183,7 @@ class _Flight:
 
 
 async def _read_body(receive: Receive) -> tuple[bytes, Receive]:
-    """The body up to a little over the limit (the SDK refuses what is longer), and a ``receive`` that gives it again."""
+    """The body, up to a little over the limit (the SDK refuses more), and a ``receive`` that gives it again."""
     taken: list[Message] = []
     body = b""
     while len(body) <= MAX_BODY_BYTES:

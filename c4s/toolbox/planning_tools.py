@@ -80,7 +80,7 @@ def _spawn_entries(bench: Workbench, entries: list[dict[str, Any]]) -> ToolResul
         resolved.append({**entry, "asset": path, "kind": kind})
     outcome = bench.scene("spawn_many", entries=resolved)
     if outcome["failed"] and not outcome["spawned"]:
-        raise ToolRefused(f"none of {len(resolved)} entries could be spawned; the first: {outcome['failed'][0]['error']}")
+        raise ToolRefused(f"none of {len(resolved)} entries was spawned; the first: {outcome['failed'][0]['error']}")
     return ToolResult({"spawned": [item["label"] for item in outcome["spawned"]], "count": len(outcome["spawned"]),
                        "failed": outcome["failed"]})
 
@@ -112,20 +112,20 @@ ENTRY: Schema = {
                    "rotation": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}}}
 
 TOOLS = (
-    Tool("validate_scene_graph", GROUP, "Check a scene graph against the catalog: whether it can be solved whole, and every "
-         "entry that would be dropped with the reason.", _validate, {"graph": GRAPH}, ("graph",)),
-    Tool("solve_scene_graph", GROUP, "World transforms for a scene graph; overlapping footprints are pushed apart. Equal input "
-         "gives equal output. The solution is kept for the other planning tools.", _solve,
-         {"graph": GRAPH, "mode": {"enum": ["separate", "exact"], "description": "separate (default): push overlaps apart. "
-                                                                              "exact: keep the positions."},
+    Tool("validate_scene_graph", GROUP, "Check a scene graph against the catalog: whether it can be solved whole, and "
+         "every entry that would be dropped with the reason.", _validate, {"graph": GRAPH}, ("graph",)),
+    Tool("solve_scene_graph", GROUP, "World transforms for a scene graph; overlapping footprints are pushed apart. "
+         "Equal input gives equal output. The solution is kept for the other planning tools.", _solve,
+         {"graph": GRAPH, "mode": {"enum": ["separate", "exact"],
+                                    "description": "separate (default): push overlaps apart. exact: keep them."},
           "half_extent_m": HALF_EXTENT}, ("graph",)),
     Tool("render_plan", GROUP, "A picture of the solved plan seen from above.", _render, {"solved": SOLVED}),
     Tool("tier_derivation", GROUP, "The build tier of every placed entry.", _tiers, {"solved": SOLVED}),
     Tool("ground_pass", GROUP, "Lay ground tiles of a fitting flat asset over the build area.", _ground,
          {"scene_text": text("The scene in words: decides which ground fits."), "half_extent_m": HALF_EXTENT},
          ("scene_text",)),
-    Tool("build_tier", GROUP, "Spawn one tier of the solved plan, or a list of entries, in one call. Entries that fail are "
-         "reported and the rest are built.", _build,
+    Tool("build_tier", GROUP, "Spawn one tier of the solved plan, or a list of entries, in one call. Entries that fail "
+         "are reported and the rest are built.", _build,
          {"tier": {"type": ["string", "integer"], "description": "Tier name, or its number in building order from 0."},
           "entries": {"type": "array", "items": ENTRY, "minItems": 1, "maxItems": MOST_ENTRIES,
                       "description": "Entries {name, asset, location, rotation, scale} in place of a tier."}}),

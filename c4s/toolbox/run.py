@@ -204,7 +204,8 @@ def _plain_arguments(arguments: Mapping[str, Any]) -> tuple[dict[str, Any], str]
     try:
         canonical_json(plain).encode()
     except ValueError as error:
-        return {"unusable": repr(plain)[:1000].encode("ascii", "backslashreplace").decode()}, f"invalid arguments: {error}"
+        shown = repr(plain)[:1000].encode("ascii", "backslashreplace").decode()
+        return {"unusable": shown}, f"invalid arguments: {error}"
     return plain, ""
 
 

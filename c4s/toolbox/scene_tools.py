@@ -61,21 +61,21 @@ def _find(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 TOOLS = (
-    Tool("spawn_actor", EDITING, "Place an actor made from a static mesh. The name becomes its label and must be new.", _spawn,
-         {"name": text("Label of the new actor."), "static_mesh": text("Catalog id, or path of a static mesh."),
+    Tool("spawn_actor", EDITING, "Place an actor made from a static mesh. The name becomes its label and must be new.",
+         _spawn, {"name": text("Label of the new actor."), "static_mesh": text("Catalog id, or path of a static mesh."),
           "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name", "static_mesh", "location")),
-    Tool("spawn_blueprint_actor", EDITING, "Place an actor made from a Blueprint. The name becomes its label and must be new.",
+    Tool("spawn_blueprint_actor", EDITING, "Place an actor made from a Blueprint. The name becomes its label.",
          _spawn_blueprint,
          {"actor_name": text("Label of the new actor."), "blueprint_id": text("Catalog id, or path of a Blueprint."),
           "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("actor_name", "blueprint_id", "location")),
     Tool("set_actor_transform", EDITING, "Change position, rotation and/or scale of an actor; what is left out stays.",
          _set_transform, {"name": ACTOR, "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name",)),
     Tool("delete_actor", EDITING, "Remove one actor.", _delete, {"name": ACTOR}, ("name",)),
-    Tool("delete_all_spawned", EDITING, "Remove every actor that was added in this run, by whichever tool or script. The "
-         "actors of the start level stay.", _delete_all_spawned),
+    Tool("delete_all_spawned", EDITING, "Remove every actor that was added in this run, by whichever tool or script. "
+         "The actors of the start level stay.", _delete_all_spawned),
     Tool("get_actors_in_level", INSPECTION, "All actors: label, object name, class, transform, static meshes.", _list),
-    Tool("find_actors_by_name", INSPECTION, "Actors whose label or object name holds a text, with their bounds; says which "
-         "of the two matched.", _find,
+    Tool("find_actors_by_name", INSPECTION, "Actors whose label or object name holds a text, with their bounds; says "
+         "which of the two matched.", _find,
          {"pattern": text("Text to look for, ignoring case; * and ? stand for any text and any character.")},
          ("pattern",)),
 )

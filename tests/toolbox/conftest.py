@@ -42,7 +42,8 @@ def pack(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def engines(tmp_path_factory: pytest.TempPathFactory, pack: Path) -> Iterator[Callable[[str], tuple[EngineSession, Path]]]:
+def engines(tmp_path_factory: pytest.TempPathFactory, pack: Path
+            ) -> Iterator[Callable[[str], tuple[EngineSession, Path]]]:
     """One engine a setting, started when it is first asked for."""
     started: dict[str, tuple[EngineSession, Path]] = {}
     with ExitStack() as stack:

@@ -37,8 +37,9 @@ def make_pack(root: Path) -> Path:
         mesh.visual = trimesh.visual.TextureVisuals(material=trimesh.visual.material.PBRMaterial(name="Default"))
         write_bytes(folder / "meshes" / f"{name}.glb", mesh.export(file_type="glb"))
         assets.append(Asset(
-            id=name, name=name.replace("_", " ").title(), path=path_of(f"SM_{name}"), category=category, description=text,
-            tags=["wood"], bounds_min_cm=(-half[0], -half[1], 0), bounds_max_cm=(half[0], half[1], 2 * half[2]),
+            id=name, name=name.replace("_", " ").title(), path=path_of(f"SM_{name}"), category=category,
+            description=text, tags=["wood"], bounds_min_cm=(-half[0], -half[1], 0),
+            bounds_max_cm=(half[0], half[1], 2 * half[2]),
             mesh=f"meshes/{name}.glb", mesh_sha256=digest_file(folder / "meshes" / f"{name}.glb"),
             slots=[MaterialSlot(name="Default", material=path_of("M_plain"))],
             collision=[BoxBody(center=(0, 0, half[2]), half_extent=half)],
@@ -61,8 +62,8 @@ def make_pack(root: Path) -> Path:
 def mesh_actor(number: int, label: str, name: str, location: tuple[float, float, float]) -> LevelActor:
     """A static mesh actor of the start level."""
     return LevelActor(
-        name=f"StaticMeshActor_{number}", label=label, class_path="/Script/Engine.StaticMeshActor", guid=f"{number:032X}",
-        transform=Transform(location_cm=location),
+        name=f"StaticMeshActor_{number}", label=label, class_path="/Script/Engine.StaticMeshActor",
+        guid=f"{number:032X}", transform=Transform(location_cm=location),
         components=[LevelComponent(name="StaticMeshComponent0", class_path="/Script/Engine.StaticMeshComponent",
                                    static_mesh=path_of(f"SM_{name}"))])
 

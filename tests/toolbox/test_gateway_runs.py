@@ -16,6 +16,8 @@ from c4s.toolbox.gateway import Endpoint
 from c4s.toolbox.run import Run
 
 HEADERS = {"Accept": "application/json, text/event-stream", "Content-Type": "application/json"}
+INITIALIZE = {"jsonrpc": "2.0", "id": 0, "method": "initialize", "params": {
+    "protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}}
 
 
 def payload(answer: object) -> dict:
@@ -64,9 +66,7 @@ def test_two_posts_with_one_id_in_flight_share_one_call(open_run: Callable) -> N
     opened = open_run()
     with httpx2.Client(headers={**HEADERS, "Authorization": f"Bearer {opened.endpoint.token}"}, trust_env=False,
                        timeout=60) as http:
-        hello = http.post(opened.endpoint.url, json={
-            "jsonrpc": "2.0", "id": 0, "method": "initialize",
-            "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}})
+        hello = http.post(opened.endpoint.url, json=INITIALIZE)
         session = {"mcp-session-id": hello.headers["mcp-session-id"], "mcp-protocol-version": "2025-06-18"}
         http.post(opened.endpoint.url, headers=session, json={"jsonrpc": "2.0", "method": "notifications/initialized"})
         call = {"jsonrpc": "2.0", "id": 7, "method": "tools/call", "params": {
@@ -100,9 +100,7 @@ def test_tokens_select_the_run_and_sessions_are_not_shared(open_run: Callable, p
         assert [tool.name for tool in client.tools()] == ["get_categories"]
     assert (opened.run.calls, second.calls) == (0, 1)
     with httpx2.Client(headers=HEADERS, trust_env=False) as http:
-        hello = http.post(endpoint.url, headers={"Authorization": f"Bearer {endpoint.token}"}, json={
-            "jsonrpc": "2.0", "id": 0, "method": "initialize",
-            "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}})
+        hello = http.post(endpoint.url, headers={"Authorization": f"Bearer {endpoint.token}"}, json=INITIALIZE)
         stolen = http.post(endpoint.url, json={"jsonrpc": "2.0", "id": 1, "method": "tools/list"}, headers={
             "Authorization": f"Bearer {opened.endpoint.token}", "mcp-session-id": hello.headers["mcp-session-id"]})
         assert stolen.status_code == 404
@@ -151,10 +149,9 @@ def test_numbers_that_are_none_are_refused(open_run: Callable) -> None:
     opened = open_run()
     body = ('{"jsonrpc":"2.0","id":1,"method":"tools/call","params":{"name":"set_actor_transform","arguments":'
             '{"name":"Table","location":[NaN,0,0]}}}')
-    with httpx2.Client(headers={**HEADERS, "Authorization": f"Bearer {opened.endpoint.token}"}, trust_env=False) as http:
-        hello = http.post(opened.endpoint.url, json={
-            "jsonrpc": "2.0", "id": 0, "method": "initialize",
-            "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}})
+    headers = {**HEADERS, "Authorization": f"Bearer {opened.endpoint.token}"}
+    with httpx2.Client(headers=headers, trust_env=False) as http:
+        hello = http.post(opened.endpoint.url, json=INITIALIZE)
         session = {"mcp-session-id": hello.headers["mcp-session-id"], "mcp-protocol-version": "2025-06-18"}
         told = http.post(opened.endpoint.url, headers=session, content=body)
     assert "NaN" not in told.text or "invalid" in told.text

@@ -32,7 +32,7 @@ def test_the_tools_are_those_of_the_reference(open_run: Callable) -> None:
 
 def test_assets_are_found_by_words_and_described(open_run: Callable) -> None:
     client = open_run().client
-    assert [asset["id"] for asset in client.call("search_assets", query="couch").data["assets"]][0] == "sofa"
+    assert client.call("search_assets", query="couch").data["assets"][0]["id"] == "sofa"
     assert client.call("search_assets", query="wooden boxes", k=1).data["assets"][0]["id"] == "crate"
     assert client.call("search_assets", query="tables", category="storage").data["count"] == 0
     assert {"category": "Tables", "count": 2, "description": "To eat and work at"} in \
