@@ -42,7 +42,7 @@ class Exported:
 
 def scene(packs: Sequence[Path], truth: Level, corrupted: Mapping[str, Level], views: Mapping[str, Sequence[View]],
           out: Path, progress: Callable[[str], None]) -> Exported:
-    """Export a scene into the folder ``out``: one engine for the original and its pictures, one for all other levels."""
+    """Export a scene into ``out``: one engine for the original and its pictures, one for all other levels."""
     content = out / "content"
     truth.write(content / f"{truth.package.lstrip('/')}.level.json")
     cameras = [{**camera(view), "name": f"{case_id}--{view.name}"}
@@ -72,7 +72,7 @@ def _inputs(packs: Sequence[Path], levels: Mapping[str, Level], views: Mapping[s
             reply = engine.execute(_OPEN.substitute(package=level.package))
             if reply["status"] in FAILED:
                 raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=case_id)
-            write_json(files[case_id], engine.call("snapshot.export"))
+            write_json(files[case_id], engine.call("snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
             engine.call("capture.capture_views", cameras=[camera(view) for view in views[case_id]],
                         folder=str(folder))

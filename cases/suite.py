@@ -118,8 +118,8 @@ class _Builder:
             update={"package": truth_package(scene.scene_id)})
         repairs = [case for case in cases if isinstance(case, RepairCase)]
         corrupted = {case.case_id: apply(truth, case.operations, input_package(case.case_id)) for case in repairs}
-        for case in repairs:
-            check_repair(case, truth, corrupted[case.case_id])
+        for repair in repairs:
+            check_repair(repair, truth, corrupted[repair.case_id])
         self.progress(f"scene {scene.scene_id}: {len(truth.actors)} actors, {len(cases)} cases")
         folders = [self.packs_root / pack_id for pack_id in scene.packs]
         views = {case.case_id: list(case.views) for case in repairs}

@@ -105,11 +105,11 @@ def _orchard(p: Plot) -> None:
         p.add("Crate", x + 3, y - 2, 26 + STACK_GAP_CM, yaw=p.random.uniform(-20, 20))
     for x in range(2150, 4900, 310):
         p.add("StoneWall", x, -1080)
-    x, y = cell(*POND)
-    for dx, dy, scale in ((-560, 300, 1.0), (560, -250, 0.8), (540, 420, 0.6)):
-        p.add("Boulder", x + dx, y + dy, yaw=p.random.uniform(-180, 180), scale=scale)
-    for dx, dy in ((-600, -300), (-420, 560), (300, 600), (620, 120)):
-        p.add("Bush", x + dx, y + dy, yaw=p.random.uniform(-180, 180), scale=p.random.uniform(0.8, 1.2))
+    px, py = cell(*POND)
+    for dx, dy, scale in ((-560.0, 300.0, 1.0), (560.0, -250.0, 0.8), (540.0, 420.0, 0.6)):
+        p.add("Boulder", px + dx, py + dy, yaw=p.random.uniform(-180, 180), scale=scale)
+    for dx, dy in ((-600.0, -300.0), (-420.0, 560.0), (300.0, 600.0), (620.0, 120.0)):
+        p.add("Bush", px + dx, py + dy, yaw=p.random.uniform(-180, 180), scale=p.random.uniform(0.8, 1.2))
 
 
 def _yard(p: Plot) -> None:

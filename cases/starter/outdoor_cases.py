@@ -35,7 +35,7 @@ def _harbour_repairs(a: Author) -> list[RepairCase]:
             [a.move("SM_MarketStallBlue_3", by_cm=(40.0, -190.0, 0.0)), a.rotate("SM_MarketStallRed_2", 60.0),
              a.insertion(HARBOUR["HandTruck"], (-1930.0, -225.0, 0.0), yaw_deg=40.0),
              a.rescale("SM_MarketStallRed_3", 0.72)],
-            "Layout", "hard", [_view((-2300.0, 900.0, 620.0), (-2340.0, -420.0, 60.0), 66.0)]),
+            "Layout", "hard", [_view((-2250.0, 640.0, 1050.0), (-2330.0, -560.0, 40.0), 66.0)]),
         RepairCase(
             "outdoor-harbour-cafe", scene, "The quayside cafe lost a parasol and gained furniture",
             [a.removal("SM_Parasol_2"), a.duplication("SM_CafeTable_3", (4020.0, -640.0, 0.0)),
@@ -46,7 +46,7 @@ def _harbour_repairs(a: Author) -> list[RepairCase]:
             [a.mirror("SM_TownhouseCream_2", "x"), a.replacement("SM_StreetLamp_17", HARBOUR["SlimTree"]),
              a.rotate("SM_Bench_11", 90.0), a.move("SM_Bicycle_8", by_cm=(330.0, 20.0, 0.0)),
              a.rescale("SM_CarTeal_4", 1.3)],
-            "Symmetry", "hard", [_view((4500.0, -590.0, 420.0), (3950.0, -2060.0, 190.0), 84.0)])]
+            "Symmetry", "hard", [_view((4430.0, -430.0, 640.0), (3950.0, -1850.0, 130.0), 82.0)])]
 
 
 def _farm_repairs(a: Author) -> list[RepairCase]:
