@@ -22,7 +22,8 @@ def scene(*placed: tuple[str, tuple[float, float, float]]) -> dict[str, Any]:
             "location_cm": list(place), "rotation_deg": [0, 0, 0], "quaternion_xyzw": [0, 0, 0, 1],
             "scale": [1, 1, 1]}}]}} for i, (kind, place) in enumerate(placed)],
         "c4s": {"engine": "headless", "meshes": {kind: {
-            "bounds_min_cm": [-50] * 3, "bounds_max_cm": [50] * 3, "collision": [body]} for kind, body in bodies.items()}}}
+            "bounds_min_cm": [-50] * 3, "bounds_max_cm": [50] * 3,
+            "collision": [body]} for kind, body in bodies.items()}}}
 
 
 def gap(snapshot: dict[str, Any], *, ground_plane: bool = False) -> float | None:
