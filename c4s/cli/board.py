@@ -14,7 +14,8 @@ COLUMNS = {"rank": "rank", "configuration": "agent", "model_score": "overall", "
 
 def leaderboard(suite: str) -> list[dict[str, Any]]:
     """The leaderboard's rows of one suite."""
-    return [{**row, "trials": f"{row['resolved']}/{row['planned']}"} for row in rows(warehouse_root(), "SELECT * FROM leaderboard") if row["suite"] == suite]
+    return [{**row, "trials": f"{row['resolved']}/{row['planned']}"}
+            for row in rows(warehouse_root(), "SELECT * FROM leaderboard") if row["suite"] == suite]
 
 
 def print_leaderboard(suite: str) -> None:

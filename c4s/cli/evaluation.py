@@ -13,6 +13,7 @@ from c4s.errors import BadInput
 from c4s.home import home, runs_root, site_root, suites_root, warehouse_root
 from c4s.run.configurations import BASELINES, configuration
 from c4s.run.plan import DEFAULT_POLICY, make_plan, open_run, trial_id, trials
+from c4s.run.stages import inputs
 from warehouse.ingest import is_stored
 from warehouse.parquet import part_path
 
@@ -46,6 +47,8 @@ def evaluate_here(suite: str, agents: Sequence[str], *, run_id: str | None, case
                                    policy=DEFAULT_POLICY, judge="rule", engine="headless",
                                    repeats=repeats, cases=cases))
     scheduled = list(trials(run, folder, plan))
+    for trial in {trial.case.case_id: trial for trial in scheduled}.values():
+        inputs(trial)
     missing = [trial for trial in scheduled if not is_stored(trial, plan, warehouse_root())]
     page = site_root() / "index.html"
     if not missing and page.is_file():

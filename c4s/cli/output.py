@@ -10,6 +10,8 @@ from rich.console import Console
 from rich.table import Table
 
 console = Console()
+progress_console = Console(stderr=True)
+"""Progress goes to standard error, so that output can be piped."""
 
 
 def print_json(value: Any) -> None:

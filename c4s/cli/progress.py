@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,7 +10,7 @@ from pathlib import Path
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-from c4s.cli.output import console
+from c4s.cli.output import progress_console
 from c4s.run.plan import Trial
 
 INTERVAL_S = 0.5
@@ -19,7 +20,7 @@ PLAIN_INTERVAL_S = 10.0
 def bars() -> Progress:
     """A progress display with a count and the time gone by."""
     return Progress(SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-                    TimeElapsedColumn(), console=console, transient=False)
+                    TimeElapsedColumn(), console=progress_console, transient=False)
 
 
 def _newest(trials: list[Trial]) -> str:
@@ -36,7 +37,7 @@ def watch(trials: list[Trial], done: set[Path], stored: list[Path]) -> Iterator[
     ``stored`` are the outcome files of ``trials`` in order; ``done`` those that existed before.
     """
     stop = threading.Event()
-    interactive = console.is_terminal
+    interactive = progress_console.is_terminal
 
     def count() -> int:
         return sum(path.is_file() for path in stored)
@@ -51,7 +52,7 @@ def watch(trials: list[Trial], done: set[Path], stored: list[Path]) -> Iterator[
 
     def print_lines() -> None:
         while not stop.wait(PLAIN_INTERVAL_S):
-            print(f"  {count()} of {len(stored)} trials stored", flush=True)
+            print(f"  {count()} of {len(stored)} trials stored", file=sys.stderr, flush=True)
 
     if interactive:
         with bars() as progress:
@@ -70,4 +71,4 @@ def watch(trials: list[Trial], done: set[Path], stored: list[Path]) -> Iterator[
     finally:
         stop.set()
         thread.join()
-    print(f"  {count()} of {len(stored)} trials stored", flush=True)
+    print(f"  {count()} of {len(stored)} trials stored", file=sys.stderr, flush=True)

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import trimesh
 from numpy.typing import NDArray
 
 from c4s.errors import BadInput
@@ -85,6 +84,8 @@ def read_parts(path: Path, *, scale: float = 1.0) -> list[MeshPart]:
     Raises:
         BadInput: the file is missing, cannot be read, holds no triangles, or coordinates that are not finite.
     """
+    import trimesh
+
     if not path.is_file():
         raise BadInput("no such mesh file", where=str(path))
     try:

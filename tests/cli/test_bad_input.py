@@ -1,0 +1,91 @@
+"""Bad input gives one clear line and exit code 2."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+
+def _c4s(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-m", "c4s.cli", *arguments], env={**os.environ, "C4S_HOME": str(home)},
+                          text=True, capture_output=True, timeout=60, check=False)
+
+
+def _task(folder: Path, text: str) -> Path:
+    folder.mkdir(parents=True)
+    (folder / "task.yaml").write_text(text)
+    return folder
+
+
+PROMPT = "A yard.\\n\\n=== ASSET PALETTE ===\\n\\n- box | Box | props | 1x1x1 m | /Game/P/SM_Box.SM_Box\\n"
+TASK = (f'id: yard\nkind: scene_generation\ninputs:\n  prompt: "{PROMPT}"\n  init_map: /Game/Blank\n  size_m: 200\n'
+        "  budget:\n    tool_calls: 10\n    wall_minutes: 5\n")
+
+
+@pytest.mark.parametrize(("arguments", "expected"), [
+    (("run", "nosuch"), "unknown suite 'nosuch'"),
+    (("run",), "Missing argument"),
+    (("frobnicate",), "No such command"),
+    (("suite", "build", "nosuch"), "unknown shipped suite"),
+    (("suite", "import", "code4scene", "/nowhere"), "no such folder"),
+    (("verify", "repair"), "--input is missing"),
+    (("verify", "physics", "--snapshot", "/nowhere.json"), "no such snapshot"),
+    (("score", "--batch", "/nowhere.jsonl"), "no such file"),
+    (("sql", "SELECT nosuch"), "no warehouse"),
+    (("catalog", "show", "nosuch"), "no pack"),
+])
+def test_one_line_and_exit_2(tmp_path: Path, arguments: tuple[str, ...], expected: str) -> None:
+    done = _c4s(tmp_path, *arguments)
+    assert done.returncode == 2 and expected in done.stderr
+    assert done.stderr.count("\n") == 1 and done.stderr.startswith("c4s: ")
+
+
+@pytest.mark.parametrize(("text", "expected"), [
+    ("id: [unclosed", "malformed task.yaml"),
+    ("just text", "not a mapping"),
+    (TASK.replace("kind: scene_generation", "kind: painting"), "unknown kind"),
+    (TASK.replace("  size_m: 200\n", ""), "'inputs.size_m' is missing"),
+    (TASK.replace("tool_calls: 10", "tool_calls: many"), "'inputs.budget.tool_calls' is not a positive number"),
+    (TASK.replace("id: yard", "id: ../../etc"), "not a plain name"),
+    (TASK.replace("1x1x1 m", "big"), "palette line cannot be read"),
+    (TASK.replace("ASSET PALETTE", "NOTHING"), "no asset palette"),
+])
+def test_malformed_tasks(tmp_path: Path, text: str, expected: str) -> None:
+    folder = _task(tmp_path / "tasks/yard", text)
+    done = _c4s(tmp_path / "home", "suite", "import", "code4scene", str(folder))
+    assert done.returncode == 2 and expected in done.stderr and done.stderr.count("\n") == 1
+    assert "task.yaml" in done.stderr
+
+
+def test_truncated_and_wrong_snapshots(tmp_path: Path) -> None:
+    (tmp_path / "cut.json").write_text('{"schema_version": "0.3.0", "actors": [')
+    (tmp_path / "list.json").write_text("[]")
+    for name, expected in (("cut.json", "not valid JSON"), ("list.json", "no list of actors")):
+        done = _c4s(tmp_path, "verify", "physics", "--snapshot", str(tmp_path / name))
+        assert done.returncode == 2 and expected in done.stderr and name in done.stderr
+
+
+def test_an_unknown_agent_and_a_missing_pack_stop_before_anything_runs(tmp_path: Path) -> None:
+    folder = _task(tmp_path / "tasks/yard", TASK)
+    assert _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--out", "yard").returncode == 0
+    unknown = _c4s(tmp_path, "run", "yard", "-a", "nobody")
+    assert unknown.returncode == 2 and "unknown agent 'nobody'" in unknown.stderr
+    (tmp_path / "packs/proxy-yard/pack.json").unlink()
+    missing = _c4s(tmp_path, "run", "yard", "-a", "noop")
+    assert missing.returncode == 2 and "proxy-yard" in missing.stderr and missing.stderr.count("\n") == 1
+
+
+def test_json_reports(tmp_path: Path) -> None:
+    folder = _task(tmp_path / "tasks/yard", TASK)
+    done = _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--out", "yard", "--json")
+    report = json.loads(done.stdout)
+    assert report["runnable"] == 1 and report["cases"][0]["assets"] == 1
+    pack = json.loads(_c4s(tmp_path, "catalog", "show", "proxy-yard", "--json").stdout)
+    box = pack["assets"][0]
+    assert box["path"] == "/Game/P/SM_Box.SM_Box"
+    assert [high - low for low, high in zip(box["bounds_min_cm"], box["bounds_max_cm"], strict=True)] == [100, 100, 100]

@@ -1,0 +1,48 @@
+"""A small real suite: the flat of the starter suite with one text and two repair cases, in a home of its own."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from cases.model import SuiteDefinition
+from cases.starter import indoor_cases
+from cases.suite import build_suite
+from catalog.build import ensure_pack
+
+KEPT = ("text-flat-family",)
+Command = Callable[..., subprocess.CompletedProcess[str]]
+
+
+@pytest.fixture(scope="session")
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A ``C4S_HOME`` with the suite ``small``: a text case and two repairs of the flat."""
+    root = tmp_path_factory.mktemp("home")
+    scene = indoor_cases.scenes()[1]
+    texts = [case for case in indoor_cases.INDOOR_TEXT_CASES if case.case_id in KEPT]
+    ensure_pack("c4s-home", root / "packs")
+    build_suite(SuiteDefinition("small", "Small", "The flat", ("c4s-home",), (scene,),
+                                (*texts, *indoor_cases.flat_cases(scene)[:2])),
+                root / "suites" / "small", root / "packs", lambda line: None)
+    return root
+
+
+def environment(home: Path) -> dict[str, str]:
+    """The environment of a command in this home."""
+    return {**os.environ, "C4S_HOME": str(home), "COLUMNS": "140"}
+
+
+@pytest.fixture
+def c4s(home: Path) -> Command:
+    """Run the command line in the home."""
+
+    def run(*arguments: str, timeout: float = 280) -> subprocess.CompletedProcess[str]:
+        return subprocess.run([sys.executable, "-m", "c4s.cli", *arguments], env=environment(home), text=True,
+                              capture_output=True, timeout=timeout, check=False)
+
+    return run
