@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.engine.headless.render.compiled import kernel
-from c4s.engine.headless.render.kernels import Buffers
+from c4s.engine.headless.render.packets import Buffers
 from c4s.engine.headless.render.textures import ENCODE_STEPS
 
 BINS_PER_STOP, LOWEST_STOP, BINS = 4, -12, 96
@@ -80,7 +80,8 @@ def combine_rows(first: int, last: int, width: int, height: int, buffers: Buffer
                 light[here, channel] = value
                 luminance += value * (0.2126 if channel == 0 else (0.7152 if channel == 1 else 0.0722))
             if seen:
-                step = int(math.floor((math.log2(max(luminance, 1e-6)) - LOWEST_STOP) * BINS_PER_STOP))
+                bounded = min(luminance, 1e6) if luminance > 1e-6 else 1e-6
+                step = math.floor((math.log2(bounded) - LOWEST_STOP) * BINS_PER_STOP)
                 histogram[min(max(step, 0), BINS - 1)] += 1
 
 
@@ -110,5 +111,5 @@ def develop_pixels(first: int, last: int, light: NDArray[np.float32], gain: floa
             if curve:
                 value = value * 0.6
                 value = value * (2.51 * value + 0.03) / (value * (2.43 * value + 0.59) + 0.14)
-            value = min(max(value, 0.0), 1.0)
+            value = min(value, 1.0) if value > 0.0 else 0.0
             rgb[pixel, channel] = encode[int(math.sqrt(value) * ENCODE_STEPS + 0.5)]

@@ -170,7 +170,7 @@ def aligned_words(count: int) -> NDArray[np.float32]:
 
 
 def _prove_layout() -> None:
-    """Trace one triangle 5 cm away through a shifted, mirrored instance and compare every field that the kernels read."""
+    """Trace a triangle 5 cm away through a shifted, mirrored instance; compare every field that the kernels read."""
     triangle = np.array([[0, -1, -1], [0, 3, -1], [0, -1, 3]], dtype=np.float32)
     other = triangle + np.array([100, 0, 0], dtype=np.float32)
     matrices = np.zeros((3, 3, 4), dtype=np.float32)

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from c4s.engine.headless.render.compiled import inner
 from c4s.engine.headless.render.layout import LANES
-from c4s.engine.headless.render.types import LocalLight, Rgb, Sun
-from c4s.engine.headless.render.types import Lights as LightsOfScene
+from c4s.engine.headless.render.types import Lights, LocalLight, Rgb, Sun
+from c4s.errors import BadInput
 
 POSITION, POWER, RADIUS, AXIS, INNER_COS, OUTER_COS, SOURCE, LOCAL_COLUMNS = 0, 3, 6, 7, 10, 11, 12, 13
 _CM2_PER_M2 = 10000.0
@@ -97,8 +97,12 @@ def _local_row(light: LocalLight, origin: NDArray[np.float64]) -> list[float]:
             math.cos(math.radians(outer)), max(light.source_radius, 0.0)]
 
 
-def light_tables(lights: LightsOfScene, origin: NDArray[np.float64]) -> LightTables:
-    """The lights' tables with positions relative to ``origin`` (cm)."""
+def light_tables(lights: Lights, origin: NDArray[np.float64]) -> LightTables:
+    """The lights' tables with positions relative to ``origin`` (cm).
+
+    Raises:
+        BadInput: a number that is not finite.
+    """
     sun = lights.sun or Sun(intensity=0.0)
     to_sun = -_unit(sun.direction)
     sky = lights.sky
@@ -107,22 +111,25 @@ def light_tables(lights: LightsOfScene, origin: NDArray[np.float64]) -> LightTab
         return [c * sky.intensity for c in color]
 
     rows = np.array([_local_row(light, origin) for light in lights.local], dtype=np.float64)
-    return LightTables(
+    tables = LightTables(
         to_sun=to_sun, sun_disk=_tangents(to_sun) * math.tan(math.radians(min(max(sun.angle_deg, 0.0), 90.0) / 2)),
         sun=np.array([c * sun.intensity for c in sun.color], dtype=np.float64),
         sky=np.array([radiance(sky.zenith), radiance(sky.horizon), radiance(sky.ground)], dtype=np.float64),
         sky_light=float(sky.light), ambient=np.array(lights.ambient, dtype=np.float64),
         fill=float(lights.camera_fill), local=rows.reshape(-1, LOCAL_COLUMNS),
         occlusion_cm=max(float(lights.ambient_occlusion_cm), 1.0))
+    if not all(np.isfinite(part).all() for part in tables):
+        raise BadInput("a light has a value that is not finite", where="renderer")
+    return tables
 
 
 @inner
 def sky_radiance(sky: NDArray[np.float64], height: float, channel: int) -> float:
     """Sky in a direction whose Z component is ``height``."""
-    horizon = sky[1, channel]
+    horizon = float(sky[1, channel])
     if height >= 0.0:
-        return horizon + (sky[0, channel] - horizon) * math.sqrt(min(height, 1.0))
-    return horizon + (sky[2, channel] - horizon) * min(1.0, -height * 6.0)
+        return horizon + (float(sky[0, channel]) - horizon) * math.sqrt(min(height, 1.0))
+    return horizon + (float(sky[2, channel]) - horizon) * min(1.0, -height * 6.0)
 
 
 @inner

@@ -75,7 +75,8 @@ class Renderer:
             exposure_bias_ev: stops added to the exposure of a lit picture.
         """
         from c4s.engine.headless.render.develop import BINS, combine_rows, develop_pixels, exposure_for, mark_edges
-        from c4s.engine.headless.render.kernels import Buffers, View, new_scratch, trace_pixels
+        from c4s.engine.headless.render.kernels import trace_pixels
+        from c4s.engine.headless.render.packets import Buffers, View, new_scratch
         from c4s.engine.headless.render.sampling import patterns_for, tile_order
         from c4s.engine.headless.render.textures import encode_table
 

@@ -106,8 +106,8 @@ def _checked(meshes: Sequence[Mesh]) -> None:
             raise BadInput(f"mesh {number} has a face beyond its {count} vertices", where="renderer")
         if len(mesh.normals) != count or len(mesh.uvs) != count or len(mesh.face_slots) != len(faces):
             raise BadInput(f"mesh {number} has normals, uvs or slots of another length", where="renderer")
-        if not np.isfinite(mesh.vertices).all():
-            raise BadInput(f"mesh {number} has a vertex that is not finite", where="renderer")
+        if not all(np.isfinite(part).all() for part in (mesh.vertices, mesh.normals, mesh.uvs)):
+            raise BadInput(f"mesh {number} has a vertex, normal or uv that is not finite", where="renderer")
 
 
 def _texture_density(mesh: Mesh) -> float:
@@ -138,7 +138,7 @@ def build_tables(meshes: Sequence[Mesh], instances: Sequence[Instance]
                  ) -> tuple[SceneTables, Geometry, Textures, NDArray[np.float64]]:
     """Tables of a scene, Embree's input, the textures, and the world point (cm) that Embree's origin stands for.
 
-    Instances without volume and extent (a determinant of zero) are left out, as nothing of them can be hit reliably.
+    Instances with a determinant of zero are left out, as nothing of them can be hit reliably.
 
     Raises:
         BadInput: a mesh without triangles, an index out of range, or a number that is not finite.
@@ -178,7 +178,6 @@ def _assemble(meshes: Sequence[Mesh], instances: Sequence[Instance], world: NDAr
     piece_faces: list[NDArray[np.int32]] = []
     shading_faces = [np.zeros((0, 3), dtype=np.int64)]
     face_slots = [np.zeros(0, dtype=np.int32)]
-    kept = dict.fromkeys(row[0] for row in rows)
     starts = np.zeros(len(pieces) + 1, dtype=np.int64)
     for (mesh_number, part), piece in pieces.items():
         mesh = meshes[mesh_number]
@@ -187,7 +186,6 @@ def _assemble(meshes: Sequence[Mesh], instances: Sequence[Instance], world: NDAr
         shading_faces.append(piece_faces[-1].astype(np.int64) + first_vertex[mesh_number])
         face_slots.append(mesh.face_slots[chosen].astype(np.int32))
         starts[piece + 1] = starts[piece] + len(piece_faces[-1])
-    assert len(kept) == len(pieces)
     table = np.array(rows, dtype=np.int64).reshape(-1, 4)
     piece_of, first_material, source, mask = table.T
     linear = world[source][:, :3, :3]

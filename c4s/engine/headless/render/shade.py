@@ -1,0 +1,123 @@
+"""Light at the points of a packet: sun, local lights and ambient occlusion, each with its rays (compiled)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from c4s.engine.headless.render import lighting as li
+from c4s.engine.headless.render.compiled import inner
+from c4s.engine.headless.render.layout import LANES, OPAQUE_MASK, TFAR
+from c4s.engine.headless.render.lighting import Lanes, LightTables, add_light, add_surroundings
+from c4s.engine.headless.render.packets import FAR, Packet, Scratch, View, aim, query
+from c4s.engine.headless.render.sampling import Patterns
+
+
+@inner
+def _add_sun(shadow: Packet, lanes: Lanes, lights: LightTables, view: View, disk: NDArray[np.float64],
+             cell: NDArray[np.int64]) -> None:
+    sun, any_lane = lights.to_sun, False
+    for k in range(LANES):
+        shadow.valid[k] = 0
+        if lanes.weight[k] == 0.0:
+            continue
+        facing = lanes.facing[k]
+        a, b = disk[cell[k], 0], disk[cell[k], 1]
+        x = sun[0] + lights.sun_disk[0, 0] * a + lights.sun_disk[1, 0] * b
+        y = sun[1] + lights.sun_disk[0, 1] * a + lights.sun_disk[1, 1] * b
+        z = sun[2] + lights.sun_disk[0, 2] * a + lights.sun_disk[1, 2] * b
+        if facing[0] * x + facing[1] * y + facing[2] * z > 0.0:
+            aim(shadow, k, lanes.point[k], 0.0, x, y, z, FAR, OPAQUE_MASK)
+            any_lane = True
+    if any_lane:
+        query(view.occluded, shadow.valid_address, view.scene, shadow.address)
+        for k in range(LANES):
+            if shadow.valid[k] != 0 and shadow.words[TFAR + k] >= 0.0:
+                lanes.reached[k] += 1
+                add_light(lanes, k, sun[0], sun[1], sun[2], lights.sun[0], lights.sun[1], lights.sun[2])
+
+
+@inner
+def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], view: View,
+               disk: NDArray[np.float64], cell: NDArray[np.int64], arriving: NDArray[np.float64], bit: int) -> None:
+    """Add one point or spot light; ``arriving`` is scratch of (LANES, 4): direction and irradiance factor."""
+    any_lane = False
+    radius, source = light[li.RADIUS], light[li.SOURCE]
+    for k in range(LANES):
+        shadow.valid[k] = 0
+        if lanes.weight[k] == 0.0:
+            continue
+        point, facing = lanes.point[k], lanes.facing[k]
+        x, y, z = light[0] - point[0], light[1] - point[1], light[2] - point[2]
+        square = x * x + y * y + z * z
+        if square >= radius * radius or facing[0] * x + facing[1] * y + facing[2] * z <= 0.0:
+            continue
+        distance = math.sqrt(max(square, 1.0))
+        x, y, z = x / distance, y / distance, z / distance
+        fade = square / (radius * radius)
+        fade = 1.0 - fade * fade
+        strength = fade * fade / max(square, max(25.0, source * source))
+        if light[li.OUTER_COS] > -0.9999:
+            along = -(x * light[li.AXIS] + y * light[li.AXIS + 1] + z * light[li.AXIS + 2])
+            edge = (along - light[li.OUTER_COS]) / max(light[li.INNER_COS] - light[li.OUTER_COS], 1e-4)
+            edge = min(max(edge, 0.0), 1.0)
+            strength *= edge * edge
+        if strength <= 0.0:
+            continue
+        arriving[k, 0], arriving[k, 1], arriving[k, 2], arriving[k, 3] = x, y, z, strength
+        spread = source / distance
+        sx, sy, sz = x + disk[cell[k], 0] * spread * (1.0 - x * x), y + disk[cell[k], 1] * spread * (1.0 - y * y), z
+        aim(shadow, k, point, 0.0, sx, sy, sz, max(distance - source - 1.0, 0.0), OPAQUE_MASK)
+        any_lane = True
+    if any_lane:
+        query(view.occluded, shadow.valid_address, view.scene, shadow.address)
+        for k in range(LANES):
+            if shadow.valid[k] != 0 and shadow.words[TFAR + k] >= 0.0:
+                lanes.reached[k] += bit
+                power = arriving[k, 3]
+                add_light(lanes, k, arriving[k, 0], arriving[k, 1], arriving[k, 2], light[li.POWER] * power,
+                          light[li.POWER + 1] * power, light[li.POWER + 2] * power)
+
+
+@inner
+def _add_occlusion(shadow: Packet, lanes: Lanes, view: View, directions: NDArray[np.float64], cell: NDArray[np.int64],
+                   reach: float) -> None:
+    for k in range(LANES):
+        shadow.valid[k] = 0
+        if lanes.weight[k] == 0.0:
+            continue
+        n0, n1, n2 = lanes.facing[k]
+        sign = 1.0 if n2 >= 0.0 else -1.0
+        a = -1.0 / (sign + n2)
+        b = n0 * n1 * a
+        spot = cell[k]
+        cx, cy, cz = directions[spot, 0], directions[spot, 1], directions[spot, 2]
+        x = (1.0 + sign * n0 * n0 * a) * cx + b * cy + n0 * cz
+        y = sign * b * cx + (sign + n1 * n1 * a) * cy + n1 * cz
+        z = -sign * n0 * cx - n1 * cy + n2 * cz
+        aim(shadow, k, lanes.point[k], 0.0, x, y, z, reach * directions[spot, 3], OPAQUE_MASK)
+    query(view.occluded, shadow.valid_address, view.scene, shadow.address)
+    for k in range(LANES):
+        if shadow.valid[k] != 0:
+            lanes.covered[k] += lanes.weight[k]
+            if shadow.words[TFAR + k] >= 0.0:
+                lanes.open[k] += lanes.weight[k]
+
+
+@inner
+def shade(scratch: Scratch, view: View, lights: LightTables, patterns: Patterns, sample: int) -> None:
+    """Light all lanes of one layer."""
+    shadow, lanes, cell = scratch.shadow, scratch.lanes, scratch.cell
+    for k in range(LANES):
+        if lanes.weight[k] != 0.0:
+            add_surroundings(lanes, k, lights)
+    if lights.sun[0] + lights.sun[1] + lights.sun[2] > 0.0:
+        _add_sun(shadow, lanes, lights, view, patterns.disk[sample], cell)
+    for number in range(len(lights.local)):
+        _add_local(shadow, lanes, lights.local[number], view, patterns.disk[sample], cell, scratch.arriving,
+                   2 << (number % 20))
+    rays = patterns.hemisphere.shape[1] if sample == 0 else 1
+    for number in range(rays):
+        _add_occlusion(shadow, lanes, view, patterns.hemisphere[sample, number], cell, lights.occlusion_cm)
