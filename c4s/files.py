@@ -10,6 +10,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+import orjson
+
 from c4s.errors import BadInput
 
 
@@ -66,16 +68,24 @@ def digest_tree(folder: Path) -> str:
     return digest([[p.relative_to(folder).as_posix(), digest_file(p)] for p in files])
 
 
+def parse_json(data: bytes) -> Any:
+    """Parse JSON. The tokens NaN and Infinity, which some exporters write, are accepted; else ``ValueError``."""
+    try:
+        return orjson.loads(data)
+    except orjson.JSONDecodeError:
+        return json.loads(data)
+
+
 def read_json(path: Path, *, what: str = "file") -> Any:
     """Read a JSON file. Raises ``BadInput`` when it is missing, truncated or not JSON."""
     try:
-        text = path.read_text(encoding="utf-8")
+        data = path.read_bytes()
     except FileNotFoundError:
         raise BadInput(f"no such {what}", where=str(path)) from None
-    except (OSError, UnicodeDecodeError) as error:
+    except OSError as error:
         raise BadInput(f"cannot read this {what}: {error}", where=str(path)) from None
     try:
-        return json.loads(text)
+        return parse_json(data)
     except (ValueError, RecursionError) as error:
         raise BadInput(f"this {what} is not valid JSON: {error}", where=str(path),
                        todo="is it complete?") from None

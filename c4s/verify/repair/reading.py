@@ -9,10 +9,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from pydantic_core import from_json
-
 from c4s.errors import BadInput
-from c4s.files import digest_bytes
+from c4s.files import digest_bytes, parse_json
 
 
 @contextmanager
@@ -38,8 +36,8 @@ def _read(path: Path) -> bytes:
 
 def _parse(data: bytes, path: Path) -> Any:
     try:
-        return from_json(data, allow_inf_nan=True)
-    except ValueError as error:
+        return parse_json(data)
+    except (ValueError, RecursionError) as error:
         raise BadInput(f"this snapshot is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
 
 
