@@ -72,6 +72,7 @@ def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Text
             primary.valid[k] = 0
             continue
         opacity = read_hit(primary, k, lanes, scene, textures, pixel_size, blend)
+        lanes.clear[k] = 1 if opacity < 1.0 else 0
         if last_layer:
             opacity = 1.0
         distance = primary.words[TFAR + k]

@@ -64,6 +64,8 @@ class Lanes(NamedTuple):
     """Sum of weights."""
     surface: NDArray[np.int64]
     """A number for the instance and slot that was hit."""
+    clear: NDArray[np.int64]
+    """1 for a translucent surface, which takes no ambient occlusion: behind it may be nothing to smooth it over."""
     reached: NDArray[np.int64]
     """A sum of numbers of the lights that arrived."""
 
@@ -73,7 +75,7 @@ def new_lanes() -> Lanes:
     return Lanes(np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros((LANES, 3)),
                  np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES), np.zeros(LANES),
                  np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES),
-                 np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64))
+                 np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64))
 
 
 def _unit(vector: tuple[float, float, float]) -> NDArray[np.float64]:

@@ -34,13 +34,14 @@ def pixel_offsets(samples: int) -> NDArray[np.float64]:
 
 @functools.cache
 def disk_points(samples: int) -> NDArray[np.float64]:
-    """(samples, CELLS, 2) points of the unit disk, evenly spread over the samples of a pixel and over a tile."""
+    """(samples, CELLS, 2) points of the unit disk: the first covers it over a tile, the others in each pixel."""
     points = np.zeros((samples, CELLS, 2))
     for sample in range(samples):
         for cell in range(CELLS):
             step = _DITHER[cell]
-            radius = math.sqrt(((sample * CELLS + step * 7 % CELLS) + 0.5) / (samples * CELLS))
-            angle = 2 * math.pi * ((step / CELLS + sample * _GOLDEN) % 1.0)
+            turn = step / CELLS if sample == 0 else (sample - 1 + step / CELLS) / (samples - 1)
+            radius = math.sqrt(((step * 7 + sample * 5) % CELLS + 0.5) / CELLS)
+            angle = 2 * math.pi * turn
             points[sample, cell] = (round(radius * math.cos(angle), 6), round(radius * math.sin(angle), 6))
     return points
 

@@ -88,6 +88,10 @@ def _add_occlusion(shadow: Packet, lanes: Lanes, view: View, directions: NDArray
         shadow.valid[k] = 0
         if lanes.weight[k] == 0.0:
             continue
+        if lanes.clear[k] != 0:
+            lanes.covered[k] += lanes.weight[k]
+            lanes.open[k] += lanes.weight[k]
+            continue
         n0, n1, n2 = lanes.facing[k]
         sign = 1.0 if n2 >= 0.0 else -1.0
         a = -1.0 / (sign + n2)
