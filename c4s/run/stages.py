@@ -90,7 +90,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     The retained attempt's evidence moves to the trial's ``evidence/``; an invalid one stays with its attempt.
     """
     from c4s.engine.evidence import collect
-    from c4s.verify.integrity import ManifestDigests, unloadable, verify_integrity
+    from c4s.verify.integrity import ManifestDigests, content_actors, unloadable, verify_integrity
     from c4s.verify.views import overview_cameras
 
     attempt_folder = trial.folder.attempt(number)
@@ -104,9 +104,16 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         return False
     started, given = time.perf_counter(), inputs(trial)
     evidence = trial.folder.evidence
-    cameras: Any = overview_cameras
+    authored = []
     if given.case.setting != "text-to-scene":
-        cameras = read_json(given.withheld_folder / "cameras.json")["views"]
+        authored = read_json(given.withheld_folder / "cameras.json")["views"]
+
+    def cameras(snapshot: dict[str, Any]) -> list[dict[str, Any]]:
+        """No picture of a scene that is invalid for its emptiness."""
+        if content_actors(snapshot) < given.withheld.minimum_actors:
+            return []
+        return authored or overview_cameras(snapshot)
+
     try:
         collect(packs=given.packs, submission_content=attempt_folder / "submission", package=outcome.submission,
                 out=evidence, cameras=cameras)

@@ -41,7 +41,7 @@ def overview_cameras(snapshot: Mapping[str, Any]) -> list[dict[str, Any]]:
         low, high = np.array([-1000.0, -1000.0, 0.0]), np.array([1000.0, 1000.0, 300.0])
     centre, half = (low + high) / 2, np.maximum((high - low) / 2, 100.0)
     radius = float(np.hypot(half[0], half[1]))
-    distance = radius / math.tan(math.radians(HORIZONTAL_FOV_DEG) / 2) * 0.78
+    distance = radius / math.tan(math.radians(HORIZONTAL_FOV_DEG) / 2) * 0.86
     target = [float(centre[0]), float(centre[1]), float(low[2] + 0.35 * (high[2] - low[2]))]
     cameras = []
     for index in range(VIEWS):
