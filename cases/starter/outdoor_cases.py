@@ -60,7 +60,7 @@ def _farm_repairs(a: Author) -> list[RepairCase]:
         RepairCase(
             "outdoor-farm-pasture", scene, "A cow is gone, strange things are in the pasture",
             [a.removal("SM_Cow_2"), a.insertion(FARM["Boulder"], (-3350.0, -2500.0, 0.0), yaw_deg=70.0),
-             a.duplication("SM_Sheep_3", (-2250.0, -2800.0, 0.0), yaw_deg=30.0),
+             a.duplication("SM_Sheep_3", (-2950.0, -2650.0, 0.0), yaw_deg=30.0),
              a.replacement("SM_WaterTrough_1", FARM["RoundBale"])],
             "Lifecycle", "medium", [_view((-5500.0, -2900.0, 950.0), (-2700.0, -2050.0, 0.0))]),
         RepairCase(
