@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from pathlib import Path
+from typing import Annotated, Literal
 
 import typer
 
 from c4s.cli.output import print_json, print_table
+from c4s.cli.progress import bars
 from c4s.errors import BadInput
 from c4s.home import packs_root
 from c4s.packs.manifest import Pack
 
-app = typer.Typer(help="Asset packs: list and show.", no_args_is_help=True)
+app = typer.Typer(help="Asset packs: build, list and show.", no_args_is_help=True)
 
 
 @app.command("list")
@@ -40,3 +42,36 @@ def show(pack_id: Annotated[str, typer.Argument(help="id of a pack")],
     print_table(["id", "name", "category", "W x D x H (m)", "path"],
                 [[asset.id, asset.name, asset.category, " x ".join(f"{side:.2f}" for side in asset.size_m), asset.path]
                  for asset in pack.assets], title=pack.title)
+
+
+@app.command()
+def build(folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ and DAE files")],
+          out: Annotated[str, typer.Option(help="id of the pack to write")],
+          scale: Annotated[float, typer.Option(help="metres per unit of the files")] = 1.0,
+          title: Annotated[str | None, typer.Option(help="title of the pack; the folder's name when left out")] = None,
+          up: Annotated[Literal["y", "z"], typer.Option(help="axis that points up in OBJ files")] = "y",
+          hulls: Annotated[Literal["asset", "node", "piece"], typer.Option(
+              help="one convex hull for collision an asset, a node of its file, or a connected piece")] = "asset",
+          json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    """Turn a folder of mesh files into a pack. Files that cannot be used are named and skipped."""
+    from catalog.ingest.folder import ingest
+
+    with bars() as progress:
+        task = progress.add_task("reading", total=None)
+
+        def step(done: int, total: int, name: str) -> None:
+            progress.update(task, completed=done, total=total, description=f"reading {name:43.43}")
+
+        report = ingest(folder, out, packs_root(), scale=scale, title=title, up=up, hulls=hulls, progress=step)
+        progress.update(task, completed=report["files"], total=report["files"], description=f"{'pack written':51}")
+    if json_output:
+        print_json(report)
+        return
+    print(f"{report['pack']}: {report['assets']} assets of {report['files']} files, {report['materials']} materials, "
+          f"licence {report['license']}, in {report['folder']}")
+    for row in report["skipped"]:
+        print(f"skipped {row['file']}: {row['reason']}")
+    for row in report["notes"]:
+        print(f"note {row['file']}: {row['note']}" if row["file"] else f"note: {row['note']}")
+    if report["units"]["proposed_scale"]:
+        print(f"sizes look wrong: {report['units']['reason']}. An estimate: --scale {report['units']['proposed_scale']}")

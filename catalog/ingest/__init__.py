@@ -1,0 +1,1 @@
+"""Turns folders of mesh files made by others into packs."""

@@ -1,0 +1,80 @@
+"""Convex collision bodies from triangles."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+
+from c4s.packs.manifest import HullBody
+
+Points = NDArray[np.float64]
+HullPer = Literal["asset", "node", "piece"]
+"""One hull for all of an asset, one a node of its file, or one a connected piece of its surface."""
+MAX_VERTICES = 128
+MAX_PIECES = 256
+THIN_CM = 0.05
+"""Flat things get this half thickness."""
+
+
+def hull(points: Points) -> HullBody:
+    """Convex hull of points (cm); flat or straight sets are thickened by ``THIN_CM``.
+
+    Hulls of more than ``MAX_VERTICES`` vertices are replaced by the extreme points in that many even directions,
+    the six axes among them, so the bounding box stays and the surface lies inside the true one.
+    """
+    points = np.unique(np.round(points, 3), axis=0)
+    centre = points.mean(axis=0)
+    _, spread, axes = np.linalg.svd(points - centre, full_matrices=False) if len(points) > 2 else (0, np.zeros(3), 0)
+    thickness = np.ptp((points - centre) @ axes.T, axis=0) if len(points) > 2 and len(spread) == 3 else np.zeros(3)
+    if not len(points) > 3 or thickness.min() < 2 * THIN_CM:
+        directions = (axes[thickness < 2 * THIN_CM] if len(points) > 2 and len(spread) == 3 else np.eye(3))
+        for direction in directions:
+            points = np.concatenate([points + direction * THIN_CM, points - direction * THIN_CM])
+    try:
+        corners = points[ConvexHull(points).vertices]
+    except QhullError:
+        corners = points[ConvexHull(points, qhull_options="QJ Pp").vertices]
+    if len(corners) > MAX_VERTICES:
+        corners = corners[np.unique(np.argmax(corners @ _directions().T, axis=0))]
+    ordered = np.unique(np.round(corners, 3), axis=0)
+    return HullBody(vertices=[(float(x), float(y), float(z)) for x, y, z in ordered])
+
+
+def _directions() -> Points:
+    count = MAX_VERTICES - 6
+    height = 1 - 2 * (np.arange(count) + 0.5) / count
+    turn = np.arange(count) * np.pi * (3 - 5**0.5)
+    radius = np.sqrt(1 - height**2)
+    even = np.stack([radius * np.cos(turn), radius * np.sin(turn), height], axis=1)
+    return np.concatenate([np.eye(3), -np.eye(3), even])
+
+
+def pieces(vertices: Points, faces: NDArray[np.int64]) -> list[Points]:
+    """Points of each connected piece of a surface; corners at one place are one corner.
+
+    The ``MAX_PIECES`` largest alone are told apart when there are more; the rest is one piece.
+    """
+    _, same = np.unique(np.round(vertices, 2), axis=0, return_inverse=True)
+    welded = same.reshape(-1)[faces]
+    edges = np.concatenate([welded[:, [0, 1]], welded[:, [1, 2]]])
+    label = trimesh.graph.connected_component_labels(edges, node_count=int(welded.max()) + 1)
+    of_face = label[welded[:, 0]]
+    found = [vertices[np.unique(faces[of_face == number])] for number in np.unique(of_face)]
+    found.sort(key=lambda points: -float(np.linalg.norm(np.ptp(points, axis=0))))
+    return found if len(found) <= MAX_PIECES else [*found[:MAX_PIECES - 1], np.concatenate(found[MAX_PIECES - 1:])]
+
+
+def bodies(parts: list[tuple[str, Points, NDArray[np.int64]]], per: HullPer) -> list[HullBody]:
+    """Collision bodies of parts (node, vertices in cm, triangles)."""
+    if per == "asset":
+        return [hull(np.concatenate([points for _, points, _ in parts]))]
+    if per == "node":
+        nodes = sorted({node for node, _, _ in parts})
+        return [hull(np.concatenate([points for name, points, _ in parts if name == node])) for node in nodes]
+    offsets = np.cumsum([0] + [len(points) for _, points, _ in parts[:-1]])
+    faces = np.concatenate([triangles + offset for (_, _, triangles), offset in zip(parts, offsets, strict=True)])
+    return [hull(points) for points in pieces(np.concatenate([points for _, points, _ in parts]), faces)]

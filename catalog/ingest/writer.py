@@ -1,0 +1,125 @@
+"""Collects meshes and surfaces into a pack and writes it: deterministic bytes, a material once, a texture once."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from c4s.errors import BadInput
+from c4s.files import digest, digest_bytes, write_bytes
+from c4s.packs.manifest import Asset, CollisionBody, Material, MaterialSlot, Pack
+from c4s.packs.meshes import Mesh
+from catalog.build import glb
+from catalog.ingest.source import SourcePart, Surface
+
+PACK_ID = re.compile(r"[a-z0-9][a-z0-9._-]{0,62}")
+
+
+def content_folder(pack_id: str) -> str:
+    """The folder under ``/Game`` of a pack: ``kaykit-furniture`` as ``KaykitFurniture``; ``BadInput`` for a bad id."""
+    if not PACK_ID.fullmatch(pack_id):
+        raise BadInput("a pack id is lower-case letters, digits and . _ -, a letter or digit first", where=pack_id)
+    return "".join(word[:1].upper() + word[1:] for word in re.split(r"[^a-z0-9]+", pack_id) if word)
+
+
+def identifier(text: str) -> str:
+    """Text as an Unreal name: letters, digits and ``_``."""
+    return re.sub(r"_+", "_", re.sub(r"[^A-Za-z0-9]+", "_", text)).strip("_") or "Unnamed"
+
+
+class PackWriter:
+    """Writes one pack under ``root``, in a folder beside it that takes its place when all is done."""
+
+    def __init__(self, pack_id: str, root: Path) -> None:
+        self.pack_id, self.root, self.folder_name = pack_id, root, content_folder(pack_id)
+        root.mkdir(parents=True, exist_ok=True)
+        self.folder = Path(tempfile.mkdtemp(prefix=f".{pack_id}.", dir=root))
+        self.assets: list[Asset] = []
+        self.materials: dict[str, Material] = {}
+        self._by_surface: dict[str, str] = {}
+        self._names: set[str] = set()
+
+    def __enter__(self) -> PackWriter:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def material(self, surface: Surface) -> str:
+        """Path of the material of a surface; surfaces that look alike share one."""
+        texture = f"textures/T_{digest_bytes(surface.texture)[:16]}.png" if surface.texture else None
+        record = Material(path="", base_color=surface.color, roughness=surface.roughness, metallic=surface.metallic,
+                          emissive=surface.emissive, opacity=surface.opacity, texture=texture)
+        key = digest([surface.name, record.plain()])
+        if key not in self._by_surface:
+            if texture and surface.texture and not (self.folder / texture).is_file():
+                write_bytes(self.folder / texture, surface.texture)
+            name = self._free(f"M_{identifier(surface.name)}")
+            path = f"/Game/{self.folder_name}/Materials/{name}.{name}"
+            self.materials[path] = record.model_copy(update={"path": path})
+            self._by_surface[key] = path
+        return self._by_surface[key]
+
+    def add(self, name: str, parts: list[SourcePart], collision: list[CollisionBody], *, category: str,
+            description: str = "", tags: list[str] | None = None, authored: bool = False) -> Asset:
+        """Add a static mesh of these parts; names that are taken get a number."""
+        slots: list[MaterialSlot] = []
+        order: dict[str, int] = {}
+        for part in parts:
+            path = self.material(part.surface)
+            if path not in order:
+                order[path] = len(slots)
+                slots.append(MaterialSlot(name=path.rsplit(".", 1)[-1][2:], material=path))
+        offsets = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
+        mesh = Mesh(vertices=np.concatenate([part.vertices for part in parts]).round(3).astype(np.float32),
+                    faces=np.concatenate([part.faces + offset for part, offset in zip(parts, offsets, strict=True)]
+                                         ).astype(np.int32),
+                    normals=np.concatenate([part.normals for part in parts]).round(5).astype(np.float32),
+                    uvs=np.concatenate([part.uvs for part in parts]).round(6).astype(np.float32),
+                    face_slots=np.concatenate([np.full(len(part.faces), order[self.material(part.surface)], np.int32)
+                                               for part in parts]))
+        stem = self._free(f"SM_{identifier(name)}")
+        identity = stem[3:].lower()
+        colors = {slot.name: self.materials[slot.material].base_color for slot in slots}
+        data = glb(mesh, [slot.name for slot in slots], colors)
+        write_bytes(self.folder / f"meshes/{identity}.glb", data)
+        low, high = mesh.bounds_cm
+        section = identifier(category.title())
+        asset = Asset(id=identity, name=stem[3:].replace("_", " "), category=category, description=description,
+                      path=f"/Game/{self.folder_name}/{section}/{stem}.{stem}", tags=tags or [], bounds_min_cm=low,
+                      bounds_max_cm=high, mesh=f"meshes/{identity}.glb", mesh_sha256=digest_bytes(data), slots=slots,
+                      collision=collision, collision_source="none" if not collision else
+                      "authored" if authored else "hull")
+        self.assets.append(asset)
+        return asset
+
+    def finish(self, *, title: str, license_id: str, description: str, license_text: str) -> Pack:
+        """Write the manifest and put the folder in place of what was there."""
+        categories = sorted({asset.category for asset in self.assets})
+        pack = Pack(pack_id=self.pack_id, content_folder=self.folder_name, title=title, license=license_id,
+                    description=description, assets=self.assets, materials=list(self.materials.values()),
+                    category_descriptions={name: f"{name.capitalize()} of {title}" for name in categories})
+        pack.write(self.folder / "pack.json")
+        if license_text:
+            write_bytes(self.folder / "LICENSE.txt", license_text.encode())
+        final = self.root / self.pack_id
+        self.folder.chmod(0o755)
+        if final.exists():
+            old = Path(tempfile.mkdtemp(prefix=f".{self.pack_id}.old.", dir=self.root))
+            final.rename(old / "pack")
+            self.folder.rename(final)
+            shutil.rmtree(old)
+        else:
+            self.folder.rename(final)
+        return pack
+
+    def _free(self, name: str) -> str:
+        number, free = 2, name
+        while free.lower() in self._names:
+            free, number = f"{name}_{number}", number + 1
+        self._names.add(free.lower())
+        return free
