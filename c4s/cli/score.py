@@ -1,4 +1,4 @@
-"""``c4s score``: scores of a batch of rows."""
+"""``c4s score``: scores of a batch of rows, or a run's stored verdicts under another policy."""
 
 from __future__ import annotations
 
@@ -8,9 +8,51 @@ from typing import Annotated
 import typer
 
 from c4s.cli.batches import write_rows
+from c4s.cli.output import cell, print_json, print_table
+from c4s.errors import BadInput
+from c4s.home import runs_root
+from c4s.run.folder import RunFolder
+from c4s.run.plan import DEFAULT_POLICY
 from c4s.score.batch import score_batch
 
+SHOWN = 40
 
-def score(batch: Annotated[Path, typer.Option("--batch", help="JSON lines (optionally gzip), one row each")]) -> None:
-    """Case scores and aggregates of a batch of rows, one JSON line each."""
-    write_rows(batch, score_batch)
+
+def score(run: Annotated[str | None, typer.Argument(help="run id or run folder to score again")] = None,
+          batch: Annotated[Path | None, typer.Option("--batch", help="JSON lines (optionally gzip), one row "
+                                                     "each")] = None,
+          policy: Annotated[str, typer.Option(help="policy id or policy file")] = DEFAULT_POLICY,
+          json_output: Annotated[bool, typer.Option("--json", help="the whole delta report as JSON")] = False) -> None:
+    """What another policy would change in a run (stored files stay as they are), or scores of a batch of rows."""
+    if (run is None) == (batch is None):
+        raise BadInput("give either a run or --batch FILE")
+    if batch is not None:
+        write_rows(batch, score_batch)
+    elif run is not None:
+        _rescore(run, policy, json_output)
+
+
+def _rescore(run: str, policy: str, json_output: bool) -> None:
+    from c4s.score.policies import policy_named
+    from c4s.score.rescore import rescore
+
+    folder = Path(run) if Path(run).is_dir() else runs_root() / run
+    if not RunFolder(folder).plan.is_file():
+        raise BadInput(f"no run {run!r}", where=str(folder), todo="give a run id or a run folder")
+    found = rescore(folder, policy_named(policy))
+    report = found.report()
+    if json_output:
+        print_json(report)
+        return
+    print(f"{found.run_id} under {found.policy.policy_id}: {report['changed_trials']} of {report['trials']} trials "
+          f"change" + (f", {len(found.pending)} pending" if found.pending else ""))
+    if report["means"]:
+        print_table(["configuration", "setting", "trials", "stored mean", "new mean"],
+                    [[row["configuration"], row["setting"], row["trials"], row["from"], row["to"]]
+                     for row in report["means"]])
+    deltas = report["deltas"]
+    if deltas:
+        print_table(["trial", "component", "stored", "new"],
+                    [[row["trial"], row["component"], cell(row["from"]), cell(row["to"])] for row in deltas[:SHOWN]])
+    if len(deltas) > SHOWN:
+        print(f"and {len(deltas) - SHOWN} more; --json lists all")

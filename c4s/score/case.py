@@ -13,7 +13,8 @@ from c4s.score.policy import CASE_POLICY, I2S_DIGITS, I2S_POLICY, I2S_WEIGHTS, T
 from c4s.verify.verdict import Verdict
 
 
-def t2s_case(*, valid: bool, detailed: Any, overview: Any, physics: Any) -> dict[str, Any]:
+def t2s_case(*, valid: bool, detailed: Any, overview: Any, physics: Any,
+             weights: Mapping[str, float] = T2S_WEIGHTS) -> dict[str, Any]:
     """Text-to-scene case score. A component that is no number in [0, 1] keeps its weight and is worth zero."""
     given = {"detailed": detailed, "overview": overview, "physics": physics}
     if not valid:
@@ -22,25 +23,27 @@ def t2s_case(*, valid: bool, detailed: Any, overview: Any, physics: Any) -> dict
     values = {name: unit_number(value) for name, value in given.items()}
     missing = [name for name, value in values.items() if value is None]
     used = {name: value or 0.0 for name, value in values.items()}
-    score = round(sum(weight * used[name] for name, weight in T2S_WEIGHTS.items()), T2S_DIGITS)
+    score = round(sum(weight * used[name] for name, weight in weights.items()), T2S_DIGITS)
     return {"policy": T2S_POLICY, "status": "measured_with_missing_zero" if missing else "measured",
             "missing_components": missing, "score": score, **used}
 
 
-def i2s_case(*, valid: bool, repair_f1: Any, physics: Any) -> dict[str, Any]:
+def i2s_case(*, valid: bool, repair_f1: Any, physics: Any,
+             weights: Mapping[str, float] = I2S_WEIGHTS) -> dict[str, Any]:
     """Image-to-scene case score. Raises ``BadInput`` when a component of a valid case is no number in [0, 1]."""
     if not valid:
         return {"policy": I2S_POLICY, "status": "zero_invalid_candidate", "score": 0.0, "repair_f1": 0.0,
                 "physics": 0.0}
     used = {"repair_f1": required_unit_number(repair_f1, "repair_f1"),
             "physics": required_unit_number(physics, "physics")}
-    score = round(math.fsum(weight * used[name] for name, weight in I2S_WEIGHTS.items()), I2S_DIGITS)
+    score = round(math.fsum(weight * used[name] for name, weight in weights.items()), I2S_DIGITS)
     return {"policy": I2S_POLICY, "status": "measured", "score": score, **used}
 
 
 def case_score(*, case_id: str, setting: Setting, configuration: str, repeat: int, judge: str, engine: str,
                submitted: bool, verdicts: Mapping[str, Verdict], retained_attempt: int | None = None,
-               missing_result: bool = False, policy: str | None = None) -> TrialScore:
+               missing_result: bool = False, policy: str | None = None,
+               weights: Mapping[str, float] | None = None) -> TrialScore:
     """Score of a trial.
 
     The zeros are kept apart by ``status``: no submission, an invalid one (with the integrity reason), or a result
@@ -52,6 +55,7 @@ def case_score(*, case_id: str, setting: Setting, configuration: str, repeat: in
         verdicts: by verifier name: ``integrity``, ``physics``, and ``repair`` or ``detailed`` and ``overview``.
         missing_result: the operator's final word that no result will come.
         policy: id to record; the setting's published policy when None.
+        weights: of the setting's components; the published ones when None.
     """
     base: dict[str, Any] = {"case_id": case_id, "setting": setting, "configuration": configuration, "repeat": repeat,
                             "policy": policy or CASE_POLICY[setting], "judge": judge, "engine": engine,
@@ -70,7 +74,8 @@ def case_score(*, case_id: str, setting: Setting, configuration: str, repeat: in
         verdict = verdicts.get(name)
         if verdict is None or verdict.status in ("error", "valid", "invalid"):
             return _pending(base, name, verdict)
-    return _measured(base, setting, verdicts)
+    return _measured(base, setting, verdicts,
+                     weights or (T2S_WEIGHTS if setting == "text-to-scene" else I2S_WEIGHTS))
 
 
 def _pending(base: dict[str, Any], verifier: str, verdict: Verdict | None) -> TrialScore:
@@ -88,11 +93,12 @@ def _value(verdict: Verdict) -> float | None:
     return unit_number(verdict.score) if verdict.status == "measured" else None
 
 
-def _measured(base: dict[str, Any], setting: Setting, verdicts: Mapping[str, Verdict]) -> TrialScore:
+def _measured(base: dict[str, Any], setting: Setting, verdicts: Mapping[str, Verdict],
+              weights: Mapping[str, float]) -> TrialScore:
     physics = _value(verdicts["physics"])
     if setting == "text-to-scene":
         row = t2s_case(valid=True, detailed=_value(verdicts["detailed"]), overview=_value(verdicts["overview"]),
-                       physics=physics)
+                       physics=physics, weights=weights)
         coverage = unit_number(verdicts["detailed"].measurements.get("known_coverage"))
         return TrialScore(**base, status=row["status"], score=row["score"], detailed=row["detailed"],
                           overview=row["overview"], physics=row["physics"], known_coverage=coverage,
@@ -100,7 +106,7 @@ def _measured(base: dict[str, Any], setting: Setting, verdicts: Mapping[str, Ver
     repair = verdicts["repair"]
     f1 = _value(repair)
     missing = [name for name, value in (("repair", f1), ("physics", physics)) if value is None]
-    row = i2s_case(valid=True, repair_f1=f1 or 0.0, physics=physics or 0.0)
+    row = i2s_case(valid=True, repair_f1=f1 or 0.0, physics=physics or 0.0, weights=weights)
     rates = {name: (unit_number(repair.measurements.get(name)) if f1 is not None else 0.0)
              for name in ("precision", "recall")}
     return TrialScore(**base, status="measured_with_missing_zero" if missing else "measured", score=row["score"],

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from c4s.score.numbers import unit_number
-from c4s.score.policy import DETAILED_DIGITS, FAMILY_WEIGHTS, UNUSABLE_STATUSES
+from c4s.score.policy import DETAILED_DIGITS, FAMILY_WEIGHTS, UNUSABLE_STATUSES, Family
 
 
 def row_score(row: Mapping[str, Any]) -> float:
@@ -57,7 +57,8 @@ def _family(rows: list[Mapping[str, Any]]) -> dict[str, Any]:
             "active_requirement_count": len(rows)}
 
 
-def detailed_score(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+def detailed_score(rows: Sequence[Mapping[str, Any]],
+                   family_weights: Mapping[Family, float] = FAMILY_WEIGHTS) -> dict[str, Any]:
     """Detailed Alignment of decided rows.
 
     Rows have ``semantic_family``, ``clause_index``, ``effective_score``, and optionally ``included`` (default true),
@@ -74,9 +75,10 @@ def detailed_score(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         if row.get("included", True):
             groups[str(row.get("semantic_family"))].append(row)
     measured = {family: _family(groups[family]) for family in FAMILY_WEIGHTS if groups.get(family)}
-    total = sum(FAMILY_WEIGHTS[family] for family in FAMILY_WEIGHTS if family in measured)
+    total = sum(family_weights[family] for family in FAMILY_WEIGHTS if family in measured)
     families: dict[str, Any] = {}
-    for family, weight in FAMILY_WEIGHTS.items():
+    for family in FAMILY_WEIGHTS:
+        weight = family_weights[family]
         families[family] = {"applicable": family in measured, "configured_weight": weight}
         if family in measured:
             families[family] |= measured[family] | {"effective_weight": weight / total}

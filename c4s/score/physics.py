@@ -8,7 +8,7 @@ from typing import Any
 from c4s.score.numbers import unit_number
 from c4s.score.policy import (
     PHYSICS_DIGITS,
-    PHYSICS_LEAF_WEIGHT,
+    PHYSICS_LEAF_WEIGHTS,
     PHYSICS_LEAVES,
     PHYSICS_POLICY,
     T2S_FLOATING_METRIC,
@@ -39,7 +39,8 @@ def _direction(name: str, leaf: Mapping[str, Any], metrics: Mapping[str, Any]) -
     return PHYSICS_LEAVES[name]
 
 
-def physics_from_report(report: Any, floating_rate: float | None = None) -> dict[str, Any]:
+def physics_from_report(report: Any, floating_rate: float | None = None,
+                        weights: Mapping[str, float] = PHYSICS_LEAF_WEIGHTS) -> dict[str, Any]:
     """Physical safety of a recorded report.
 
     A leaf that is not ``measured``, or whose score is no number in [0, 1], is worth zero at its full weight. A report
@@ -48,6 +49,7 @@ def physics_from_report(report: Any, floating_rate: float | None = None) -> dict
     Args:
         report: ``{"status", "score", "metrics": {"leaf_results": [...]}}`` or null.
         floating_rate: share of floating actors by the support rule; it replaces the recorded floating leaf.
+        weights: of the two leaves.
 
     Returns:
         ``policy``, ``score`` (four decimals), ``leaves`` and ``floating_source``.
@@ -67,10 +69,10 @@ def physics_from_report(report: Any, floating_rate: float | None = None) -> dict
         measured = leaf.get("status") == "measured" and raw is not None
         rows[name] = {"status": str(leaf.get("status") or "missing"), "raw_score": raw, "direction": direction,
                       "safety": safety(raw, direction) if measured and raw is not None else scalar}
-    score = sum(PHYSICS_LEAF_WEIGHT * (row["safety"] or 0.0) for row in rows.values())
+    score = sum(weights[name] * (row["safety"] or 0.0) for name, row in rows.items())
     if floating_rate is not None:
-        score = PHYSICS_LEAF_WEIGHT * (1 - floating_rate) \
-            + PHYSICS_LEAF_WEIGHT * (rows["solid_penetration"]["safety"] or 0.0)
+        score = weights["floating"] * (1 - floating_rate) \
+            + weights["solid_penetration"] * (rows["solid_penetration"]["safety"] or 0.0)
         rows["floating"] = {"status": "measured", "raw_score": floating_rate,
                             "direction": rows["floating"]["direction"],
                             "safety": round(1 - floating_rate, PHYSICS_DIGITS), "metric": T2S_FLOATING_METRIC}

@@ -61,7 +61,7 @@ PHYSICS_LEAVES: Final[dict[str, Direction]] = {"floating": "lower_is_better",
 """The two leaves, with the direction of a raw score where the report does not tell it."""
 T2S_FLOATING_METRIC: Final = "t2s-aabb-floating-contact-5cm.v2"
 """Id of the support rule that replaces the recorded floating leaf in text-to-scene."""
-PHYSICS_LEAF_WEIGHT: Final = 0.5
+PHYSICS_LEAF_WEIGHTS: Final = {"floating": 0.5, "solid_penetration": 0.5}
 PHYSICS_DIGITS: Final = 4
 
 UNUSABLE_STATUSES: Final = frozenset({"blocked", "error", "invalid", "not_evaluated", "refused", "unavailable"})

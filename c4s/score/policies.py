@@ -1,0 +1,99 @@
+"""Score policies as records: what may differ between two scorings of the same evidence, under one id.
+
+A run is scored under the published policy. The others re-score its stored verdicts (``c4s score RUN --policy ID``) and
+never replace a published number. What a policy cannot change is what a verdict does not store for every value: which
+actors are targets, the support and contact rules, a judge's decisions.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+import yaml
+from pydantic import Field, field_validator
+
+from c4s.case.package import Setting
+from c4s.errors import BadInput
+from c4s.model import Record
+from c4s.run.plan import DEFAULT_POLICY
+from c4s.score.policy import FAMILY_WEIGHTS, I2S_WEIGHTS, PHYSICS_LEAF_WEIGHTS, T2S_WEIGHTS, Family
+from c4s.verify.repair.policy import NOMINAL, ProfileName
+
+_NAMES: dict[str, Mapping[str, float]] = {"text_to_scene": T2S_WEIGHTS, "image_to_scene": I2S_WEIGHTS,
+                                          "physics_leaves": PHYSICS_LEAF_WEIGHTS}
+_SUM_GUARD = 1e-9
+
+
+class ScorePolicy(Record):
+    """Weights and tolerances of a scoring. What is left out is as published."""
+
+    schema_version: Literal["c4s.policy.v1"] = "c4s.policy.v1"
+    policy_id: str = Field(pattern=r"^[a-z0-9][a-z0-9.-]*$")
+    description: str = ""
+    text_to_scene: dict[str, float] = Field(default_factory=lambda: dict(T2S_WEIGHTS))
+    """Weights of ``detailed``, ``physics`` and ``overview``; they sum to 1."""
+    image_to_scene: dict[str, float] = Field(default_factory=lambda: dict(I2S_WEIGHTS))
+    """Weights of ``repair_f1`` and ``physics``; they sum to 1."""
+    families: dict[Family, float] = Field(default_factory=lambda: dict(FAMILY_WEIGHTS))
+    """Weights of the requirement families; renormalised over those that a prompt asks for, so all are positive."""
+    physics_leaves: dict[str, float] = Field(default_factory=lambda: dict(PHYSICS_LEAF_WEIGHTS))
+    """Weights of ``floating`` and ``solid_penetration``; they sum to 1."""
+    repair_tolerances: ProfileName = NOMINAL.name
+    """Acceptance limits of Repair F1 (``c4s/verify/repair/policy.py``)."""
+
+    @field_validator("text_to_scene", "image_to_scene", "physics_leaves")
+    @classmethod
+    def _complete(cls, value: dict[str, float], info: Any) -> dict[str, float]:
+        names = _NAMES[info.field_name]
+        if set(value) != set(names):
+            raise ValueError(f"needs exactly the weights {', '.join(names)}")
+        if min(value.values()) < 0 or not math.isclose(math.fsum(value.values()), 1.0, abs_tol=_SUM_GUARD):
+            raise ValueError("weights must not be negative and must sum to 1")
+        return {name: value[name] for name in names}
+
+    @field_validator("families")
+    @classmethod
+    def _all_families(cls, value: dict[Family, float]) -> dict[Family, float]:
+        if set(value) != set(FAMILY_WEIGHTS):
+            raise ValueError(f"needs exactly the weights {', '.join(FAMILY_WEIGHTS)}")
+        if not all(weight > 0 and math.isfinite(weight) for weight in value.values()):
+            raise ValueError("weights must be positive")
+        return {name: value[name] for name in FAMILY_WEIGHTS}
+
+    def weights(self, setting: Setting) -> dict[str, float]:
+        """Component weights of a setting's case score."""
+        return self.text_to_scene if setting == "text-to-scene" else self.image_to_scene
+
+
+PUBLISHED = ScorePolicy(policy_id=DEFAULT_POLICY, description="The benchmark's published protocol.")
+POLICIES: dict[str, ScorePolicy] = {policy.policy_id: policy for policy in (
+    PUBLISHED,
+    ScorePolicy(policy_id="strict-tolerance", repair_tolerances="strict",
+                description="Published weights; repairs accepted within 2.5 cm, 2.5 degrees and 2.5 %."),
+    ScorePolicy(policy_id="relaxed-tolerance", repair_tolerances="relaxed",
+                description="Published weights; repairs accepted within 10 cm, 10 degrees and 10 %."),
+    ScorePolicy(policy_id="repair-only", image_to_scene={"repair_f1": 1.0, "physics": 0.0},
+                description="Image-to-scene is Repair F1 alone; text-to-scene as published."),
+    ScorePolicy(policy_id="equal-families", families=dict.fromkeys(FAMILY_WEIGHTS, 0.25),
+                description="Published weights; the four requirement families count the same."))}
+"""Policies that ship, by id."""
+
+
+def policy_named(name: str) -> ScorePolicy:
+    """A shipped policy by its id, or one from a ``.yaml`` or ``.json`` file. ``BadInput`` for anything else."""
+    if name in POLICIES:
+        return POLICIES[name]
+    path = Path(name)
+    if path.suffix not in (".yaml", ".yml", ".json") or not path.is_file():
+        raise BadInput(f"unknown policy {name!r}", todo=f"use one of {', '.join(POLICIES)}, or a policy file")
+    try:
+        value = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (yaml.YAMLError, OSError, UnicodeDecodeError) as error:
+        raise BadInput(f"this policy is not valid YAML: {' '.join(str(error).split())}", where=str(path)) from None
+    policy = ScorePolicy.parse(value, where=str(path))
+    if policy.policy_id in POLICIES:
+        raise BadInput(f"policy id {policy.policy_id!r} is a shipped one", where=str(path), todo="choose another id")
+    return policy
