@@ -17,7 +17,7 @@ from c4s.engine.session import EngineSession
 from c4s.errors import MachineryFault
 from c4s.files import write_json
 from c4s.scene.level import Level
-from c4s.verify.views import VIEWS, overview_cameras
+from c4s.verify.views import SIZE_PX, VIEWS, overview_cameras
 from cases.model import View
 from cases.views import camera
 
@@ -74,7 +74,7 @@ def _inputs(packs: Sequence[Path], levels: Mapping[str, Level], views: Mapping[s
                 raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=case_id)
             write_json(files[case_id], engine.call("snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
-            engine.call("capture.capture_views", cameras=[camera(view) for view in views[case_id]],
+            engine.call("capture.capture_views", cameras=[{**camera(view), **SIZE_PX} for view in views[case_id]],
                         folder=str(folder))
             pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]
             shutil.copytree(folder, out / "pictures" / case_id)

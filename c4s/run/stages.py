@@ -91,7 +91,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     """
     from c4s.engine.evidence import collect
     from c4s.verify.integrity import ManifestDigests, content_actors, unloadable, verify_integrity
-    from c4s.verify.views import overview_cameras
+    from c4s.verify.views import SIZE_PX, overview_cameras
 
     attempt_folder = trial.folder.attempt(number)
     path = attempt_folder / "integrity.json"
@@ -106,7 +106,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     evidence = trial.folder.evidence
     authored = []
     if given.case.setting != "text-to-scene":
-        authored = read_json(given.withheld_folder / "cameras.json")["views"]
+        authored = [{**view, **SIZE_PX} for view in read_json(given.withheld_folder / "cameras.json")["views"]]
 
     def cameras(snapshot: dict[str, Any]) -> list[dict[str, Any]]:
         """No picture of a scene that is invalid for its emptiness."""

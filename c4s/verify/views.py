@@ -16,6 +16,8 @@ import numpy as np
 VIEWS = 4
 HORIZONTAL_FOV_DEG = 60.0
 CLEARANCE_CM = 100.0
+SIZE_PX = {"width": 960, "height": 540}
+"""Size of evidence pictures."""
 
 
 def _content_boxes(snapshot: Mapping[str, Any]) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -53,5 +55,5 @@ def overview_cameras(snapshot: Mapping[str, Any]) -> list[dict[str, Any]]:
         while len(boxes) and np.any(np.all(np.abs(boxes[:, 0] - eye) < boxes[:, 1] + CLEARANCE_CM, axis=1)):
             eye[2] += CLEARANCE_CM
         cameras.append({"name": f"overview-{index + 1}", "location_cm": [float(v) for v in eye],
-                        "target_cm": target, "fov_deg": HORIZONTAL_FOV_DEG})
+                        "target_cm": target, "fov_deg": HORIZONTAL_FOV_DEG, **SIZE_PX})
     return cameras
