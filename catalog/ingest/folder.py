@@ -22,8 +22,9 @@ PLAIN_FOLDERS = {"assets", "gltf", "glb", "obj", "dae", "models", "meshes", "mes
 
 def mesh_files(folder: Path) -> list[Path]:
     """The mesh files under a folder in the order of their names."""
-    return sorted(path for path in folder.rglob("*")
-                  if path.suffix.lower() in SUFFIXES and path.is_file() and path.resolve().is_relative_to(folder.resolve()))
+    root = folder.resolve()
+    return sorted(path for path in folder.rglob("*") if path.suffix.lower() in SUFFIXES and path.is_file()
+                  and path.resolve().is_relative_to(root))
 
 
 def categories(files: list[Path], folder: Path) -> dict[Path, str]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-import trimesh
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
 from c4s.packs.manifest import HullBody
@@ -28,12 +29,10 @@ def hull(points: Points) -> HullBody:
     """
     points = np.unique(np.round(points, 3), axis=0)
     centre = points.mean(axis=0)
-    _, spread, axes = np.linalg.svd(points - centre, full_matrices=False) if len(points) > 2 else (0, np.zeros(3), 0)
-    thickness = np.ptp((points - centre) @ axes.T, axis=0) if len(points) > 2 and len(spread) == 3 else np.zeros(3)
-    if not len(points) > 3 or thickness.min() < 2 * THIN_CM:
-        directions = (axes[thickness < 2 * THIN_CM] if len(points) > 2 and len(spread) == 3 else np.eye(3))
-        for direction in directions:
-            points = np.concatenate([points + direction * THIN_CM, points - direction * THIN_CM])
+    axes = np.linalg.svd(points - centre, full_matrices=False)[2] if len(points) > 2 else np.eye(3)
+    flat = np.ptp((points - centre) @ axes.T, axis=0) < 2 * THIN_CM
+    for direction in axes[flat]:
+        points = np.concatenate([points + direction * THIN_CM, points - direction * THIN_CM])
     try:
         corners = points[ConvexHull(points).vertices]
     except QhullError:
@@ -61,7 +60,9 @@ def pieces(vertices: Points, faces: NDArray[np.int64]) -> list[Points]:
     _, same = np.unique(np.round(vertices, 2), axis=0, return_inverse=True)
     welded = same.reshape(-1)[faces]
     edges = np.concatenate([welded[:, [0, 1]], welded[:, [1, 2]]])
-    label = trimesh.graph.connected_component_labels(edges, node_count=int(welded.max()) + 1)
+    count = int(welded.max()) + 1
+    joins = coo_array((np.ones(len(edges), np.int8), (edges[:, 0], edges[:, 1])), shape=(count, count))
+    label = connected_components(joins, directed=False)[1]
     of_face = label[welded[:, 0]]
     found = [vertices[np.unique(faces[of_face == number])] for number in np.unique(of_face)]
     found.sort(key=lambda points: -float(np.linalg.norm(np.ptp(points, axis=0))))

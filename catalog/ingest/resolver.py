@@ -9,7 +9,7 @@ from urllib.parse import unquote
 from trimesh.resolvers import Resolver
 
 
-class FolderResolver(Resolver):  # type: ignore[misc]
+class FolderResolver(Resolver):
     """Resolves names next to a mesh file, else by their ending anywhere under ``root``, letter case aside.
 
     Authors' paths often fit their own disk only (``C:\\\\art\\\\wood.png``, ``model://desk/wood.png``), so the longest

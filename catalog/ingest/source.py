@@ -1,11 +1,10 @@
-"""Reads one mesh file (glTF, GLB, OBJ, DAE) into parts in Unreal's axes and cm, with surfaces and notes on what was wrong."""
+"""Reads one mesh file (glTF, GLB, OBJ, DAE) into parts in Unreal's axes and cm, with surfaces and notes of faults."""
 
 from __future__ import annotations
 
 import io
 import logging
 import re
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
@@ -103,11 +102,11 @@ class SurfaceReader:
         """The surface of a geometry's visual."""
         material = getattr(visual, "material", None)
         if material is None:
-            color = np.asarray(visual.main_color, dtype=float)[:3] / 255 if visual.defined else np.full(3, 0.5)
+            mean = np.asarray(visual.main_color, dtype=float)[:3] / 255 if visual.defined else np.full(3, 0.5)
             if visual.defined and visual.kind == "vertex" and np.ptp(visual.vertex_colors, axis=0).any():
                 notes.append("colours of vertices became one mean colour")
-                color = np.asarray(visual.vertex_colors, dtype=float)[:, :3].mean(axis=0) / 255
-            return Surface("plain", _color([linear(float(c)) for c in color]))
+                mean = np.asarray(visual.vertex_colors, dtype=float)[:, :3].mean(axis=0) / 255
+            return Surface("plain", _color([linear(float(c)) for c in mean]))
         name = str(getattr(material, "name", None) or "material")
         if isinstance(material, trimesh.visual.material.PBRMaterial):
             return self._pbr(name, material, notes)
@@ -151,8 +150,35 @@ def _number(value: Any, default: float) -> float:
     return default if value is None else float(value)
 
 
-def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = None,
-                skin: Callable[[Any, list[str]], Surface] | None = None) -> Source:
+class OpenFile:
+    """A parsed mesh file with its unit and axes; arguments and errors as in ``read_source``."""
+
+    def __init__(self, path: Path, root: Path, *, scale: float = 1.0, up: Up | None = None) -> None:
+        if not path.is_file():
+            raise BadInput("no such mesh file", where=str(path))
+        resolver, kind = FolderResolver(path, root), path.suffix.lower()
+        if kind == ".dae":
+            head = path.read_bytes()[:20_000].decode("utf-8", errors="replace")
+            unit = re.search(r'<unit[^>]*\bmeter="([^"]+)"', head)
+            axis = re.search(r"<up_axis>\s*([XYZ])_UP", head)
+            scale *= _unit(unit.group(1), path) if unit else 1.0
+            up = up or (axis.group(1).lower() if axis else "y")  # type: ignore[assignment]
+        try:
+            with path.open("rb") as file:
+                self.scene = trimesh.load_scene(file, file_type=kind[1:], resolver=resolver, process=False)
+        except Exception as error:  # trimesh's readers raise whatever their format's parser raises
+            lost = f"; missing {', '.join(resolver.missing)}" if resolver.missing else ""
+            raise BadInput(f"cannot read this mesh: {type(error).__name__}: {error}{lost}", where=str(path)) from None
+        self.notes = [f"file {name!r} is missing: the plain colour is used" for name in resolver.missing]
+        self.surfaces = SurfaceReader(display_colors=kind in (".obj", ".dae"))
+        self.path, self.scale, self.axes = path, scale, np.asarray(TO_UNREAL[up or "y"])
+
+    def part(self, node: str, geometry: Any, matrix: NDArray[np.float64], surface: Surface) -> SourcePart:
+        """The triangles of a geometry under a matrix of the file's axes and units."""
+        return _part(node, geometry, matrix, self.axes, self.scale, surface, self.path)
+
+
+def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = None) -> Source:
     """All triangles of a mesh file with every node's transform applied.
 
     Args:
@@ -160,30 +186,13 @@ def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = N
         root: folder in which textures and buffers are looked for.
         scale: factor from the file's units to metres; a DAE file's own unit is applied as well.
         up: axis that points up; the format's (glTF: Y, DAE: as the file says) or Y when left out.
-        skin: reads the surface of a visual (default: a ``SurfaceReader`` of this file's own).
 
     Raises:
         BadInput: the file cannot be read, holds no triangles of any size, or numbers that are not finite.
     """
-    if not path.is_file():
-        raise BadInput("no such mesh file", where=str(path))
-    resolver, notes = FolderResolver(path, root), list[str]()
-    kind = path.suffix.lower()
-    if kind == ".dae":
-        head = path.read_bytes()[:20_000].decode("utf-8", errors="replace")
-        unit = re.search(r'<unit[^>]*\bmeter="([^"]+)"', head)
-        axis = re.search(r"<up_axis>\s*([XYZ])_UP", head)
-        scale *= _unit(unit.group(1), path) if unit else 1.0
-        up = up or (axis.group(1).lower() if axis else "y")  # type: ignore[assignment]
-    try:
-        with path.open("rb") as file:
-            scene = trimesh.load_scene(file, file_type=kind[1:], resolver=resolver, process=False)
-    except Exception as error:  # trimesh's readers raise whatever their format's parser raises
-        lost = f"; missing {', '.join(resolver.missing)}" if resolver.missing else ""
-        raise BadInput(f"cannot read this mesh: {type(error).__name__}: {error}{lost}", where=str(path)) from None
-    notes += [f"texture or file {name!r} is missing: the plain colour is used" for name in resolver.missing]
-    axes = np.asarray(TO_UNREAL[up or "y"])
-    parts, read = [], skin or SurfaceReader(display_colors=kind in (".obj", ".dae")).read
+    opened = OpenFile(path, root, scale=scale, up=up)
+    scene, notes = opened.scene, opened.notes
+    parts, read = [], opened.surfaces.read
     order = {name: number for number, name in enumerate(scene.geometry)}
     placed = [(node, *scene.graph[node]) for node in scene.graph.nodes_geometry]
     for node, matrix, name in sorted(placed, key=lambda one: (order[one[2]], np.asarray(one[1]).tolist())):
@@ -194,7 +203,7 @@ def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = N
         surface = read(geometry.visual, notes)
         split = geometry.metadata.get("from_gltf_primitive") and node in scene.graph.transforms.parents
         owner = scene.graph.transforms.parents[node] if split else node
-        parts.append(_part(str(owner), geometry, np.asarray(matrix, float), axes, scale, surface, path))
+        parts.append(opened.part(str(owner), geometry, np.asarray(matrix, float), surface))
     if not parts:
         raise BadInput("the file has no triangles", where=str(path))
     extent = np.ptp(np.concatenate([part.vertices for part in parts]), axis=0)

@@ -1,0 +1,192 @@
+"""What every scene importer hands over, and how it becomes a pack and a level document."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fnmatch import fnmatch
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from c4s.errors import BadInput
+from c4s.files import write_json
+from c4s.packs.manifest import CollisionBody
+from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
+from c4s.scene.transform import rotator_from_quat
+from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
+from catalog.ingest.hulls import bodies
+from catalog.ingest.licence import licence
+from catalog.ingest.source import SourcePart
+from catalog.ingest.units import check_units, words
+from catalog.ingest.writer import PackWriter, identifier
+
+Matrix = NDArray[np.float64]
+LEVEL_FILE = "scene.level.json"
+
+
+@dataclass
+class SceneAsset:
+    """A mesh that actors share: parts in cm and Unreal's axes about its pivot."""
+
+    name: str
+    parts: list[SourcePart]
+    collision: list[CollisionBody] = field(default_factory=list)
+
+
+@dataclass
+class SceneActor:
+    """A placed mesh: its path in the source (``Cafe/chair_1``), its asset's key, its world matrix (cm, Unreal's axes)."""
+
+    path: str
+    asset: str
+    matrix: Matrix
+
+
+@dataclass
+class SceneLight:
+    """A light: ``point`` or ``directional``, world matrix, linear colour and strength as in the engine."""
+
+    path: str
+    kind: str
+    matrix: Matrix
+    color: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    intensity: float = 1.0
+    radius_cm: float = 1000.0
+
+
+@dataclass
+class ImportedScene:
+    """A scene as an importer read it. ``skipped`` names what is not in it and why."""
+
+    metric: bool = False
+    """The format itself says that its unit is the metre."""
+    assets: dict[str, SceneAsset] = field(default_factory=dict)
+    actors: list[SceneActor] = field(default_factory=list)
+    lights: list[SceneLight] = field(default_factory=list)
+    skipped: list[dict[str, str]] = field(default_factory=list)
+    notes: list[dict[str, str]] = field(default_factory=list)
+
+    def skip(self, name: str, reason: str) -> None:
+        """Record that something of the source is left out."""
+        self.skipped.append({"name": name, "reason": reason})
+
+    def note(self, name: str, text: str) -> None:
+        """Record something about what was read, once."""
+        row = {"name": name, "note": text}
+        if row not in self.notes:
+            self.notes.append(row)
+
+
+def place(matrix: Matrix) -> tuple[Transform, bool]:
+    """Location, rotation and scale of a matrix, and whether it has a shear that these cannot hold."""
+    scale = np.linalg.norm(matrix[:3, :3], axis=0)
+    if not np.isfinite(matrix).all() or scale.min() < 1e-9:
+        raise BadInput("an actor's transform has a number that is not finite, or a scale of nothing")
+    axes = matrix[:3, :3] / scale
+    if np.linalg.det(axes) < 0:
+        scale[0], axes[:, 0] = -scale[0], -axes[:, 0]
+    sheared = bool(np.abs(axes.T @ axes - np.eye(3)).max() > 1e-3)
+    u, _, v = np.linalg.svd(axes)
+    rotation = rotator_from_quat(Rotation.from_matrix(u @ v).as_quat().tolist())
+    place = [tuple(round(float(value), 4) + 0.0 for value in values) for values in (matrix[:3, 3], rotation, scale)]
+    return Transform(location_cm=place[0], rotation_deg=place[1], scale=place[2]), sheared
+
+
+def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_folder: Path, suites: Path, packs: Path,
+                without: Sequence[str] = ()) -> dict[str, Any]:
+    """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
+
+    ``without`` are patterns of actors' paths that are left out (a roof, say). The report is written beside the level
+    as ``import.json``. Raises ``BadInput`` when no actor is left.
+    """
+    kept = [actor for actor in scene.actors if not any(fnmatch(actor.path, pattern) for pattern in without)]
+    if not kept:
+        reason = f"; {scene.skipped[0]['name']}: {scene.skipped[0]['reason']}" if scene.skipped else ""
+        raise BadInput(f"no actor of this scene can be placed{reason}", where=str(source))
+    count = Counter(actor.asset for actor in kept)
+    name, text = licence(license_folder)
+    if name == "unknown":
+        scene.note("", "no file of the scene tells the licence")
+    with PackWriter(suite_id, packs) as writer:
+        paths = {}
+        for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
+            asset = scene.assets[key]
+            solid = asset.collision or list(bodies(
+                [(part.node, part.vertices, part.faces) for part in asset.parts], "piece"))
+            telling = words(asset.name) or ["prop"]
+            record = writer.add(asset.name, asset.parts, solid, category=telling[-1], tags=telling,
+                                authored=bool(asset.collision),
+                                description=f"{' '.join(telling).capitalize()}, {count[key]} in the scene")
+            paths[key] = record.path
+        sizes = [(asset.name, max(asset.size_m)) for asset in writer.assets]
+        pack = writer.finish(title=f"Meshes of {source.stem}", license_id=name, license_text=text,
+                             description=f"Imported from {source.name}")
+    level = with_identities(Level(package=f"/Game/{pack.content_folder}/Maps/{identifier(suite_id)}",
+                                  actors=[*_actors(scene, kept, paths, suite_id), *_lights(scene, suite_id)]), suite_id)
+    folder = suites / suite_id
+    level.write(folder / LEVEL_FILE)
+    units = check_units(sizes)
+    report = {"suite": suite_id, "level": str(folder / LEVEL_FILE), "package": level.package, "pack": pack.pack_id,
+              "license": pack.license, "actors": len(kept), "lights": len(scene.lights), "assets": len(pack.assets),
+              "left_out": len(scene.actors) - len(kept), "skipped": scene.skipped, "notes": scene.notes,
+              "proposed_scale": None if scene.metric else units.proposed, "sha256": level.sha256()}
+    write_json(folder / "import.json", report)
+    return report
+
+
+def _actors(scene: ImportedScene, kept: list[SceneActor], paths: dict[str, str], suite_id: str) -> list[LevelActor]:
+    names: Counter[str] = Counter()
+    actors = []
+    for actor in kept:
+        try:
+            transform, sheared = place(actor.matrix)
+        except BadInput as error:
+            scene.skip(actor.path, error.what)
+            continue
+        if sheared:
+            scene.note(actor.path, "its shear is left out")
+        name = _unique(identifier(actor.path), names)
+        actors.append(LevelActor(
+            name=name, label=name, class_path=STATIC_MESH_ACTOR, guid=guid_of(f"{suite_id}|{name}"),
+            transform=transform, folder=actor.path.rpartition("/")[0], components=[LevelComponent(
+                name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=paths[actor.asset])]))
+    return actors
+
+
+def _lights(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
+    """The scene's lights; where it has no sun, a sun and a sky that make an indoor scene readable."""
+    lights = list(scene.lights)
+    if not any(light.kind == "directional" for light in lights):
+        down = np.eye(4)
+        down[:3, :3] = Rotation.from_euler("ZY", [35, 60], degrees=True).as_matrix()
+        lights.append(SceneLight("LightSun", "directional", down, intensity=4.0))
+    names: Counter[str] = Counter()
+    actors = []
+    for light in lights:
+        kind = "PointLight" if light.kind == "point" else "DirectionalLight"
+        properties: dict[str, Any] = {"intensity": light.intensity,
+                                      "light_color": [*(round(255 * c) for c in light.color), 255]}
+        if light.kind == "point":
+            properties["attenuation_radius"] = light.radius_cm
+        name = _unique(identifier(f"Light_{light.path.removeprefix('Light')}"), names)
+        actors.append(_light(name, kind, place(light.matrix)[0], properties, suite_id))
+    return [*actors, _light("Light_Sky", "SkyLight", Transform(), {"intensity": 1.0}, suite_id)]
+
+
+def _light(name: str, kind: str, transform: Transform, properties: dict[str, Any], suite_id: str) -> LevelActor:
+    component = "SkyLightComponent0" if kind == "SkyLight" else "LightComponent0"
+    return LevelActor(name=name, label=name, class_path=f"/Script/Engine.{kind}", guid=guid_of(f"{suite_id}|{name}"),
+                      transform=transform, components=[LevelComponent(
+                          name=component, class_path=f"/Script/Engine.{kind}Component", properties=properties)])
+
+
+def _unique(name: str, names: Counter[str]) -> str:
+    names[name.lower()] += 1
+    number = names[name.lower()]
+    return name if number == 1 else _unique(f"{re.sub(r'_x[0-9]+$', '', name)}_x{number}", names)
