@@ -199,12 +199,14 @@ def _simple_collision(mesh: Any) -> list[dict[str, Any]] | None:
     geom = setup.get_editor_property("agg_geom")
     if len(geom.get_editor_property("convex_elems")):
         return None
-    boxes = [{"kind": "box", "center": _row(elem.center), "rotation_deg": _angles(elem.rotation),
-              "half_extent": [elem.x / 2, elem.y / 2, elem.z / 2]} for elem in geom.get_editor_property("box_elems")]
-    spheres = [{"kind": "sphere", "center": _row(elem.center), "radius": elem.radius}
-               for elem in geom.get_editor_property("sphere_elems")]
-    capsules = [{"kind": "capsule", "center": _row(elem.center), "rotation_deg": _angles(elem.rotation),
-                 "radius": elem.radius, "length": elem.length} for elem in geom.get_editor_property("sphyl_elems")]
+    boxes = [{"kind": "box", "center": _row(of("center")), "rotation_deg": _angles(of("rotation")),
+              "half_extent": [of("x") / 2, of("y") / 2, of("z") / 2]}
+             for of in (elem.get_editor_property for elem in geom.get_editor_property("box_elems"))]
+    spheres = [{"kind": "sphere", "center": _row(of("center")), "radius": of("radius")}
+               for of in (elem.get_editor_property for elem in geom.get_editor_property("sphere_elems"))]
+    capsules = [{"kind": "capsule", "center": _row(of("center")), "rotation_deg": _angles(of("rotation")),
+                 "radius": of("radius"), "length": of("length")}
+                for of in (elem.get_editor_property for elem in geom.get_editor_property("sphyl_elems"))]
     return [*boxes, *spheres, *capsules]
 
 

@@ -24,7 +24,7 @@ def actor(unreal):
 def test_unknown_names(unreal, actor):
     for owner, name in ((unreal, "MakeScene"), (actor, "set_location"), (unreal.Vector(), "w"),
                         (unreal.EditorAssetLibrary, "find"), (actor.static_mesh_component, "mesh"),
-                        (actor, "actor_guid")):
+                        (actor, "actor_guid_text"), (unreal.Guid(), "a"), (unreal.KBoxElem(), "center")):
         with pytest.raises(AttributeError):
             getattr(owner, name)
     with pytest.raises(AttributeError):

@@ -204,7 +204,7 @@ def _component_plain(component: ActorComponent, is_root: bool) -> dict[str, Any]
     properties = codec.stored(component._properties, component._values)
     out: dict[str, Any] = {"name": component._name, "class_path": component._class_path()}
     if isinstance(component, PrimitiveComponent):
-        own = component.get_editor_property("collision_enabled")
+        own = component._own("collision_enabled")
         out["collision_enabled"] = own is not CollisionEnabled.NO_COLLISION
         if own is CollisionEnabled.NO_COLLISION:
             properties.pop("collision_enabled", None)

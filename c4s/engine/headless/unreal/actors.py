@@ -46,10 +46,10 @@ class Actor(Object):
     _declares = {
         "root_component": Prop("SceneComponent | None", get="_get_root", writable=False, saved=False),
         "tags": Prop("Sequence[Name]", lambda: Array._of("Name", []), saved=False),
-        "actor_guid": Prop("Guid", get="_get_guid", writable=False, attribute=False, saved=False),
-        "hidden": Prop("bool", False, attribute=False, saved=False),
-        "actor_enable_collision": Prop("bool", True, attribute=False),
-        "is_spatially_loaded": Prop("bool", True, attribute=False, saved=False),
+        "actor_guid": Prop("Guid", get="_get_guid", writable=False, saved=False),
+        "hidden": Prop("bool", False, saved=False),
+        "actor_enable_collision": Prop("bool", True, attribute=False, scripts=False),
+        "is_spatially_loaded": Prop("bool", True, saved=False),
         "custom_time_dilation": Prop("float", 1.0), "can_be_damaged": Prop("bool", True),
     }
 
@@ -177,12 +177,13 @@ class Actor(Object):
     @api
     def set_actor_enable_collision(self, new_actor_enable_collision: bool) -> None:
         """Switch the collision of all components."""
-        self.set_editor_property("actor_enable_collision", new_actor_enable_collision)
+        self._values["actor_enable_collision"] = bool(new_actor_enable_collision)
+        self._changed("actor_enable_collision")
 
     @api
     def get_actor_enable_collision(self) -> bool:
         """Whether collision is on."""
-        return bool(self.get_editor_property("actor_enable_collision"))
+        return bool(self._values.get("actor_enable_collision", True))
 
     @api
     def destroy_actor(self) -> bool:
@@ -354,21 +355,25 @@ class Actor(Object):
     # components and bounds
 
     @api
-    def get_components_by_class(self, component_class: Class | type) -> Array:
-        """Components of a class."""
-        return Array._of("ActorComponent", of_class(self._components, component_class))
+    def get_components_by_class(self, component_class: Class | type | None = None) -> Array:
+        """Components of a class; none without one."""
+        return Array._of("ActorComponent", self._of_kind(component_class))
 
     @api
-    def get_component_by_class(self, component_class: Class | type) -> Any:
+    def get_component_by_class(self, component_class: Class | type | None = None) -> Any:
         """The first component of a class, or None."""
-        found = of_class(self._components, component_class)
+        found = self._of_kind(component_class)
         return found[0] if found else None
 
     @api
-    def get_components_by_tag(self, component_class: Class | type, tag: Name | str) -> Array:
+    def get_components_by_tag(self, component_class: Class | type | None = None,
+                              tag: Name | str = "None") -> Array:
         """Components of a class with a tag."""
-        return Array._of("ActorComponent", [c for c in of_class(self._components, component_class)
+        return Array._of("ActorComponent", [c for c in self._of_kind(component_class)
                                             if c.component_has_tag(tag)])
+
+    def _of_kind(self, component_class: Class | type | None) -> list[Any]:
+        return of_class(self._components, component_class) if component_class is not None else []
 
     def _bounds(self, only_colliding: bool) -> tuple[tuple[float, ...], tuple[float, ...]]:
         low, high = [float("inf")] * 3, [float("-inf")] * 3

@@ -20,7 +20,7 @@ from c4s.engine.headless.unreal.assets import (
 )
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, as_class, public
-from c4s.engine.headless.unreal.enums import MaterialProperty
+from c4s.engine.headless.unreal.enums import MaterialParameterAssociation, MaterialProperty
 from c4s.engine.headless.unreal.expressions import SURFACE_FIELDS, MaterialExpression, recompile
 from c4s.engine.headless.unreal.structs import LinearColor, StructBase
 from c4s.packs import manifest
@@ -55,14 +55,12 @@ class MaterialFactoryNew(Factory):
 class MaterialInstanceConstantFactoryNew(Factory):
     """Makes material instances."""
 
-    _declares = {"initial_parent": Prop("MaterialInterface | None", None)}
-
 
 @public
 class BlueprintFactory(Factory):
     """Makes Blueprints in Unreal; the headless engine refuses to."""
 
-    _declares = {"parent_class": Prop("Class | None", None)}
+    _declares = {"parent_class": Prop("Class | None", None, attribute=False)}
 
 
 @public
@@ -117,12 +115,14 @@ class AssetData(StructBase):
 
     _fields = {"package_name": Prop("Name", Name), "package_path": Prop("Name", Name), "asset_name": Prop("Name", Name),
                "asset_class_path": Prop("TopLevelAssetPath", TopLevelAssetPath), "asset_class": Prop("Name", Name)}
+    _takes = 4
 
     @classmethod
     def _for(cls, path: str, class_path: str) -> AssetData:
         package, kind = package_of(path), class_path.rsplit(".", 1)
-        return cls(package, package.rsplit("/", 1)[0], path.rsplit(".", 1)[-1],
-                   TopLevelAssetPath(kind[0], kind[1]), kind[1])
+        made: AssetData = cls._of_fields(package, package.rsplit("/", 1)[0], path.rsplit(".", 1)[-1],
+                                         TopLevelAssetPath(kind[0], kind[1]), kind[1])
+        return made
 
     def _object_path(self) -> str:
         fields: Any = self
@@ -150,7 +150,7 @@ class AssetData(StructBase):
         return self.get_asset() is not None
 
     @api
-    def get_tag_value(self, tag: Name | str) -> str | None:
+    def get_tag_value(self, tag_name: Name | str) -> str | None:
         """Registry tags are not kept here: None."""
         return None
 
@@ -181,7 +181,7 @@ class AssetRegistry(Object):
         return self._list(lambda a: True)
 
     @api
-    def get_assets(self, filter: ARFilter) -> Array | None:
+    def get_assets(self, filter: ARFilter, skip_ar_filtered_assets: bool = True) -> Array | None:
         """Assets that fit a filter."""
         wanted: Any = filter
         classes = {p._text().casefold() for p in wanted.class_paths}
@@ -211,7 +211,8 @@ class AssetRegistry(Object):
 
     @api
     def get_assets_by_package_name(self, package_name: Name | str,
-                                   include_only_on_disk_assets: bool = False) -> Array | None:
+                                   include_only_on_disk_assets: bool = False,
+                                   skip_ar_filtered_assets: bool = True) -> Array | None:
         """Assets of a package."""
         return self._list(lambda a: package_of(a._path()) == str(package_name))
 
@@ -275,6 +276,24 @@ class AssetRegistryHelpers(Object):
     def get_asset(cls, asset_data: AssetData) -> Any:
         """The asset of an entry."""
         return asset_data.get_asset()
+
+    @classmethod
+    @api
+    def get_class(cls, asset_data: AssetData) -> Any:  # type: ignore[override]
+        """The class of an entry's asset."""
+        return asset_data.get_class()
+
+    @classmethod
+    @api
+    def get_full_name(cls, asset_data: AssetData) -> str:  # type: ignore[override]
+        """Class and path of an entry."""
+        return asset_data.get_full_name()
+
+    @classmethod
+    @api
+    def is_valid(cls, asset_data: AssetData) -> bool:
+        """Whether an entry names an asset."""
+        return asset_data.is_valid()
 
 
 REGISTRY: AssetRegistry = AssetRegistry._make("AssetRegistry", None)
@@ -419,7 +438,6 @@ class AssetTools(Object):
             made: AssetObject = Material._at(target, created=True)._bind(manifest.Material(path=target))
         elif isinstance(factory, MaterialInstanceConstantFactoryNew) and kind in (None, MaterialInstanceConstant):
             made = MaterialInstanceConstant._at(target, created=True)
-            made._values["parent"] = factory.get_editor_property("initial_parent")
         else:
             world().log.error(f"CreateAsset: {type(factory).__name__} does not make a "
                               f"{kind.__name__ if kind else 'asset'}")
@@ -451,6 +469,9 @@ class AssetToolsHelpers(Object):
 TOOLS: AssetTools = AssetTools._make("AssetTools", None)
 
 
+_GLOBAL = MaterialParameterAssociation.GLOBAL_PARAMETER
+
+
 @public
 class MaterialEditingLibrary(Object):
     """Editing of created materials and instances."""
@@ -467,28 +488,33 @@ class MaterialEditingLibrary(Object):
     @classmethod
     @api
     def set_material_instance_vector_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                     parameter_name: Name | str, value: LinearColor) -> bool:
+                                                     parameter_name: Name | str, value: LinearColor,
+                                                     association: MaterialParameterAssociation = _GLOBAL) -> bool:
         """Set a vector parameter; False for one that the parent does not have, or a read-only asset."""
         return bool(instance._created and instance._set_vector(parameter_name, value))
 
     @classmethod
     @api
     def set_material_instance_scalar_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                     parameter_name: Name | str, value: float) -> bool:
+                                                     parameter_name: Name | str, value: float,
+                                                     association: MaterialParameterAssociation = _GLOBAL) -> bool:
         """Set a scalar parameter; False for one that the parent does not have, or a read-only asset."""
         return bool(instance._created and instance._set_scalar(parameter_name, value))
 
     @classmethod
     @api
     def get_material_instance_vector_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                     parameter_name: Name | str) -> LinearColor:
+                                                     parameter_name: Name | str,
+                                                     association: MaterialParameterAssociation = _GLOBAL
+                                                     ) -> LinearColor:
         """Value of a vector parameter."""
         return instance._vector(parameter_name)
 
     @classmethod
     @api
     def get_material_instance_scalar_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                     parameter_name: Name | str) -> float:
+                                                     parameter_name: Name | str,
+                                                     association: MaterialParameterAssociation = _GLOBAL) -> float:
         """Value of a scalar parameter."""
         return instance._scalar(parameter_name)
 
@@ -525,9 +551,9 @@ class MaterialEditingLibrary(Object):
     @classmethod
     @api
     def connect_material_property(cls, from_expression: MaterialExpression, from_output_name: str,
-                                  property: MaterialProperty) -> bool:
+                                  property_: MaterialProperty) -> bool:
         """Let an expression drive an input of its material; False for inputs that a surface here does not have."""
-        material, field = from_expression._outer, SURFACE_FIELDS.get(property.name)
+        material, field = from_expression._outer, SURFACE_FIELDS.get(property_.name)
         if field is None or not isinstance(material, Material):
             return False
         material._links = {**getattr(material, "_links", {}), field: from_expression}

@@ -11,7 +11,7 @@ from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public
 from c4s.engine.headless.unreal.enums import BlendMode, CollisionTraceFlag
-from c4s.engine.headless.unreal.structs import Box, BoxSphereBounds, LinearColor, Rotator, StructBase, Vector
+from c4s.engine.headless.unreal.structs import Box, BoxSphereBounds, ClosedStruct, LinearColor, Rotator, Vector
 from c4s.packs import manifest
 from c4s.packs.manifest import Asset
 
@@ -70,7 +70,8 @@ class MaterialInterface(AssetObject):
 class Material(MaterialInterface):
     """A material: of a pack, or made by a script."""
 
-    _declares = {"two_sided": Prop("bool", False), "blend_mode": Prop("BlendMode", BlendMode.BLEND_OPAQUE)}
+    _declares = {"two_sided": Prop("bool", False, attribute=False),
+                 "blend_mode": Prop("BlendMode", BlendMode.BLEND_OPAQUE)}
 
     def _bind(self, record: manifest.Material) -> Any:
         self._material = record
@@ -193,59 +194,70 @@ class MaterialInstanceDynamic(MaterialInstance):
         self._set_scalar(parameter_name, value)
 
     @api
-    def k2_get_vector_parameter_value(self, parameter_name: Name | str) -> LinearColor:
+    def get_vector_parameter_value(self, parameter_name: Name | str) -> LinearColor:
         """Value of a vector parameter."""
         return self._vector(parameter_name)
 
     @api
-    def k2_get_scalar_parameter_value(self, parameter_name: Name | str) -> float:
+    def get_scalar_parameter_value(self, parameter_name: Name | str) -> float:
         """Value of a scalar parameter."""
         return self._scalar(parameter_name)
 
 
 @public
-class StaticMaterial(StructBase):
+class StaticMaterial(ClosedStruct):
     """A slot of a static mesh."""
 
     _fields = {"material_interface": Prop("MaterialInterface | None", None),
-               "material_slot_name": Prop("Name", Name), "imported_material_slot_name": Prop("Name", Name)}
+               "material_slot_name": Prop("Name", Name),
+               "imported_material_slot_name": Prop("Name", Name, attribute=False)}
+    _takes = 2
+
+
+def _unseen(kind: str, default: Any) -> Prop:
+    return Prop(kind, default, attribute=False)
 
 
 @public
-class KBoxElem(StructBase):
+class KBoxElem(ClosedStruct):
     """A box of simple collision; x, y, z are full lengths in cm."""
 
-    _fields = {"center": Prop("Vector", Vector), "rotation": Prop("Rotator", Rotator), "x": Prop("float", 0.0),
-               "y": Prop("float", 0.0), "z": Prop("float", 0.0)}
+    _takes = 0
+    _fields = {"center": _unseen("Vector", Vector), "rotation": _unseen("Rotator", Rotator), "x": _unseen("float", 0.0),
+               "y": _unseen("float", 0.0), "z": _unseen("float", 0.0)}
 
 
 @public
-class KSphereElem(StructBase):
+class KSphereElem(ClosedStruct):
     """A sphere of simple collision."""
 
-    _fields = {"center": Prop("Vector", Vector), "radius": Prop("float", 0.0)}
+    _takes = 0
+    _fields = {"center": _unseen("Vector", Vector), "radius": _unseen("float", 0.0)}
 
 
 @public
-class KSphylElem(StructBase):
+class KSphylElem(ClosedStruct):
     """A capsule of simple collision; ``length`` is the cylinder part."""
 
-    _fields = {"center": Prop("Vector", Vector), "rotation": Prop("Rotator", Rotator), "radius": Prop("float", 0.0),
-               "length": Prop("float", 0.0)}
+    _takes = 0
+    _fields = {"center": _unseen("Vector", Vector), "rotation": _unseen("Rotator", Rotator),
+               "radius": _unseen("float", 0.0), "length": _unseen("float", 0.0)}
 
 
 @public
-class KConvexElem(StructBase):
+class KConvexElem(ClosedStruct):
     """A convex hull of simple collision; its vertices are not readable from Python."""
 
-    _fields: ClassVar[dict[str, Prop]] = {"name": Prop("Name", Name)}
+    _takes = 0
+    _fields: ClassVar[dict[str, Prop]] = {"name": _unseen("Name", Name)}
 
 
 @public
-class KAggregateGeom(StructBase):
+class KAggregateGeom(ClosedStruct):
     """All simple collision of a body."""
 
-    _fields = {name: Prop(f"Sequence[{kind}]", lambda kind=kind: Array._of(kind, []))
+    _takes = 0
+    _fields = {name: _unseen(f"Sequence[{kind}]", lambda kind=kind: Array._of(kind, []))
                for name, kind in (("box_elems", "KBoxElem"), ("sphere_elems", "KSphereElem"),
                                   ("sphyl_elems", "KSphylElem"), ("convex_elems", "KConvexElem"))}
 
@@ -255,12 +267,12 @@ class BodySetup(Object):
     """Collision of a mesh."""
 
     _declares = {"agg_geom": Prop("KAggregateGeom", KAggregateGeom, attribute=False, writable=False),
-                 "collision_trace_flag": Prop("CollisionTraceFlag", CollisionTraceFlag.CTF_USE_DEFAULT)}
+                 "collision_trace_flag": Prop("CollisionTraceFlag", CollisionTraceFlag.CTF_USE_DEFAULT,
+                                              attribute=False)}
 
 
 def aggregate(asset: Asset) -> KAggregateGeom:
     """An asset's collision bodies in Unreal's structs."""
-    geom = KAggregateGeom()
     boxes: list[KBoxElem] = []
     spheres: list[KSphereElem] = []
     capsules: list[KSphylElem] = []
@@ -268,14 +280,15 @@ def aggregate(asset: Asset) -> KAggregateGeom:
     for body in asset.collision:
         if isinstance(body, manifest.BoxBody):
             x, y, z = (2 * h for h in body.half_extent)
-            boxes.append(KBoxElem(Vector(*body.center), Rotator._of(body.rotation_deg), x, y, z))
+            boxes.append(KBoxElem._of_fields(Vector(*body.center), Rotator._of(body.rotation_deg), x, y, z))
         elif isinstance(body, manifest.SphereBody):
-            spheres.append(KSphereElem(Vector(*body.center), body.radius))
+            spheres.append(KSphereElem._of_fields(Vector(*body.center), body.radius))
         elif isinstance(body, manifest.CapsuleBody):
-            capsules.append(KSphylElem(Vector(*body.center), Rotator._of(body.rotation_deg), body.radius, body.length))
+            capsules.append(KSphylElem._of_fields(Vector(*body.center), Rotator._of(body.rotation_deg), body.radius,
+                                                  body.length))
         else:
-            hulls.append(KConvexElem(Name(f"Hull_{len(hulls)}")))
-    geom.box_elems, geom.sphere_elems, geom.sphyl_elems, geom.convex_elems = boxes, spheres, capsules, hulls
+            hulls.append(KConvexElem._of_fields(Name(f"Hull_{len(hulls)}")))
+    geom: KAggregateGeom = KAggregateGeom._of_fields(boxes, spheres, capsules, hulls)
     return geom
 
 
@@ -301,7 +314,7 @@ class StaticMesh(AssetObject):
 
     def _static_materials(self) -> Array:
         return Array._of("StaticMaterial", [
-            StaticMaterial(self._slot_material(i), Name(slot.name), Name(slot.name))
+            StaticMaterial._of_fields(self._slot_material(i), Name(slot.name), Name(slot.name))
             for i, slot in enumerate(self._asset.slots)])
 
     def _body_setup(self) -> BodySetup:
@@ -328,7 +341,7 @@ class StaticMesh(AssetObject):
     @api
     def get_bounding_box(self) -> Box:
         """Local bounds as corners (cm)."""
-        return Box(Vector(*self._asset.bounds_min_cm), Vector(*self._asset.bounds_max_cm), True)
+        return Box(Vector(*self._asset.bounds_min_cm), Vector(*self._asset.bounds_max_cm))
 
     @api
     def get_bounds(self) -> BoxSphereBounds:
@@ -351,9 +364,9 @@ class StaticMesh(AssetObject):
         return len(world().store.mesh(self._asset.path).faces) if lod_index == 0 else 0
 
     @api
-    def get_num_sections(self, in_lod: int) -> int:
+    def get_num_sections(self, lod: int) -> int:
         """Sections: one a slot."""
-        return len(self._asset.slots) if in_lod == 0 else 0
+        return len(self._asset.slots) if lod == 0 else 0
 
 
 @public

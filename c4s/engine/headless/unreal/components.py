@@ -269,7 +269,7 @@ class SceneComponent(ActorComponent):
     @api
     def attach_to_component(self, parent: SceneComponent, socket_name: Name | str, location_rule: AttachmentRule,
                             rotation_rule: AttachmentRule, scale_rule: AttachmentRule,
-                            weld_simulated_bodies: bool) -> bool:
+                            weld_simulated_bodies: bool = True) -> bool:
         """Attach; False when that would close a circle."""
         above: SceneComponent | None = parent
         while above is not None:
@@ -311,25 +311,34 @@ class PrimitiveComponent(SceneComponent):
     """A component with geometry: bounds, collision and materials."""
 
     _declares = {"cast_shadow": Prop("bool", True), "hidden_in_scene_capture": Prop("bool", False),
-                 "collision_enabled": Prop("CollisionEnabled", CollisionEnabled.QUERY_AND_PHYSICS, attribute=False),
-                 "collision_profile_name": Prop("Name", Name("BlockAllDynamic"), attribute=False)}
+                 "collision_enabled": Prop("CollisionEnabled", CollisionEnabled.QUERY_AND_PHYSICS, attribute=False,
+                                           scripts=False),
+                 "collision_profile_name": Prop("Name", Name("BlockAllDynamic"), attribute=False, scripts=False)}
+
+    def _own(self, name: str) -> Any:
+        """Value of a property that scripts reach by methods only."""
+        return self._read(name, type(self)._properties[name])
+
+    def _put(self, name: str, value: Any) -> None:
+        """Set a property that scripts reach by methods only."""
+        self._write(name, type(self)._properties[name], value)
 
     def _collides(self) -> bool:
         owner = self._outer
         if owner is not None and not owner._values.get("actor_enable_collision", True):
             return False
-        return bool(self.get_editor_property("collision_enabled") is not CollisionEnabled.NO_COLLISION)
+        return bool(self._own("collision_enabled") is not CollisionEnabled.NO_COLLISION)
 
     @api
     def get_collision_enabled(self) -> CollisionEnabled:
         """What the collision takes part in."""
-        found: CollisionEnabled = self.get_editor_property("collision_enabled")
+        found: CollisionEnabled = self._own("collision_enabled")
         return found if self._collides() else CollisionEnabled.NO_COLLISION
 
     @api
     def set_collision_enabled(self, new_type: CollisionEnabled) -> None:
         """Set what the collision takes part in."""
-        self.set_editor_property("collision_enabled", new_type)
+        self._put("collision_enabled", new_type)
 
     @api
     def is_collision_enabled(self) -> bool:
@@ -339,15 +348,15 @@ class PrimitiveComponent(SceneComponent):
     @api
     def get_collision_profile_name(self) -> Name:
         """Name of the collision profile."""
-        found: Name = self.get_editor_property("collision_profile_name")
+        found: Name = self._own("collision_profile_name")
         return found
 
     @api
     def set_collision_profile_name(self, collision_profile_name: Name | str, update_overlaps: bool = True) -> None:
         """Set the profile; ``NoCollision`` switches collision off."""
-        self.set_editor_property("collision_profile_name", collision_profile_name)
+        self._put("collision_profile_name", collision_profile_name)
         off = Name(str(collision_profile_name)) == "NoCollision"
-        self.set_editor_property("collision_enabled", CollisionEnabled.NO_COLLISION if off
+        self._put("collision_enabled", CollisionEnabled.NO_COLLISION if off
                                  else CollisionEnabled.QUERY_AND_PHYSICS)
 
     @api
@@ -366,7 +375,7 @@ class MeshComponent(PrimitiveComponent):
     """A component with material slots."""
 
     _declares = {"override_materials": Prop("Sequence[MaterialInterface | None]", get="_override_array",
-                                            writable=False, saved=False)}
+                                            writable=False, attribute=False, saved=False)}
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)

@@ -133,9 +133,9 @@ class Array:
         """Add at the end."""
         self._items.append(self._checked(value))
 
-    def extend(self, iterable: Iterable[Any]) -> None:
+    def extend(self, values: Iterable[Any]) -> None:
         """Add all."""
-        self._items.extend([self._checked(v) for v in iterable])
+        self._items.extend([self._checked(v) for v in values])
 
     def insert(self, index: int, value: Any) -> None:
         """Insert before ``index``."""

@@ -116,6 +116,8 @@ class Prop:
     """Method that applies a new value."""
     saved: bool = True
     """Whether a level or asset document keeps it when it differs from the default."""
+    scripts: bool = True
+    """Whether ``get_editor_property`` and ``set_editor_property`` know it."""
 
 
 def copied(value: Any) -> Any:
@@ -182,7 +184,7 @@ class ObjectBase:
 
     def _property(self, name: str) -> Prop:
         prop = type(self)._properties.get(name)
-        if prop is None:
+        if prop is None or not prop.scripts:
             raise Exception(f"{type(self).__name__}: failed to find property '{name}' for attribute '{name}' "
                             f"on '{type(self).__name__}'")
         return prop

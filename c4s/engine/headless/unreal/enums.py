@@ -37,6 +37,25 @@ class DetachmentRule(EnumBase):
 
 @public
 @unique
+class MaterialParameterAssociation(EnumBase):
+    """Whose parameter a name means; materials here have global ones only."""
+
+    LAYER_PARAMETER = 0
+    BLEND_PARAMETER = 1
+    GLOBAL_PARAMETER = 2
+
+
+@public
+@unique
+class MIDCreationFlags(EnumBase):
+    """How a dynamic material instance is kept."""
+
+    NONE = 0
+    TRANSIENT = 1
+
+
+@public
+@unique
 class ComponentMobility(EnumBase):
     """Whether a component may move in play."""
 

@@ -50,7 +50,8 @@ class MaterialExpressionConstant3Vector(MaterialExpression):
 class MaterialExpressionScalarParameter(MaterialExpression):
     """A named number."""
 
-    _declares = {"parameter_name": Prop("Name", Name), "default_value": Prop("float", 0.0)}
+    _declares = {"parameter_name": Prop("Name", Name, attribute=False),
+                 "default_value": Prop("float", 0.0, attribute=False)}
 
     def _value(self) -> tuple[float, float, float]:
         r = self.get_editor_property("default_value")
@@ -61,8 +62,8 @@ class MaterialExpressionScalarParameter(MaterialExpression):
 class MaterialExpressionVectorParameter(MaterialExpression):
     """A named colour."""
 
-    _declares = {"parameter_name": Prop("Name", Name),
-                 "default_value": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1))}
+    _declares = {"parameter_name": Prop("Name", Name, attribute=False),
+                 "default_value": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1), attribute=False)}
 
     def _value(self) -> tuple[float, float, float]:
         c = self.get_editor_property("default_value")

@@ -29,12 +29,6 @@ class World(AssetObject):
         return self
 
     @api
-    def get_level(self) -> Level:
-        """The persistent level."""
-        found: Level = self._level
-        return found
-
-    @api
     def get_world_settings(self) -> Any:
         """World settings are not modelled: None."""
         return None

@@ -15,7 +15,7 @@ from c4s.engine.headless.unreal.assets import MaterialInstanceDynamic, MaterialI
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Name, Text
 from c4s.engine.headless.unreal.core import Class, Object, api, as_class, public, subclass_of
-from c4s.engine.headless.unreal.enums import DrawDebugTrace, TraceTypeQuery
+from c4s.engine.headless.unreal.enums import DrawDebugTrace, MIDCreationFlags, TraceTypeQuery
 from c4s.engine.headless.unreal.structs import LinearColor, Rotator, Transform, Vector
 from c4s.engine.headless.unreal.subobjects import SubobjectDataSubsystem
 from c4s.engine.headless.unreal.subsystems import SUBSYSTEMS, EditorSubsystem
@@ -87,7 +87,7 @@ class SystemLibrary(Object):
     @api
     def line_trace_single(cls, world_context_object: Object | None, start: Vector, end: Vector,
                           trace_channel: TraceTypeQuery, trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                          draw_debug_type: DrawDebugTrace, ignore_self: bool,
+                          draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
                           trace_color: LinearColor = LinearColor(1, 0, 0, 1),  # noqa: B008
                           trace_hit_color: LinearColor = LinearColor(0, 1, 0, 1),  # noqa: B008
                           draw_time: float = 5.0) -> HitResult | None:
@@ -99,7 +99,7 @@ class SystemLibrary(Object):
     @api
     def line_trace_multi(cls, world_context_object: Object | None, start: Vector, end: Vector,
                          trace_channel: TraceTypeQuery, trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                         draw_debug_type: DrawDebugTrace, ignore_self: bool,
+                         draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
                          trace_color: LinearColor = LinearColor(1, 0, 0, 1),  # noqa: B008
                          trace_hit_color: LinearColor = LinearColor(0, 1, 0, 1),  # noqa: B008
                          draw_time: float = 5.0) -> Array | None:
@@ -183,18 +183,6 @@ class MathLibrary(Object):
 
     @classmethod
     @api
-    def make_rotator(cls, roll: float, pitch: float, yaw: float) -> Rotator:
-        """A rotator."""
-        return Rotator(roll, pitch, yaw)
-
-    @classmethod
-    @api
-    def make_transform(cls, location: Vector, rotation: Rotator, scale: Vector) -> Transform:
-        """A transform."""
-        return Transform(location, rotation, scale)
-
-    @classmethod
-    @api
     def compose_rotators(cls, a: Rotator, b: Rotator) -> Rotator:
         """``a`` first, then ``b``."""
         return a.combine(b)
@@ -237,7 +225,9 @@ class MaterialLibrary(Object):
     @classmethod
     @api
     def create_dynamic_material_instance(cls, world_context_object: Object | None, parent: MaterialInterface,
-                                         optional_name: Name | str = "None") -> MaterialInstanceDynamic:
+                                         optional_name: Name | str = "None",
+                                         creation_flags: MIDCreationFlags = MIDCreationFlags.NONE
+                                         ) -> MaterialInstanceDynamic:
         """A transient instance."""
         name = "MaterialInstanceDynamic_0" if str(optional_name) == "None" else str(optional_name)
         made: MaterialInstanceDynamic = MaterialInstanceDynamic._owned(name, None, parent)

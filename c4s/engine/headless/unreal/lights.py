@@ -127,9 +127,9 @@ class PointLightComponent(LocalLightComponent):
                  "light_falloff_exponent": Prop("float", 8.0)}
 
     @api
-    def set_source_radius(self, new_radius: float) -> None:
+    def set_source_radius(self, new_value: float) -> None:
         """Set the radius of the source in cm."""
-        self.set_editor_property("source_radius", new_radius)
+        self.set_editor_property("source_radius", new_value)
 
 
 @public
@@ -291,7 +291,8 @@ class CameraComponent(SceneComponent):
 class ShapeComponent(PrimitiveComponent):
     """A simple shape without looks."""
 
-    _declares = {"collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False)}
+    _declares = {"collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False,
+                                           scripts=False)}
 
 
 @public
@@ -309,7 +310,8 @@ class CapsuleComponent(ShapeComponent):
 class BrushComponent(PrimitiveComponent):
     """The box of a volume: 200 cm on a side before scaling."""
 
-    _declares = {"collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False)}
+    _declares = {"collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False,
+                                           scripts=False)}
 
     def _local_bounds(self) -> Bounds | None:
         return (-100.0, -100.0, -100.0), (100.0, 100.0, 100.0)

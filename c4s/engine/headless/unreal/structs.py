@@ -26,29 +26,43 @@ class StructBase:
     """Fields by declaration, in constructor order. Equality by value; not hashable."""
 
     _fields: ClassVar[dict[str, Prop]] = {}
+    _takes: ClassVar[int | None] = None
+    """How many fields the constructor takes, when not all."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
-        names = list(self._fields)
+        names = list(self._fields)[:self._takes]
         if len(args) > len(names):
             raise TypeError(f"{type(self).__name__}() takes at most {len(names)} arguments ({len(args)} given)")
         given = dict(zip(names, args, strict=False))
         for name, value in kwargs.items():
-            if name not in self._fields:
+            if name not in names:
                 raise TypeError(f"'{name}' is an invalid keyword argument for {type(self).__name__}()")
             if name in given:
                 raise TypeError(f"{type(self).__name__}() got multiple values for argument '{name}'")
             given[name] = value
         for name, prop in self._fields.items():
             if name in given:
-                setattr(self, name, given[name])
+                self._put(name, given[name])
             else:
                 default = prop.default() if callable(prop.default) else prop.default
                 object.__setattr__(self, name, default)
 
+    @classmethod
+    def _of_fields(cls, *values: Any) -> Any:
+        """A struct with its first fields set, whatever its constructor takes."""
+        made = cls()
+        for name, value in zip(cls._fields, values, strict=False):
+            made._put(name, value)
+        return made
+
     def __setattr__(self, name: str, value: Any) -> None:
         prop = self._fields.get(name)
-        if prop is None:
+        if prop is None or not prop.attribute:
             raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
+        self._put(name, value)
+
+    def _put(self, name: str, value: Any) -> None:
+        prop = self._fields[name]
         need(value, prop.kind, f"{type(self).__name__}: property '{name}'")
         object.__setattr__(self, name, converted(value, prop.kind))
 
@@ -61,14 +75,14 @@ class StructBase:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        inner = ", ".join(f"{n}: {getattr(self, n)!r}" for n in self._fields)
+        inner = ", ".join(f"{n}: {self.__dict__[n]!r}" for n in self._fields)
         return f"<Struct '{type(self).__name__}' {{{inner}}}>"
 
     def copy(self) -> Any:
         """An independent copy."""
         made = type(self).__new__(type(self))
         for name in self._fields:
-            object.__setattr__(made, name, copied(getattr(self, name)))
+            object.__setattr__(made, name, copied(self.__dict__[name]))
         return made
 
     def __copy__(self) -> Any:
@@ -78,27 +92,41 @@ class StructBase:
         """Take over all fields of a struct of the same type."""
         need(other, type(self).__name__, f"{type(self).__name__}.assign")
         for name in self._fields:
-            object.__setattr__(self, name, copied(getattr(other, name)))
+            object.__setattr__(self, name, copied(other.__dict__[name]))
 
     def to_tuple(self) -> tuple[Any, ...]:
         """All fields in order."""
-        return tuple(getattr(self, n) for n in self._fields)
+        return tuple(self.__dict__[n] for n in self._fields)
 
     def get_editor_property(self, name: str) -> Any:
         """A field by name."""
-        if str(name) not in self._fields:
-            raise Exception(f"{type(self).__name__}: failed to find property '{name}'")
-        return copied(getattr(self, str(name)))
+        self._known(name)
+        return copied(self.__dict__[str(name)])
 
     def set_editor_property(self, name: str, value: Any, notify_mode: Any = None) -> None:
         """Set a field by name."""
-        if str(name) not in self._fields:
+        self._known(name)
+        self._put(str(name), value)
+
+    def _known(self, name: object) -> None:
+        prop = self._fields.get(str(name))
+        if prop is None or not prop.scripts:
             raise Exception(f"{type(self).__name__}: failed to find property '{name}'")
-        setattr(self, str(name), value)
 
     def export_text(self) -> str:
         """Unreal's text form."""
-        return "(" + ",".join(f"{_camel(n)}={_text(getattr(self, n))}" for n in self._fields) + ")"
+        return "(" + ",".join(f"{_camel(n)}={_text(self.__dict__[n])}" for n in self._fields) + ")"
+
+
+class ClosedStruct(StructBase):
+    """A struct with fields that are no attributes: scripts reach them by ``get_editor_property``, or not at all."""
+
+    def __getattribute__(self, name: str) -> Any:
+        if not name.startswith("_"):
+            prop = type(self)._fields.get(name)
+            if prop is not None and not prop.attribute:
+                raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
+        return super().__getattribute__(name)
 
 
 def _camel(name: str) -> str:
@@ -162,13 +190,21 @@ class _Components(StructBase):
     def __neg__(self) -> Any:
         return type(self)(*(-a for a in self._all()))
 
-    def is_near_equal(self, other: Any, error_tolerance: float = 1e-4) -> bool:
+    def _near(self, b: Any, tolerance: float) -> bool:
+        need(b, type(self).__name__, f"{type(self).__name__}: comparison")
+        return all(abs(p - q) <= tolerance for p, q in zip(self._all(), b._all(), strict=True))
+
+
+class _Near(_Components):
+    """Rows of numbers that compare within a tolerance."""
+
+    def is_near_equal(self, b: Any, error_tolerance: float = 1e-4) -> bool:
         """Whether every component differs by at most the tolerance."""
-        return all(abs(a - b) <= error_tolerance for a, b in zip(self._all(), other._all(), strict=True))
+        return self._near(b, error_tolerance)
 
 
 @public
-class Vector2D(_Components):
+class Vector2D(_Near):
     """Two numbers."""
 
     _fields = _numbers("x", "y")
@@ -180,13 +216,17 @@ class Vector2D(_Components):
 
 
 @public
-class Vector(_Components):
+class Vector(_Near):
     """A point or direction in cm."""
 
     _fields = _numbers("x", "y", "z")
     x: float
     y: float
     z: float
+
+    def assign(self, vector: Any) -> None:
+        """Take over all numbers."""
+        super().assign(vector)
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
         if not self._fill(x, y, z):
@@ -238,28 +278,32 @@ class Vector(_Components):
                        yaw=math.degrees(math.atan2(self.y, self.x)))
 
     @api
-    def rotate(self, r: Rotator) -> Vector:
+    def rotate(self, b: Rotator) -> Vector:
         """This vector turned by a rotation."""
-        return Vector(*rotate(quat_from_rotator(r._triple()), self._triple()))
+        return Vector(*rotate(quat_from_rotator(b._triple()), self._triple()))
 
     @api
-    def lerp(self, b: Vector, alpha: float) -> Vector:
+    def lerp_to(self, b: Vector, alpha: float) -> Vector:
         """Linear mix."""
         return Vector(*(p + (q - p) * alpha for p, q in zip(self._triple(), b._triple(), strict=True)))
 
 
 @public
-class Vector4(_Components):
+class Vector4(_Near):
     """Four numbers."""
 
     _fields = _numbers("x", "y", "z", "w")
+
+    def assign(self, vector: Any) -> None:
+        """Take over all numbers."""
+        super().assign(vector)
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, w: float = 0.0) -> None:
         super().__init__(x, y, z, w)
 
 
 @public
-class Rotator(_Components):
+class Rotator(_Near):
     """A rotation in degrees; positional order is roll, pitch, yaw."""
 
     _fields = _numbers("roll", "pitch", "yaw")
@@ -312,10 +356,6 @@ class Rotator(_Components):
         """The inverse rotation."""
         return Rotator._of(rotator_from_quat(conjugate(quat_from_rotator(self._triple()))))
 
-    def normalized(self) -> Rotator:
-        """Angles wrapped to (-180, 180]."""
-        return Rotator(*(normalize_axis(a) for a in self._all()))
-
     def transform(self) -> Transform:
         """A transform with this rotation only."""
         return Transform(rotation=self)
@@ -330,6 +370,10 @@ class Quat(_Components):
     y: float
     z: float
     w: float
+
+    def equals(self, b: Quat, tolerance: float = 1e-4) -> bool:
+        """Whether every component differs by at most the tolerance."""
+        return self._near(b, tolerance)
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, w: float = 1.0) -> None:
         if not self._fill(x, y, z, w):
@@ -523,32 +567,27 @@ class Color(StructBase):
     def __init__(self, b: int = 0, g: int = 0, r: int = 0, a: int = 0) -> None:
         super().__init__(b, g, r, a)
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        if name in self._fields and isinstance(value, int) and not 0 <= value <= 255:
+    def _put(self, name: str, value: Any) -> None:
+        if isinstance(value, int) and not 0 <= value <= 255:
             raise OverflowError(f"Color: property '{name}': {value} does not fit 0..255")
-        super().__setattr__(name, value)
+        super()._put(name, value)
 
 
 @public
-class Guid(StructBase):
+class Guid(ClosedStruct):
     """A globally unique id."""
 
-    _fields = {n: Prop("int", 0) for n in ("a", "b", "c", "d")}
+    _fields = {n: Prop("int", 0, attribute=False) for n in ("a", "b", "c", "d")}
+    _takes = 0
 
     @classmethod
     def _of(cls, text: str) -> Guid:
-        made = cls()
-        for i, name in enumerate("abcd"):
-            setattr(made, name, int(text[i * 8:i * 8 + 8], 16))
+        made: Guid = cls._of_fields(*(int(text[i * 8:i * 8 + 8], 16) for i in range(4)))
         return made
 
     def to_string(self) -> str:
         """32 upper-case hex digits."""
-        return "".join(f"{getattr(self, n):08X}" for n in "abcd")
-
-    def is_valid(self) -> bool:
-        """Whether any digit is set."""
-        return any(self.to_tuple())
+        return "".join(f"{number:08X}" for number in self.to_tuple())
 
 
 @public
@@ -556,6 +595,7 @@ class Box(StructBase):
     """An axis-aligned box."""
 
     _fields = {"min": Prop("Vector", Vector), "max": Prop("Vector", Vector), "is_valid": Prop("bool", True)}
+    _takes = 2
 
 
 @public

@@ -10,19 +10,15 @@ from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import ActorComponent, SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Text
 from c4s.engine.headless.unreal.core import Object, Prop, api, as_class, public
-from c4s.engine.headless.unreal.structs import StructBase
+from c4s.engine.headless.unreal.structs import ClosedStruct, StructBase
 
 
 @public
-class SubobjectDataHandle(StructBase):
+class SubobjectDataHandle(ClosedStruct):
     """Stands for an actor or one of its components."""
 
-    _fields = {"target": Prop("Object | None", None)}
-
-    def __getattribute__(self, name: str) -> Any:
-        if name == "target":
-            raise AttributeError("'SubobjectDataHandle' object has no attribute 'target'")
-        return super().__getattribute__(name)
+    _fields = {"target": Prop("Object | None", None, attribute=False, scripts=False)}
+    _takes = 0
 
     def copy(self) -> Any:
         """A copy."""
@@ -39,10 +35,11 @@ class SubobjectDataHandle(StructBase):
 
 
 @public
-class SubobjectData(StructBase):
+class SubobjectData(ClosedStruct):
     """What a handle stands for."""
 
-    _fields = {"handle": Prop("SubobjectDataHandle", SubobjectDataHandle)}
+    _fields = {"handle": Prop("SubobjectDataHandle", SubobjectDataHandle, attribute=False, scripts=False)}
+    _takes = 0
 
 
 @public
@@ -50,12 +47,20 @@ class AddNewSubobjectParams(StructBase):
     """What to add, and under what."""
 
     _fields = {"parent_handle": Prop("SubobjectDataHandle", SubobjectDataHandle),
-               "new_class": Prop("Class | None", None), "blueprint_context": Prop("Object | None", None)}
+               "new_class": Prop("Class | None", None), "blueprint_context": Prop("Object | None", None),
+               "skip_mark_blueprint_modified": Prop("bool", False),
+               "conform_transform_to_parent": Prop("bool", True)}
 
 
 def handle_of(target: Object) -> SubobjectDataHandle:
     """A handle."""
-    return SubobjectDataHandle(target)
+    made: SubobjectDataHandle = SubobjectDataHandle._of_fields(target)
+    return made
+
+
+def _data(handle: SubobjectDataHandle) -> SubobjectData:
+    made: SubobjectData = SubobjectData._of_fields(handle)
+    return made
 
 
 def target_of(handle: SubobjectDataHandle) -> Object | None:
@@ -78,7 +83,7 @@ class SubobjectDataSubsystem(Object):
     @api
     def k2_find_subobject_data_from_handle(self, handle: SubobjectDataHandle) -> SubobjectData | None:
         """What a handle stands for, or None."""
-        return SubobjectData(handle) if target_of(handle) is not None else None
+        return _data(handle) if target_of(handle) is not None else None
 
     @api
     def add_new_subobject(self, params: AddNewSubobjectParams) -> tuple[SubobjectDataHandle, Text]:
@@ -120,21 +125,19 @@ class SubobjectDataBlueprintFunctionLibrary(Object):
     @api
     def get_data(cls, data_handle: SubobjectDataHandle) -> SubobjectData:
         """The data of a handle."""
-        return SubobjectData(data_handle)
+        return _data(data_handle)
 
     @classmethod
     @api
     def get_object(cls, data: SubobjectData, even_if_pending_kill: bool = False) -> Any:
         """The actor or component."""
-        fields: Any = data
-        return target_of(fields.handle)
+        return target_of(data.__dict__["handle"])
 
     @classmethod
     @api
     def get_associated_object(cls, data: SubobjectData) -> Any:
         """The actor or component."""
-        fields: Any = data
-        return target_of(fields.handle)
+        return target_of(data.__dict__["handle"])
 
     @classmethod
     @api

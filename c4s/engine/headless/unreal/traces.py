@@ -15,32 +15,27 @@ from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import InstancedStaticMeshComponent, StaticMeshComponent
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Prop, public
-from c4s.engine.headless.unreal.structs import StructBase, Vector
+from c4s.engine.headless.unreal.structs import ClosedStruct, Vector
 
 _EDGE = 1e-9
 
 
+def _shut(kind: str, default: Any) -> Prop:
+    return Prop(kind, default, attribute=False, scripts=False)
+
+
 @public
-class HitResult(StructBase):
+class HitResult(ClosedStruct):
     """What a trace hit; ``to_tuple()`` gives the fields in Unreal's order (there are no attributes)."""
 
     _fields = {
-        "blocking_hit": Prop("bool", False), "initial_overlap": Prop("bool", False), "time": Prop("float", 1.0),
-        "distance": Prop("float", 0.0), "location": Prop("Vector", Vector), "impact_point": Prop("Vector", Vector),
-        "normal": Prop("Vector", Vector), "impact_normal": Prop("Vector", Vector), "phys_mat": Prop("None", None),
-        "hit_actor": Prop("Actor | None", None), "hit_component": Prop("PrimitiveComponent | None", None),
-        "hit_bone_name": Prop("Name", Name), "bone_name": Prop("Name", Name), "hit_item": Prop("int", -1),
-        "element_index": Prop("int", -1), "face_index": Prop("int", -1), "trace_start": Prop("Vector", Vector),
-        "trace_end": Prop("Vector", Vector)}
-
-    def __getattribute__(self, name: str) -> Any:
-        if name in HitResult._fields:
-            raise AttributeError(f"'HitResult' object has no attribute '{name}'")
-        return super().__getattribute__(name)
-
-    def to_tuple(self) -> tuple[Any, ...]:
-        """All fields in order."""
-        return tuple(self.__dict__[n] for n in self._fields)
+        "blocking_hit": _shut("bool", False), "initial_overlap": _shut("bool", False), "time": _shut("float", 1.0),
+        "distance": _shut("float", 0.0), "location": _shut("Vector", Vector), "impact_point": _shut("Vector", Vector),
+        "normal": _shut("Vector", Vector), "impact_normal": _shut("Vector", Vector), "phys_mat": _shut("None", None),
+        "hit_actor": _shut("Actor | None", None), "hit_component": _shut("PrimitiveComponent | None", None),
+        "hit_bone_name": _shut("Name", Name), "bone_name": _shut("Name", Name), "hit_item": _shut("int", -1),
+        "element_index": _shut("int", -1), "face_index": _shut("int", -1), "trace_start": _shut("Vector", Vector),
+        "trace_end": _shut("Vector", Vector)}
 
     def to_dict(self) -> dict[str, Any]:
         """All fields by name."""

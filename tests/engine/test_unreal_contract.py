@@ -1,0 +1,176 @@
+"""The strict ``unreal`` module and the editor scripts against the published stub of Unreal's own module."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+from collections.abc import Iterator
+from enum import Enum
+from pathlib import Path
+from typing import Any
+
+import pytest
+from stub_index import Parameter, Signature, StubIndex
+
+from c4s.engine.headless.unreal import build
+from c4s.engine.headless.unreal.structs import StructBase
+
+EDITOR = Path(__file__).parents[2] / "c4s" / "editor"
+
+BEYOND_THE_STUB = {
+    "c4s_mesh_facts": "c4s's own hook: digests and collision of a mesh; editor scripts use it only where it exists",
+    "HitResult.to_dict": "Unreal 5.8 has it beside to_tuple; scripts for both probe for it",
+}
+"""Names that Unreal 5.6 does not have, each with the reason why ours does."""
+
+_SCENE_CAPTURE = "pictures of a real editor; the headless engine draws its own before this is reached"
+REAL_EDITOR_ONLY = dict.fromkeys((
+    "SceneCapture2D", "RenderingLibrary.create_render_target2d", "RenderingLibrary.export_render_target",
+    "RenderingLibrary.release_render_target2d", "TextureRenderTargetFormat.RTF_RGBA8",
+    "SceneCaptureSource.SCS_BASE_COLOR", "SceneCaptureSource.SCS_FINAL_COLOR_LDR"), _SCENE_CAPTURE)
+"""What editor scripts use of Unreal that the headless engine does not have, each with the reason."""
+
+OTHER_CONSTRUCTORS = {
+    "ARFilter": "keywords only: the fields between those that exist here hold soft paths and sets, which do not",
+    "StaticMaterial": "the first two fields: texture density and overlays do not exist here",
+    "PostProcessSettings": "keywords only: the stub leaves its hundreds of fields open",
+}
+"""Structs whose constructor takes less than Unreal's."""
+
+
+@pytest.fixture(scope="module")
+def stub() -> StubIndex:
+    return StubIndex.installed()
+
+
+@pytest.fixture(scope="module")
+def ours() -> dict[str, Any]:
+    return {name: value for name, value in vars(build()).items() if not name.startswith("__")}
+
+
+def signature(function: Any) -> Signature:
+    parameters = list(inspect.signature(function).parameters.values())
+    if parameters and parameters[0].name in ("self", "cls"):
+        parameters = parameters[1:]
+    kinds = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}
+    return tuple(Parameter(p.name, p.default is p.empty and p.kind not in kinds, kinds.get(p.kind, ""))
+                 for p in parameters)
+
+
+def members(cls: type) -> Iterator[tuple[str, Any]]:
+    """Public members of a class as Python finds them, inherited ones too."""
+    seen = set()
+    for base in cls.__mro__[:-1]:
+        for name, value in base.__dict__.items():
+            if not name.startswith("_") and name not in seen:
+                seen.add(name)
+                yield name, value
+
+
+def call_differences(stub: StubIndex, name: str, cls: type) -> Iterator[str]:
+    for member, value in members(cls):
+        label, function = f"{name}.{member}", getattr(value, "__func__", value)
+        if label in BEYOND_THE_STUB:
+            continue
+        if not callable(function):
+            if not stub.has(name, member):
+                yield f"{label}: not in Unreal"
+            continue
+        theirs = stub.method(name, member)
+        if theirs is None:
+            yield f"{label}: no such method in Unreal"
+        elif signature(function) != theirs:
+            yield f"{label}: {signature(function)} is not {theirs}"
+
+
+def field_differences(stub: StubIndex, name: str, fields: dict[str, Any]) -> Iterator[str]:
+    """Attributes must be attributes there, hidden properties must be listed as editor properties."""
+    listed = {p for c in stub.lineage(name) for p in c.editor_properties}
+    for field, prop in fields.items():
+        if prop.attribute != stub.has(name, field):
+            yield f"{name}.{field}: {'not ' if prop.attribute else ''}an attribute in Unreal"
+        if prop.scripts and field not in listed and not stub.has(name, field):
+            yield f"{name}.{field}: no such editor property in Unreal"
+
+
+def constructor_differences(stub: StubIndex, name: str, cls: type[StructBase]) -> Iterator[str]:
+    if name in OTHER_CONSTRUCTORS:
+        return
+    own = "__init__" in cls.__dict__
+    taken = [p.name for p in signature(cls.__init__)] if own else list(cls._fields)[:cls._takes]
+    theirs = stub.method(name, "__init__")
+    if theirs is not None and taken != [p.name for p in theirs]:
+        yield f"{name}(): {taken} is not {[p.name for p in theirs]}"
+
+
+def test_every_name_is_unreals_own(stub, ours):
+    unknown = {name for name, value in ours.items()
+               if name not in (stub.classes() if isinstance(value, type) else stub.functions())}
+    assert unknown == {name for name in BEYOND_THE_STUB if "." not in name}
+
+
+def test_functions_take_what_unreals_take(stub, ours):
+    functions = {name: value for name, value in ours.items()
+                 if not isinstance(value, type) and name not in BEYOND_THE_STUB}
+    assert {n: signature(f) for n, f in functions.items()} == {n: stub.function(n) for n in functions}
+
+
+def test_classes_follow_the_stub(stub, ours):
+    wrong: list[str] = []
+    calls = 0
+    for name, cls in ours.items():
+        if not isinstance(cls, type):
+            continue
+        if issubclass(cls, Enum):
+            wrong += [f"{name}.{member}" for member in cls.__members__ if not stub.has(name, member)]
+            continue
+        line = {c.name for c in stub.lineage(name)}
+        wrong += [f"{name}: {b.__name__} is no base of it" for b in cls.__mro__[1:]
+                  if ours.get(b.__name__) is b and b.__name__ not in line]
+        wrong += call_differences(stub, name, cls)
+        calls += sum(1 for _ in members(cls))
+        if issubclass(cls, StructBase):
+            wrong += field_differences(stub, name, cls._fields)
+            wrong += constructor_differences(stub, name, cls)
+        else:
+            wrong += field_differences(stub, name, getattr(cls, "_properties", {}))
+    assert not wrong
+    assert calls > 1000
+
+
+def test_reviewed_names_are_still_needed(stub, ours):
+    for label in BEYOND_THE_STUB:
+        name, _, member = label.partition(".")
+        assert name in ours and (not member or hasattr(ours[name], member))
+        assert (stub.method(name, member) is None) if member else (name not in stub.classes() | stub.functions())
+    assert all(name in ours for name in OTHER_CONSTRUCTORS)
+
+
+def uses(tree: ast.AST) -> Iterator[tuple[int, str, str]]:
+    """``unreal.X`` and ``unreal.X.y`` in a script, as line, X, and y or an empty string."""
+    owners = {id(node.value): node for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "unreal":
+            above = owners.get(id(node))
+            yield node.lineno, node.attr, above.attr if above is not None else ""
+        if (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "getattr"
+                and isinstance(node.args[0], ast.Name) and node.args[0].id == "unreal"
+                and isinstance(node.args[1], ast.Constant)):
+            yield node.lineno, str(node.args[1].value), ""
+
+
+@pytest.mark.parametrize("script", sorted(EDITOR.glob("*.py")), ids=lambda path: path.stem)
+def test_editor_scripts_use_names_of_both_modules(stub, ours, script):
+    wrong = []
+    for line, name, member in uses(ast.parse(script.read_text(encoding="utf-8"))):
+        label = f"{name}.{member}" if member else name
+        here = name in ours and (not member or hasattr(ours[name], member))
+        there = name in stub.functions() or (name in stub.classes() and (not member or stub.has(name, member)))
+        if not (here or label in REAL_EDITOR_ONLY) or not (there or label in BEYOND_THE_STUB):
+            wrong.append(f"{script.name}:{line}: unreal.{label}")
+    assert not wrong
+
+
+def test_a_wrong_script_would_be_found():
+    found = set(uses(ast.parse("import unreal\nunreal.Foo\nunreal.Actor.bar(1)\ngetattr(unreal, 'baz', None)")))
+    assert {(2, "Foo", ""), (3, "Actor", "bar"), (4, "baz", "")} <= found
