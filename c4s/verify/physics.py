@@ -16,7 +16,7 @@ from c4s.score.policy import PHYSICS_POLICY
 from c4s.verify.edited import edited_actors
 from c4s.verify.penetration import FIXED_TOLERANCE_CM, Penetration, penetration
 from c4s.verify.roles import Role, bounds_of, roles
-from c4s.verify.support import GAP_CM, Support, edited_support, text_to_scene_support
+from c4s.verify.support import GAP_CM, Support, edited_support, excluded_by_label, text_to_scene_support
 from c4s.verify.verdict import Verdict
 
 Leaf = dict[str, Any]
@@ -66,7 +66,8 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
         population={"actors": len(actors), "selected": len(chosen), **_leaf_population("floating", floating),
                     **_leaf_population("solid_penetration", solid),
                     **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())}},
-        advisories=_advisories(actors, chosen, scored, judged, scene, (floating, solid)))
+        advisories=_advisories(actors, chosen, scored, judged, scene, (floating, solid))
+        + (_unscored_labels(actors, scored) if whole else []))
 
 
 def report(verdict: Verdict) -> dict[str, Any]:
@@ -151,6 +152,12 @@ def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int]
                                   for other, depth, trusted in deep]}
                     for i, deep in violating.items() if deep],
         unresolved_actors=[_name(actors[i]) for i in judged.unresolved])
+
+
+def _unscored_labels(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> list[dict[str, Any]]:
+    named = [_name(actors[i]) for i in scored if excluded_by_label(actors[i])]
+    return [{"code": "label_never_supported", "text": "labels that start with a word for infrastructure (light, sky, "
+             "floor, ...) are never tested for support and support nothing", "actors": named}] if named else []
 
 
 def _advisories(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int], scored: Sequence[int],

@@ -75,11 +75,19 @@ def measured_vector(record: Any, field: str) -> tuple[float, float, float]:
     return float(values[0]), float(values[1]), float(values[2])
 
 
+def _excluded_by_class(actor: Mapping[str, Any]) -> bool:
+    return str(actor.get("class", "")).rsplit(".", 1)[-1].lower() in EXCLUDED_CLASSES
+
+
+def excluded_by_label(actor: Mapping[str, Any]) -> bool:
+    """Infrastructure by the start of its label, although its class is none."""
+    label = str(actor.get("label", actor.get("name"))).lower()
+    return label.startswith(EXCLUDED_PREFIXES) and not _excluded_by_class(actor)
+
+
 def excluded_by_name(actor: Mapping[str, Any]) -> bool:
     """Infrastructure by class name (exact) or by the start of the label."""
-    label = str(actor.get("label", actor.get("name"))).lower()
-    short = str(actor.get("class", "")).rsplit(".", 1)[-1].lower()
-    return short in EXCLUDED_CLASSES or label.startswith(EXCLUDED_PREFIXES)
+    return _excluded_by_class(actor) or excluded_by_label(actor)
 
 
 def text_to_scene_support(snapshot: Mapping[str, Any]) -> Support:

@@ -153,3 +153,9 @@ def test_bad_input_is_one_line():
         verify_physics("text-to-scene", {"actors": "none"})
     with pytest.raises(BadInput):
         verify_physics(I2S, snapshot())
+
+
+def test_a_solid_whose_label_is_never_scored_is_named():
+    verdict = verify_physics("text-to-scene", snapshot(actor("Lighthouse", (0, 0, 500)), actor("Crate", (300, 0, 50))))
+    notes = {note["code"]: note["actors"] for note in verdict.advisories}
+    assert notes["label_never_supported"] == ["Lighthouse"] and leaves(verdict)["floating"]["failed"] == 0
