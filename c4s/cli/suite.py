@@ -85,6 +85,46 @@ def code4scene(folder: Annotated[Path, typer.Argument(help="folder with the publ
     print(f"{report['runnable']} of {len(report['cases'])} cases are runnable here: c4s run {name} --agent planner")
 
 
+@app.command("import-scene")
+def import_scene_file(
+        file: Annotated[Path, typer.Argument(help="SDF world, glTF/GLB/DAE node tree, or placement table (CSV)")],
+        out: Annotated[str, typer.Option(help="id of the pack and of the folder under the suites")],
+        scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
+        without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
+        json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    """Bring a human-made scene in as a source scene: a pack of its meshes and a level with an actor a placed thing."""
+    from cases.importers.run import import_scene
+
+    with bars() as progress:
+        task = progress.add_task("importing", total=None)
+
+        def step(message: str) -> None:
+            progress.update(task, description=f"reading {message:43.43}")
+
+        report = import_scene(file, out, suites=suites_root(), packs=packs_root(), scale=scale,
+                              without=without or [], progress=step)
+        progress.update(task, description=f"{'scene written':51}")
+    if json_output:
+        print_json(report)
+        return
+    print(f"{report['actors']} actors, {report['lights']} lights, {report['assets']} assets (pack {report['pack']}, "
+          f"licence {report['license']}): {report['level']}")
+    for reason, names in grouped(report["skipped"], "reason").items():
+        print(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
+    for row in report["notes"]:
+        print(f"note {row['name']}: {row['note']}" if row["name"] else f"note: {row['note']}")
+    if report["proposed_scale"]:
+        print(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
+
+
+def grouped(rows: list[dict[str, str]], key: str) -> dict[str, list[str]]:
+    """Names of the rows by what they have in common."""
+    found: dict[str, list[str]] = {}
+    for row in rows:
+        found.setdefault(row[key], []).append(row["name"])
+    return found
+
+
 def _tell(suite: Suite, root: Path, json_output: bool) -> None:
     if json_output:
         print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root)})

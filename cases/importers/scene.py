@@ -151,7 +151,7 @@ def _actors(scene: ImportedScene, kept: list[SceneActor], paths: dict[str, str],
             continue
         if sheared:
             scene.note(actor.path, "its shear is left out")
-        name = _unique(identifier(actor.path), names)
+        name = _unique(identifier(re.sub(r"(?<![A-Za-z0-9])-(?=[0-9])", "minus", actor.path)), names)
         actors.append(LevelActor(
             name=name, label=name, class_path=STATIC_MESH_ACTOR, guid=guid_of(f"{suite_id}|{name}"),
             transform=transform, folder=actor.path.rpartition("/")[0], components=[LevelComponent(

@@ -1,0 +1,56 @@
+"""``c4s suite import-scene``: chooses the importer by the file's ending."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from c4s.errors import BadInput
+from cases.importers.gltf import read_tree
+from cases.importers.scene import ImportedScene, write_scene
+from cases.importers.sdf import read_sdf, scene_root
+from cases.importers.table import read_table
+
+SDF, TREE, TABLE = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",)
+
+
+def import_scene(source: Path, suite_id: str, *, suites: Path, packs: Path, scale: float = 1.0,
+                 without: Sequence[str] = (), progress: Callable[[str], None] | None = None) -> dict[str, Any]:
+    """Bring a scene file in as pack ``suite_id`` and ``suites/<suite_id>/scene.level.json``; returns the report.
+
+    Args:
+        source: SDF world, glTF/GLB/DAE node tree, or placement table.
+        suite_id: id of the pack and name of the folder; a suite with cases of this name is not touched.
+        suites: where suites lie.
+        packs: where packs lie.
+        scale: metres per unit; SDF is metres by definition.
+        without: patterns of actors that are left out.
+        progress: told what is being read.
+
+    Raises:
+        BadInput: an unknown kind of file, a bad id, a file that is wrong as a whole, or nothing that can be placed.
+    """
+    kind = source.suffix.lower()
+    if not source.is_file():
+        raise BadInput("no such file", where=str(source))
+    if not np.isfinite(scale) or not 1e-6 <= scale <= 1e6:
+        raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
+    if (suites / suite_id / "suite.json").exists():
+        raise BadInput("a suite of this name exists", where=suite_id, todo="choose another --out")
+    folder, scene = source.parent, ImportedScene()
+    if kind in SDF:
+        if scale != 1.0:
+            raise BadInput("SDF is in metres", where=f"--scale {scale}", todo="leave --scale out")
+        scene, folder = read_sdf(source, progress), scene_root(source)
+    elif kind in TREE:
+        scene = read_tree(source, scale=scale)
+    elif kind in TABLE:
+        scene = read_table(source, scale=scale)
+    else:
+        raise BadInput(f"no importer for {kind or 'this file'}", where=str(source),
+                       todo=f"it reads {', '.join(SDF + TREE + TABLE)}")
+    return write_scene(scene, suite_id, source=source, license_folder=folder, suites=suites, packs=packs,
+                       without=without)

@@ -1,0 +1,63 @@
+"""A placement table (CSV) of mesh files as a scene.
+
+Columns ``actor`` and ``asset`` (a mesh file relative to the table), and either ``x,y,z,roll,pitch,yaw`` (right-handed,
+Z up, units of the table, radians about fixed axes) or ``grid_x,grid_z,yaw_degrees_about_y`` (cells, Y up).
+"""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import trimesh
+
+from c4s.errors import BadInput
+from cases.importers.scene import ImportedScene, Matrix, SceneActor, SceneAsset
+from cases.importers.sdf_shapes import numbers, to_unreal
+from catalog.ingest.source import read_source
+
+WORLD = ("x", "y", "z", "roll", "pitch", "yaw")
+GRID = ("grid_x", "grid_z", "yaw_degrees_about_y")
+
+
+def read_table(path: Path, *, scale: float = 1.0) -> ImportedScene:
+    """Read a placement table; ``scale`` is metres per unit of the table and of its meshes.
+
+    Raises ``BadInput`` when a column is missing; rows that cannot be placed are named in ``skipped``.
+    """
+    if not path.is_file():
+        raise BadInput("no such file", where=str(path))
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    columns = set(rows[0]) if rows else set()
+    form = WORLD if columns.issuperset(WORLD) else GRID
+    missing = [name for name in ("actor", "asset", *form) if name not in columns]
+    if missing:
+        raise BadInput(f"the table has no column {missing[0]!r}", where=str(path),
+                       todo=f"it needs actor, asset and {', '.join(WORLD)} or {', '.join(GRID)}")
+    scene = ImportedScene()
+    for row in rows:
+        try:
+            place = numbers(" ".join(row[name] or "" for name in form), len(form))
+            asset = row["asset"] or ""
+            if asset not in scene.assets:
+                source = read_source(path.parent / asset, path.parent, scale=scale)
+                scene.assets[asset] = SceneAsset(Path(asset).stem, source.parts)
+                for text in source.notes:
+                    scene.note(asset, text)
+            scene.actors.append(SceneActor(row["actor"], asset, _matrix(place, form, scale)))
+        except BadInput as error:
+            scene.skip(row["actor"] or "", error.line())
+    return scene
+
+
+def _matrix(place: list[float], form: tuple[str, ...], scale: float) -> Matrix:
+    if form == WORLD:
+        matrix = trimesh.transformations.compose_matrix(angles=place[3:], translate=place[:3])
+    else:
+        matrix = trimesh.transformations.rotation_matrix(np.radians(place[2]), [0, 0, 1])
+        matrix[:3, 3] = [place[0], -place[1], 0]
+    turned = to_unreal(np.asarray(matrix, float))
+    turned[:3, 3] *= scale
+    return turned
