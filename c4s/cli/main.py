@@ -6,7 +6,7 @@ from typing import NoReturn
 
 import typer
 
-from c4s.cli import boundary, catalog, demo, report, run, score, sql, suite, verify
+from c4s.cli import boundary, bundle, catalog, demo, engine, report, run, score, sql, suite, verify
 
 app = typer.Typer(name="c4s", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
                   help="Run coding agents on 3D scene cases, score the scenes they save, publish leaderboards.")
@@ -14,8 +14,10 @@ app.command("demo")(demo.demo)
 app.command("run")(run.run)
 app.add_typer(verify.app, name="verify")
 app.command("score")(score.score)
+app.add_typer(bundle.app, name="bundle")
 app.add_typer(suite.app, name="suite")
 app.add_typer(catalog.app, name="catalog")
+app.add_typer(engine.app, name="engine")
 app.command("report")(report.report)
 app.command("sql")(sql.sql)
 

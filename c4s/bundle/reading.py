@@ -1,0 +1,58 @@
+"""Reading an evidence bundle: nothing is believed before its digest is checked."""
+
+from __future__ import annotations
+
+import gzip
+import zlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from c4s.bundle.manifest import MANIFEST, Manifest
+from c4s.errors import BadInput
+from c4s.files import digest_file, parse_json
+
+MAXIMUM_BYTES = 1 << 30
+"""A file of a bundle may hold at most this much JSON, unpacked."""
+
+
+@dataclass(frozen=True, slots=True)
+class EvidenceBundle:
+    """A bundle whose manifest and digests are in order."""
+
+    root: Path
+    manifest: Manifest
+
+    def json(self, path: str) -> Any:
+        """A JSON file of the bundle, gzip or not. Raises ``BadInput``."""
+        where = str(self.root / path)
+        try:
+            if path.endswith(".gz"):
+                with gzip.open(self.root / path) as packed:
+                    data = packed.read(MAXIMUM_BYTES + 1)
+            else:
+                data = (self.root / path).read_bytes()
+            if len(data) > MAXIMUM_BYTES:
+                raise BadInput(f"more than {MAXIMUM_BYTES >> 20} MiB of JSON", where=where)
+            return parse_json(data)
+        except (ValueError, RecursionError, EOFError, OSError, zlib.error) as error:
+            raise BadInput(f"cannot read this file of the bundle: {error}", where=where) from None
+
+
+def read_bundle(root: Path) -> EvidenceBundle:
+    """Open a bundle folder and check its manifest, paths and digests. Raises ``BadInput`` with one line."""
+    manifest = Manifest.read(root / MANIFEST)
+    where = str(root / MANIFEST)
+    lacking = manifest.lacks()
+    if lacking:
+        raise BadInput(f"a {manifest.task.setting} bundle needs {', '.join(lacking)}", where=where)
+    unlisted = sorted(manifest.referenced() - set(manifest.files))
+    if unlisted:
+        raise BadInput(f"{unlisted[0]!r} has no digest under 'files'", where=where)
+    for path, expected in manifest.files.items():
+        if not (root / path).is_file():
+            raise BadInput("a file of the bundle is missing", where=str(root / path))
+        if digest_file(root / path) != expected.lower():
+            raise BadInput("a file of the bundle is not the one that was packed: its digest differs",
+                           where=str(root / path))
+    return EvidenceBundle(root, manifest)

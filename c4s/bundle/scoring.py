@@ -1,0 +1,135 @@
+"""Scoring an evidence bundle from what it records, by the functions that score a run.
+
+Repair F1 and the text-to-scene support rule are computed from the snapshots. Image-to-scene support, penetration, the
+requirement decisions and the overview judgement are taken as recorded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from c4s.bundle.reading import EvidenceBundle
+from c4s.errors import BadInput
+from c4s.run.records import TrialScore
+from c4s.score.case import case_score
+from c4s.score.detailed import detailed_from_report
+from c4s.score.overview import overview_from_report
+from c4s.score.physics import physics_from_report
+from c4s.score.policy import PHYSICS_POLICY, SEMANTIC_CASE_POLICY
+from c4s.verify.integrity import INTEGRITY_POLICY
+from c4s.verify.overview import POLICY as OVERVIEW_POLICY
+from c4s.verify.repair import repair_verdict
+from c4s.verify.support import text_to_scene_support
+from c4s.verify.verdict import Verdict
+
+MINIMUM_ACTORS = 1
+
+
+@dataclass(frozen=True, slots=True)
+class BundleScore:
+    """The case score of a bundle and the verdicts behind it."""
+
+    score: TrialScore
+    verdicts: dict[str, Verdict]
+
+
+def score_bundle(bundle: EvidenceBundle, *, minimum_actors: int = MINIMUM_ACTORS) -> BundleScore:
+    """Score a bundle under the published policy of its setting.
+
+    Args:
+        bundle: from ``read_bundle``.
+        minimum_actors: of the case; fewer actors in the candidate snapshot make it invalid.
+
+    Raises ``BadInput`` for evidence that cannot be scored.
+    """
+    manifest = bundle.manifest
+    setting = manifest.task.setting
+    scenes = manifest.scenes
+    candidate = bundle.json(scenes.candidate) if scenes and scenes.candidate else None
+    verdicts: dict[str, Verdict] = {}
+    submitted = manifest.run.submission == "submitted"
+    if submitted:
+        verdicts["integrity"] = _integrity(bundle, candidate, minimum_actors)
+    if submitted and verdicts["integrity"].status == "valid":
+        if setting == "text-to-scene":
+            verdicts |= {"physics": _physics(bundle, candidate), "detailed": _detailed(bundle),
+                         "overview": _overview(bundle)}
+        else:
+            verdicts |= {"physics": _physics(bundle, None), "repair": _repair(bundle, candidate)}
+    score = case_score(case_id=manifest.task.id, setting=setting, configuration=manifest.run.model or "unnamed",
+                       repeat=1, judge="recorded", engine=_engine(candidate), submitted=submitted, verdicts=verdicts)
+    return BundleScore(score, verdicts)
+
+
+def _engine(candidate: Any) -> str:
+    own = candidate.get("c4s") if isinstance(candidate, Mapping) else None
+    return str(own.get("engine", "unreal")) if isinstance(own, Mapping) else "unreal"
+
+
+def _integrity(bundle: EvidenceBundle, candidate: Any, minimum_actors: int) -> Verdict:
+    """The recorded verdict, with actor list and minimum checked again."""
+    recorded = bundle.manifest.candidate_integrity
+    if recorded is None:
+        raise BadInput("the bundle has no candidate_integrity", where=str(bundle.root))
+    reason = "" if recorded.status == "valid" else recorded.failure_reason or "invalid"
+    if not reason and candidate is not None:
+        actors = candidate.get("actors") if isinstance(candidate, Mapping) else None
+        if not isinstance(actors, list) or not all(isinstance(actor, Mapping) for actor in actors):
+            reason = "snapshot_schema: there is no list of actors"
+        elif len(actors) < minimum_actors:
+            reason = f"minimum_actors: {len(actors)} of at least {minimum_actors} actors"
+    return Verdict(verifier="integrity", status="invalid" if reason else "valid", policy=INTEGRITY_POLICY,
+                   measurements={"leaves": recorded.leaves}, reason=reason)
+
+
+def _physics(bundle: EvidenceBundle, scene: Any) -> Verdict:
+    """From the recorded report; a text-to-scene snapshot gives the support leaf anew."""
+    recorded = bundle.manifest.physics
+    report = bundle.json(recorded.report) if recorded else None
+    rate = None
+    if scene is not None:
+        try:
+            rate = text_to_scene_support(scene).rate
+        except ValueError as error:
+            raise BadInput(f"support cannot be measured: {error}", where=str(bundle.root)) from None
+    total = physics_from_report(report, rate)
+    return Verdict(verifier="physics", status="measured", score=total["score"], policy=PHYSICS_POLICY,
+                   measurements={"leaves": total["leaves"], "floating_source": total["floating_source"]})
+
+
+def _repair(bundle: EvidenceBundle, candidate: Any) -> Verdict:
+    scenes = bundle.manifest.scenes
+    if scenes is None or scenes.input is None or scenes.ground_truth is None:
+        raise BadInput("the bundle lacks scenes", where=str(bundle.root))
+    return repair_verdict(bundle.json(scenes.input), bundle.json(scenes.ground_truth), candidate,
+                          inputs={path: bundle.manifest.files[path]
+                                  for path in (scenes.input, scenes.ground_truth, scenes.candidate) if path})
+
+
+def _semantic(verifier: str, policy: str, made: Mapping[str, Any]) -> Verdict:
+    if made["score"] is None:
+        return Verdict(verifier=verifier, status="not_evaluated", policy=policy,
+                       reason=f"recorded status {made['status']}")
+    return Verdict(verifier=verifier, status="measured", score=made["score"], policy=policy,
+                   measurements={key: value for key, value in made.items() if key not in ("status", "score")})
+
+
+def _detailed(bundle: EvidenceBundle) -> Verdict:
+    semantic = bundle.manifest.semantic
+    found = bundle.json(semantic.decisions) if semantic and semantic.decisions else None
+    if not isinstance(found, Mapping) or not isinstance(found.get("decisions"), list):
+        raise BadInput("the decisions are not {\"report_status\", \"decisions\": [...]}", where=str(bundle.root))
+    return _semantic("detailed", SEMANTIC_CASE_POLICY, detailed_from_report(
+        {"status": found.get("report_status"),
+         "metrics": {"semantic_requirement_aggregation": found["decisions"]}}))
+
+
+def _overview(bundle: EvidenceBundle) -> Verdict:
+    overview = bundle.manifest.overview
+    found = bundle.json(overview.judgement) if overview and overview.judgement else None
+    if found is not None and not isinstance(found, Mapping):
+        raise BadInput("the overview judgement is not an object", where=str(bundle.root))
+    metrics = {} if found is None else {**found, "dimensions": found.get("dimension_scores")}
+    return _semantic("overview", OVERVIEW_POLICY, overview_from_report({"status": "measured", "metrics": metrics}))
