@@ -73,5 +73,6 @@ def build(folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ 
         print(f"skipped {row['file']}: {row['reason']}")
     for row in report["notes"]:
         print(f"note {row['file']}: {row['note']}" if row["file"] else f"note: {row['note']}")
-    if report["units"]["proposed_scale"]:
-        print(f"sizes look wrong: {report['units']['reason']}. An estimate: --scale {report['units']['proposed_scale']}")
+    units = report["units"]
+    if units["proposed_scale"]:
+        print(f"sizes look wrong: {units['reason']}. An estimate: --scale {units['proposed_scale']}")

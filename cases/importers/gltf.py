@@ -1,4 +1,4 @@
-"""The node tree of a glTF, GLB or DAE file as a scene: a node with a mesh is an actor, nodes with one mesh share an asset."""
+"""The node tree of a glTF, GLB or DAE file as a scene: a node with a mesh is an actor; a mesh is an asset."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def read_tree(path: Path, *, scale: float = 1.0) -> ImportedScene:
     for node in graph.nodes_geometry:
         name = graph[node][1]
         split = opened.scene.geometry[name].metadata.get("from_gltf_primitive") and node in parents
-        owners[str(parents[node] if split else node)].append(name)
+        owners[str(parents[node] if split else node)].append(str(name))
     axes = np.eye(4)
     axes[:3, :3] = opened.axes
     for owner, names in owners.items():

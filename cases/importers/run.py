@@ -53,4 +53,4 @@ def import_scene(source: Path, suite_id: str, *, suites: Path, packs: Path, scal
         raise BadInput(f"no importer for {kind or 'this file'}", where=str(source),
                        todo=f"it reads {', '.join(SDF + TREE + TABLE)}")
     return write_scene(scene, suite_id, source=source, license_folder=folder, suites=suites, packs=packs,
-                       without=without)
+                       without=without, scale=scale)

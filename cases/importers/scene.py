@@ -41,7 +41,7 @@ class SceneAsset:
 
 @dataclass
 class SceneActor:
-    """A placed mesh: its path in the source (``Cafe/chair_1``), its asset's key, its world matrix (cm, Unreal's axes)."""
+    """A placed mesh: its path in the source (``Cafe/chair_1``), its asset's key, its matrix (cm, Unreal's axes)."""
 
     path: str
     asset: str
@@ -99,10 +99,11 @@ def place(matrix: Matrix) -> tuple[Transform, bool]:
 
 
 def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_folder: Path, suites: Path, packs: Path,
-                without: Sequence[str] = ()) -> dict[str, Any]:
+                without: Sequence[str] = (), scale: float = 1.0) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
-    ``without`` are patterns of actors' paths that are left out (a roof, say). The report is written beside the level
+    ``without`` are patterns of actors' paths that are left out (a roof, say); ``scale`` is the factor that was applied,
+    in units of which another is proposed. The report is written beside the level
     as ``import.json``. Raises ``BadInput`` when no actor is left.
     """
     kept = [actor for actor in scene.actors if not any(fnmatch(actor.path, pattern) for pattern in without)]
@@ -131,11 +132,12 @@ def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_fo
                                   actors=[*_actors(scene, kept, paths, suite_id), *_lights(scene, suite_id)]), suite_id)
     folder = suites / suite_id
     level.write(folder / LEVEL_FILE)
-    units = check_units(sizes)
+    units = check_units(sizes).proposed
+    proposed = None if scene.metric or units is None else float(f"{units * scale:.2g}")
     report = {"suite": suite_id, "level": str(folder / LEVEL_FILE), "package": level.package, "pack": pack.pack_id,
               "license": pack.license, "actors": len(kept), "lights": len(scene.lights), "assets": len(pack.assets),
               "left_out": len(scene.actors) - len(kept), "skipped": scene.skipped, "notes": scene.notes,
-              "proposed_scale": None if scene.metric else units.proposed, "sha256": level.sha256()}
+              "proposed_scale": proposed, "sha256": level.sha256()}
     write_json(folder / "import.json", report)
     return report
 

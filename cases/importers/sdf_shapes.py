@@ -10,6 +10,7 @@ import numpy as np
 import trimesh
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
+from scipy.spatial.transform import Rotation
 
 from c4s.errors import BadInput
 from c4s.packs.manifest import CollisionBody, SphereBody
@@ -39,7 +40,15 @@ def numbers(text: str | None, count: int, default: float = 0.0) -> list[float]:
 def pose(element: Element) -> Matrix:
     """The pose of an element: x y z, and roll pitch yaw about fixed axes (radians)."""
     x, y, z, roll, pitch, yaw = numbers(element.findtext("pose"), 6)
-    return np.asarray(trimesh.transformations.compose_matrix(angles=[roll, pitch, yaw], translate=[x, y, z]), float)
+    return rigid([x, y, z], [roll, pitch, yaw])
+
+
+def rigid(place: list[float], angles: list[float]) -> Matrix:
+    """A 4x4 matrix of a place and turns about the fixed axes x, y, z in that order (radians)."""
+    matrix = np.eye(4)
+    matrix[:3, :3] = Rotation.from_euler("xyz", angles).as_matrix()
+    matrix[:3, 3] = place
+    return matrix
 
 
 def to_unreal(matrix: Matrix) -> Matrix:
@@ -149,7 +158,7 @@ def _solid(element: Element) -> SourcePart:
         width, depth = numbers(element.findtext("size"), 2, 1.0)
         normal = np.asarray(numbers(element.findtext("normal") or "0 0 1", 3))
         corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) * [width / 2, depth / 2, 1]
-        turn = trimesh.geometry.align_vectors([0, 0, 1], normal)[:3, :3]
+        turn = Rotation.align_vectors(normal[None], np.array([[0.0, 0.0, 1.0]]))[0].as_matrix()
         return _part(corners @ turn.T, np.array([[0, 1, 2], [0, 2, 3]]),
                      np.array([[0, 1], [1, 1], [1, 0], [0, 0]], float))
     if element.tag == "box":

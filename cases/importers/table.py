@@ -10,11 +10,10 @@ import csv
 from pathlib import Path
 
 import numpy as np
-import trimesh
 
 from c4s.errors import BadInput
 from cases.importers.scene import ImportedScene, Matrix, SceneActor, SceneAsset
-from cases.importers.sdf_shapes import numbers, to_unreal
+from cases.importers.sdf_shapes import numbers, rigid, to_unreal
 from catalog.ingest.source import read_source
 
 WORLD = ("x", "y", "z", "roll", "pitch", "yaw")
@@ -53,11 +52,8 @@ def read_table(path: Path, *, scale: float = 1.0) -> ImportedScene:
 
 
 def _matrix(place: list[float], form: tuple[str, ...], scale: float) -> Matrix:
-    if form == WORLD:
-        matrix = trimesh.transformations.compose_matrix(angles=place[3:], translate=place[:3])
-    else:
-        matrix = trimesh.transformations.rotation_matrix(np.radians(place[2]), [0, 0, 1])
-        matrix[:3, 3] = [place[0], -place[1], 0]
-    turned = to_unreal(np.asarray(matrix, float))
+    matrix = (rigid(place[:3], place[3:]) if form == WORLD else
+              rigid([place[0], -place[1], 0], [0, 0, np.radians(place[2])]))
+    turned = to_unreal(matrix)
     turned[:3, 3] *= scale
     return turned

@@ -118,6 +118,7 @@ class PackWriter:
         return pack
 
     def _free(self, name: str) -> str:
+        name = f"{name}_Mesh" if name.endswith("_C") else name  # a path that ends in _C is a Blueprint's class
         number, free = 2, name
         while free.lower() in self._names:
             free, number = f"{name}_{number}", number + 1
