@@ -260,20 +260,21 @@ class World(AssetLibrary):
     # what a renderer reads
 
     def drawables(self) -> Iterator[Drawable]:
-        """Every visible mesh, instances one by one."""
+        """Every visible mesh, instances one by one; a copy of a mesh that no pack holds any more shows nothing."""
         for index, actor in enumerate(self.actors.values()):
             if actor._values.get("hidden") or actor._hidden_ed:
                 continue
             for component in actor._components:
                 if not isinstance(component, StaticMeshComponent) or component._mesh is None:
                     continue
-                if not component.get_editor_property("visible"):
+                mesh = component._mesh._asset.path
+                if not component.get_editor_property("visible") or self.store.asset(mesh) is None:
                     continue
                 materials = self.surfaces(component)
                 pose = component._world_pose()
                 instanced = isinstance(component, InstancedStaticMeshComponent)
                 for each in [compose(i, pose) for i in component._instances] if instanced else [pose]:
-                    yield Drawable(actor, index, component, component._mesh._asset.path, each.matrix(), materials)
+                    yield Drawable(actor, index, component, mesh, each.matrix(), materials)
 
     def surfaces(self, component: StaticMeshComponent) -> tuple[Material, ...]:
         """Surface of each slot; the engine's grey where a slot has no material."""

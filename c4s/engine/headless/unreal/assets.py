@@ -14,6 +14,7 @@ from c4s.engine.headless.unreal.enums import BlendMode, CollisionTraceFlag
 from c4s.engine.headless.unreal.structs import Box, BoxSphereBounds, ClosedStruct, LinearColor, Rotator, Vector
 from c4s.packs import manifest
 from c4s.packs.manifest import Asset
+from c4s.packs.meshes import Mesh
 
 _VECTORS = {"basecolor": "base_color", "color": "base_color", "tint": "base_color", "emissivecolor": "emissive"}
 _SCALARS = {"roughness": "roughness", "metallic": "metallic", "opacity": "opacity"}
@@ -303,6 +304,13 @@ class StaticMesh(AssetObject):
         self._asset = asset
         return self
 
+    def _geometry(self) -> Mesh | None:
+        """Triangles, of the original where this is a copy; None when no pack holds that any more."""
+        from c4s.engine.headless.state import world
+
+        store = world().store
+        return store.mesh(self._asset.path) if store.asset(self._asset.path) is not None else None
+
     def _slot_material(self, index: int) -> MaterialInterface | None:
         from c4s.engine.headless.state import world
 
@@ -359,9 +367,8 @@ class StaticMesh(AssetObject):
     @api
     def get_num_triangles(self, lod_index: int) -> int:
         """Triangles of the mesh."""
-        from c4s.engine.headless.state import world
-
-        return len(world().store.mesh(self._asset.path).faces) if lod_index == 0 else 0
+        mesh = self._geometry()
+        return len(mesh.faces) if mesh is not None and lod_index == 0 else 0
 
     @api
     def get_num_sections(self, lod: int) -> int:

@@ -263,7 +263,8 @@ class StaticMeshEditorSubsystem(EditorSubsystem):
     @api
     def get_number_verts(self, static_mesh: StaticMesh, lod_index: int) -> int:
         """Number of vertices."""
-        return len(world().store.mesh(static_mesh._asset.path).vertices)
+        mesh = static_mesh._geometry()
+        return len(mesh.vertices) if mesh is not None else 0
 
     @api
     def get_number_materials(self, static_mesh: StaticMesh) -> int:

@@ -79,7 +79,9 @@ def _first_triangle(component: StaticMeshComponent, pose: Pose, start: Vector,
                     step: Vector) -> tuple[float, int, tuple[float, float, float]] | None:
     """Fraction of the way, triangle and unit normal (towards the start) of the first hit (Moeller-Trumbore)."""
     shown: Any = component._mesh
-    mesh = world().store.mesh(shown._asset.path)
+    mesh = shown._geometry()
+    if mesh is None:
+        return None
     matrix = pose.matrix()
     points = mesh.vertices.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
     a, b, c = (points[mesh.faces[:, i]] for i in range(3))
