@@ -29,7 +29,7 @@ def hull(points: Points) -> HullBody:
     """
     points = np.unique(np.round(points, 3), axis=0)
     centre = points.mean(axis=0)
-    axes = np.linalg.svd(points - centre, full_matrices=False)[2] if len(points) > 2 else np.eye(3)
+    axes = np.linalg.eigh((points - centre).T @ (points - centre))[1].T
     flat = np.ptp((points - centre) @ axes.T, axis=0) < 2 * THIN_CM
     for direction in axes[flat]:
         points = np.concatenate([points + direction * THIN_CM, points - direction * THIN_CM])
