@@ -138,6 +138,49 @@ def test_classes_follow_the_stub(stub, ours):
     assert calls > 1000
 
 
+COMMON = {
+    "": "get_editor_subsystem log log_warning log_error load_asset load_class load_object Name Array Text Vector "
+        "Rotator Transform LinearColor Color ARFilter TopLevelAssetPath AssetImportTask StaticMeshActor "
+        "DirectionalLight PointLight SpotLight RectLight SkyLight SkyAtmosphere ExponentialHeightFog CameraActor PlayerStart "
+        "NavMeshBoundsVolume PostProcessVolume MaterialFactoryNew MaterialInstanceConstantFactoryNew BlueprintFactory "
+        "ScopedEditorTransaction ScopedSlowTask InstancedStaticMeshComponent SubobjectDataSubsystem MathLibrary "
+        "register_slate_post_tick_callback unregister_slate_post_tick_callback",
+    "EditorAssetLibrary": "load_asset does_asset_exist list_assets save_asset delete_asset make_directory "
+                          "load_blueprint_class save_loaded_asset find_asset_data duplicate_asset does_directory_exist",
+    "EditorActorSubsystem": "spawn_actor_from_class spawn_actor_from_object get_all_level_actors destroy_actor",
+    "EditorLevelLibrary": "get_editor_world get_all_level_actors spawn_actor_from_class get_selected_level_actors",
+    "UnrealEditorSubsystem": "get_editor_world set_level_viewport_camera_info",
+    "LevelEditorSubsystem": "save_current_level load_level new_level",
+    "EditorLoadingAndSavingUtils": "save_map load_map save_dirty_packages",
+    "SystemLibrary": "execute_console_command get_engine_version line_trace_single quit_editor collect_garbage",
+    "GameplayStatics": "get_all_actors_of_class",
+    "AssetRegistryHelpers": "get_asset_registry",
+    "AssetToolsHelpers": "get_asset_tools",
+    "AssetTools": "create_asset import_asset_tasks",
+    "StaticMeshComponent": "set_static_mesh set_material set_mobility set_world_location",
+    "MaterialEditingLibrary": "create_material_expression connect_material_property recompile_material "
+                              "set_material_instance_vector_parameter_value "
+                              "set_material_instance_scalar_parameter_value "
+                              "set_material_instance_texture_parameter_value",
+    "AutomationLibrary": "take_high_res_screenshot",
+    "Paths": "project_dir project_saved_dir project_content_dir get_project_file_path",
+    "PointLightComponent": "set_intensity set_light_color set_attenuation_radius set_cast_shadows",
+    "DirectionalLightComponent": "set_atmosphere_sun_light",
+    "Actor": "get_name get_path_name get_editor_property set_editor_property get_actor_location get_class "
+             "get_actor_label set_actor_scale3d get_components_by_class get_actor_rotation set_actor_location "
+             "get_component_by_class set_actor_rotation get_actor_scale3d static_class set_actor_label "
+             "get_actor_bounds set_folder_path attach_to_actor add_actor_world_offset get_actor_transform modify "
+             "destroy_actor",
+    "Vector": "length dot cross normal distance",
+}
+"""Names that public editor scripts use most, by owner."""
+
+
+def test_what_scripts_use_most_is_there(ours):
+    assert not [f"{owner}.{name}" for owner, names in COMMON.items() for name in names.split()
+                if not (hasattr(ours[owner], name) if owner else name in ours)]
+
+
 def test_reviewed_names_are_still_needed(stub, ours):
     for label in BEYOND_THE_STUB:
         name, _, member = label.partition(".")

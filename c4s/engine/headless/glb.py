@@ -1,7 +1,8 @@
 """The open level as one GLB: metres, Y up, right-handed; every mesh once, a node an actor, named by its label.
 
 Unreal's (x, y, z) cm is glTF's (x, z, y) / 100. Triangles, whose winding means nothing here, are turned to face where
-their normals point. Mirrored scales stay in the node matrices, where viewers expect them. Lights and cameras are left out.
+their normals point. Mirrored scales stay in the node matrices, where viewers expect them. Lights and cameras are
+left out.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ from importlib import import_module
 from types import ModuleType
 
 _PARTS = ("core", "structs", "enums", "assets", "components", "lights", "actors", "levels", "subsystems", "expressions",
-          "asset_tools", "traces", "pictures", "subobjects", "libraries")
+          "asset_tools", "traces", "paths", "pictures", "subobjects", "libraries")
 
 
 def build() -> ModuleType:

@@ -17,6 +17,7 @@ from c4s.engine.headless.unreal.assets import (
     MaterialInstanceConstant,
     MaterialInterface,
     StaticMesh,
+    Texture,
 )
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, as_class, public
@@ -500,6 +501,20 @@ class MaterialEditingLibrary(Object):
                                                      association: MaterialParameterAssociation = _GLOBAL) -> bool:
         """Set a scalar parameter; False for one that the parent does not have, or a read-only asset."""
         return bool(instance._created and instance._set_scalar(parameter_name, value))
+
+    @classmethod
+    @api
+    def set_material_instance_texture_parameter_value(cls, instance: MaterialInstanceConstant,
+                                                      parameter_name: Name | str, value: Texture | None,
+                                                      association: MaterialParameterAssociation = _GLOBAL) -> bool:
+        """False: materials here have no texture parameters."""
+        return False
+
+    @classmethod
+    @api
+    def get_texture_parameter_names(cls, material: MaterialInterface) -> Array:
+        """None: materials here have no texture parameters."""
+        return Array._of("Name", [])
 
     @classmethod
     @api

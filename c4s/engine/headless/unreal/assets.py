@@ -84,6 +84,11 @@ class Material(MaterialInterface):
         return record
 
 
+@public
+class Texture(AssetObject):
+    """Base of textures. None is an asset of its own here: a texture belongs to its material."""
+
+
 class _Overriding(MaterialInterface):
     """A material given by a parent and parameter values."""
 

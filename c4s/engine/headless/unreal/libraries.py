@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import Any
@@ -16,6 +17,7 @@ from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Name, Text
 from c4s.engine.headless.unreal.core import Class, Object, api, as_class, public, subclass_of
 from c4s.engine.headless.unreal.enums import DrawDebugTrace, MIDCreationFlags, TraceTypeQuery
+from c4s.engine.headless.unreal.paths import Paths
 from c4s.engine.headless.unreal.structs import LinearColor, Rotator, Transform, Vector
 from c4s.engine.headless.unreal.subobjects import SubobjectDataSubsystem
 from c4s.engine.headless.unreal.subsystems import SUBSYSTEMS, EditorSubsystem
@@ -217,6 +219,43 @@ class MathLibrary(Object):
         """Linear mix."""
         return a + (b - a) * alpha
 
+    @classmethod
+    @api
+    def v_lerp(cls, a: Vector, b: Vector, alpha: float) -> Vector:
+        """Linear mix of vectors."""
+        return a.lerp_to(b, alpha)
+
+    @classmethod
+    @api
+    def make_rot_from_x(cls, x: Vector) -> Rotator:
+        """Rotation that turns +X into a direction."""
+        return x.rotator()
+
+    @classmethod
+    @api
+    def conv_rotator_to_vector(cls, rot: Rotator) -> Vector:
+        """Image of +X."""
+        return rot.get_forward_vector()
+
+    @classmethod
+    @api
+    def transform_location(cls, t: Transform, location: Vector) -> Vector:
+        """World place of a local point."""
+        found: Vector = t.transform_location(location)
+        return found
+
+    @classmethod
+    @api
+    def random_float_in_range(cls, min: float, max: float) -> float:
+        """A number between two, from Python's generator (``random.seed`` repeats it)."""
+        return random.uniform(min, max)
+
+    @classmethod
+    @api
+    def random_integer_in_range(cls, min: int, max: int) -> int:
+        """A whole number between two, both included, from Python's generator."""
+        return random.randint(min, max)
+
 
 @public
 class MaterialLibrary(Object):
@@ -232,43 +271,6 @@ class MaterialLibrary(Object):
         name = "MaterialInstanceDynamic_0" if str(optional_name) == "None" else str(optional_name)
         made: MaterialInstanceDynamic = MaterialInstanceDynamic._owned(name, None, parent)
         return made
-
-
-@public
-class Paths(Object):
-    """Folders of the project, with a slash behind."""
-
-    @classmethod
-    @api
-    def project_dir(cls) -> str:
-        """The project: the writable root."""
-        return f"{world().content.parent.as_posix()}/"
-
-    @classmethod
-    @api
-    def project_content_dir(cls) -> str:
-        """The content."""
-        return f"{world().content.as_posix()}/"
-
-    @classmethod
-    @api
-    def project_saved_dir(cls) -> str:
-        """Scratch."""
-        return f"{world().scratch.as_posix()}/"
-
-    @classmethod
-    @api
-    def convert_relative_path_to_full(cls, path: str, base_path: str = "") -> str:
-        """Paths here are full already."""
-        return str(path)
-
-    @classmethod
-    @api
-    def file_exists(cls, path: str) -> bool:
-        """Whether a file exists."""
-        from pathlib import Path
-
-        return Path(str(path)).is_file()
 
 
 @public

@@ -203,6 +203,16 @@ class _Near(_Components):
         return self._near(b, error_tolerance)
 
 
+class _Constant:
+    """A named value of a struct's class, a fresh copy at each use."""
+
+    def __init__(self, *values: float) -> None:
+        self._given = values
+
+    def __get__(self, instance: object, owner: type[Any]) -> Any:
+        return owner(*self._given)
+
+
 @public
 class Vector2D(_Near):
     """Two numbers."""
@@ -223,6 +233,15 @@ class Vector(_Near):
     x: float
     y: float
     z: float
+
+    ZERO = _Constant(0.0, 0.0, 0.0)
+    ONE = _Constant(1.0, 1.0, 1.0)
+    FORWARD = _Constant(1.0, 0.0, 0.0)
+    BACKWARD = _Constant(-1.0, 0.0, 0.0)
+    RIGHT = _Constant(0.0, 1.0, 0.0)
+    LEFT = _Constant(0.0, -1.0, 0.0)
+    UP = _Constant(0.0, 0.0, 1.0)
+    DOWN = _Constant(0.0, 0.0, -1.0)
 
     def assign(self, vector: Any) -> None:
         """Take over all numbers."""
@@ -281,6 +300,19 @@ class Vector(_Near):
     def rotate(self, b: Rotator) -> Vector:
         """This vector turned by a rotation."""
         return Vector(*rotate(quat_from_rotator(b._triple()), self._triple()))
+
+    def length2d(self) -> float:
+        """Horizontal length in cm."""
+        return math.hypot(self.x, self.y)
+
+    def is_zero(self) -> bool:
+        """Whether all components are exactly 0."""
+        return self._triple() == (0.0, 0.0, 0.0)
+
+    @api
+    def is_nearly_zero(self, tolerance: float = 1e-4) -> bool:
+        """Whether all components lie within the tolerance of 0."""
+        return max(map(abs, self._triple())) <= tolerance
 
     @api
     def lerp_to(self, b: Vector, alpha: float) -> Vector:
