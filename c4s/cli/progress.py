@@ -20,7 +20,14 @@ PLAIN_INTERVAL_S = 10.0
 def bars() -> Progress:
     """A progress display with a count and the time gone by."""
     return Progress(SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-                    TimeElapsedColumn(), console=progress_console, transient=False)
+                    TimeElapsedColumn(), console=progress_console, transient=False,
+                    disable=not progress_console.is_terminal)
+
+
+def step_line(message: str) -> None:
+    """Where there is no terminal to draw on, a step is a line on standard error."""
+    if not progress_console.is_terminal:
+        print(f"  {message.strip()}", file=sys.stderr, flush=True)
 
 
 def _newest(trials: list[Trial]) -> str:

@@ -9,7 +9,7 @@ import typer
 
 from c4s.case.package import Suite, SuiteFolder
 from c4s.cli.output import print_json, print_table
-from c4s.cli.progress import bars
+from c4s.cli.progress import bars, step_line
 from c4s.errors import BadInput
 from c4s.home import packs_root, suites_root
 
@@ -27,6 +27,7 @@ def build_starter_visibly() -> Suite:
 
         def step(message: str) -> None:
             progress.update(task, description=f"building {message:42.42}")
+            step_line(message)
 
         suite = build_starter(suites_root() / "starter", packs_root(), step)
         progress.update(task, description=f"{'starter suite ready':51}")
