@@ -141,10 +141,10 @@ def test_classes_follow_the_stub(stub, ours):
 COMMON = {
     "": "get_editor_subsystem log log_warning log_error load_asset load_class load_object Name Array Text Vector "
         "Rotator Transform LinearColor Color ARFilter TopLevelAssetPath AssetImportTask StaticMeshActor "
-        "DirectionalLight PointLight SpotLight RectLight SkyLight SkyAtmosphere ExponentialHeightFog CameraActor PlayerStart "
-        "NavMeshBoundsVolume PostProcessVolume MaterialFactoryNew MaterialInstanceConstantFactoryNew BlueprintFactory "
-        "ScopedEditorTransaction ScopedSlowTask InstancedStaticMeshComponent SubobjectDataSubsystem MathLibrary "
-        "register_slate_post_tick_callback unregister_slate_post_tick_callback",
+        "DirectionalLight PointLight SpotLight RectLight SkyLight SkyAtmosphere ExponentialHeightFog CameraActor "
+        "PlayerStart NavMeshBoundsVolume PostProcessVolume MaterialFactoryNew MaterialInstanceConstantFactoryNew "
+        "BlueprintFactory ScopedEditorTransaction ScopedSlowTask InstancedStaticMeshComponent SubobjectDataSubsystem "
+        "MathLibrary register_slate_post_tick_callback unregister_slate_post_tick_callback",
     "EditorAssetLibrary": "load_asset does_asset_exist list_assets save_asset delete_asset make_directory "
                           "load_blueprint_class save_loaded_asset find_asset_data duplicate_asset does_directory_exist",
     "EditorActorSubsystem": "spawn_actor_from_class spawn_actor_from_object get_all_level_actors destroy_actor",
