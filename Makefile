@@ -17,7 +17,7 @@ demo: setup
 	@$(BIN)/c4s demo
 
 test: setup
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses auto --dist loadscope
 
 lint: setup
 	$(BIN)/ruff check .

@@ -21,8 +21,9 @@ from c4s.scene.transform import affine
 from cases.corruption import id_of
 from cases.importers.run import import_scene
 from cases.importers.scene import place
+from tests.shared import SHARED
 
-SCENES = Path("/work/shared/assets/scenes")
+SCENES = SHARED / "assets/scenes"
 here = pytest.mark.skipif(not SCENES.is_dir(), reason="the shared sample scenes are not here")
 
 WORLD = """

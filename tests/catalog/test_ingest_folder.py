@@ -21,8 +21,9 @@ from c4s.packs.store import PackStore
 from catalog.ingest.folder import ingest
 from catalog.ingest.hulls import MAX_VERTICES, bodies, hull
 from catalog.ingest.units import check_units
+from tests.shared import SHARED
 
-ASSETS = Path("/work/shared/assets")
+ASSETS = SHARED / "assets"
 PACKS = sorted(path for path in (ASSETS / "packs").glob("*") if path.is_dir())
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -16,9 +15,10 @@ from c4s.judge.quantities import limits
 from c4s.judge.requirements import read_requirements
 from c4s.judge.rule import RuleJudge
 from c4s.judge.words import head, names_object, phrases_of, singular
+from tests.shared import SHARED
 
-ALLEY = Path("/work/shared/upstream/tests/fixtures/synthetic-alley.bundle.json")
-BAZAAR = Path("/work/shared/upstream/benchmark/public/text-to-scene/bazaar/requirements/bazaar.bundle.json")
+ALLEY = SHARED / "upstream/tests/fixtures/synthetic-alley.bundle.json"
+BAZAAR = SHARED / "upstream/benchmark/public/text-to-scene/bazaar/requirements/bazaar.bundle.json"
 
 
 def asset(name: str, category: str = "prop", tags: tuple[str, ...] = (), color: Any = None, material: str = "M_X"):

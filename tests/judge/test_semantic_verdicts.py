@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,8 +10,9 @@ import pytest
 from c4s.errors import BadInput
 from c4s.verify.detailed import verify_detailed
 from c4s.verify.overview import verify_overview
+from tests.shared import SHARED
 
-ALLEY = Path("/work/shared/upstream/tests/fixtures/synthetic-alley.bundle.json")
+ALLEY = SHARED / "upstream/tests/fixtures/synthetic-alley.bundle.json"
 BENCH, CART = "/Game/P/SM_Bench.SM_Bench", "/Game/P/SM_Cart.SM_Cart"
 CATALOG = {BENCH: {"name": "Bench", "category": "seating", "tags": ["bench"], "description": "", "materials": []},
            CART: {"name": "Hand cart", "category": "vehicle", "tags": ["cart"], "description": "", "materials": []}}

@@ -94,6 +94,34 @@ def test_the_pages_show_what_happened(ran: Path) -> None:
     assert "start" in case.read_text() and "truth" in case.read_text() and ">TP<" in case.read_text()
 
 
+def test_the_pages_in_a_browser(ran: Path) -> None:
+    from playwright.sync_api import sync_playwright
+
+    chromium = shutil.which("chromium") or shutil.which("google-chrome")
+    if chromium is None:
+        pytest.skip("no Chromium on this machine")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
+        page = browser.new_page(viewport={"width": 1440, "height": 900})
+        faults: list[str] = []
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.on("requestfailed", lambda request: faults.append(request.url))
+        page.goto((ran / "site/index.html").as_uri())
+        assert page.locator("tbody tr").first.locator("td").first.inner_text() == "1"
+        page.get_by_role("link", name="indoor-flat-01-mirrored-bath").click()
+        pictures = page.locator("figure img")
+        assert pictures.count() >= 8
+        for index in range(pictures.count()):
+            pictures.nth(index).scroll_into_view_if_needed()
+            pictures.nth(index).evaluate("image => image.decode()")
+            assert pictures.nth(index).evaluate("image => image.naturalWidth") > 300
+        assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+        page.get_by_role("link", name="oracle").first.click()
+        assert "not ranked" in page.locator("h1").inner_text()
+        browser.close()
+    assert not faults
+
+
 def test_a_killed_run_goes_on_and_equals_an_undisturbed_one(ran: Path, tmp_path: Path) -> None:
     home = tmp_path / "home"
     for part in ("packs", "suites"):

@@ -12,7 +12,9 @@ from typing import Any
 
 import pytest
 
-GOLDEN = Path(__file__).parents[2].parent / "shared" / "golden"
+from tests.shared import SHARED
+
+GOLDEN = SHARED / "golden"
 COMMANDS = {"repair_f1.jsonl.gz": ("verify", "repair"), "physics_support.jsonl.gz": ("verify", "support"),
             "aggregation.jsonl.gz": ("score",)}
 

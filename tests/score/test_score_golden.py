@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import gzip
 import json
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from c4s.score.batch import KINDS, score_batch
 from c4s.score.physics import physics_from_report
+from tests.shared import SHARED
 
-GOLDEN = Path(__file__).parents[2].parent / "shared" / "golden"
+GOLDEN = SHARED / "golden"
 
 
 def published(name: str) -> list[dict[str, Any]]:

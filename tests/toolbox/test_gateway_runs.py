@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import threading
 import time
 from collections.abc import Callable
@@ -119,7 +120,7 @@ def test_a_run_is_killed_from_the_server_side(open_run: Callable) -> None:
     thread = threading.Thread(target=work)
     thread.start()
     while opened.run.calls == 0:
-        time.sleep(0.01)
+        os.sched_yield()
     began = time.monotonic()
     opened.run.end("killed", "the operator ended it")
     thread.join()

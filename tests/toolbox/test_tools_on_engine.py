@@ -5,15 +5,15 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from made_case import START, path_of
 from PIL import Image
 
 from c4s.toolbox.client import CallRefused
+from tests.shared import SHARED
 
-REFERENCE = Path("/work/shared/reference/tools.yaml")
+REFERENCE = SHARED / "reference/tools.yaml"
 
 
 def test_the_tools_are_those_of_the_reference(open_run: Callable) -> None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import gzip
 import json
-from pathlib import Path
 
 import pytest
 
 from c4s.verify.support_batch import support_rows
+from tests.shared import SHARED
 
-GOLDEN = Path("/work/shared/golden/physics_support.jsonl.gz")
+GOLDEN = SHARED / "golden/physics_support.jsonl.gz"
 
 
 @pytest.mark.skipif(not GOLDEN.exists(), reason="the golden rows are not on this machine")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import gzip
 import json
 from collections import Counter
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,8 +12,9 @@ import pytest
 from c4s.errors import BadInput
 from c4s.verify.batch import repair_batch
 from c4s.verify.repair import repair
+from tests.shared import SHARED
 
-GOLDEN = Path(__file__).parents[2].parent / "shared" / "golden" / "repair_f1.jsonl.gz"
+GOLDEN = SHARED / "golden" / "repair_f1.jsonl.gz"
 
 
 @pytest.fixture(scope="module")
