@@ -6,7 +6,7 @@ from typing import NoReturn
 
 import typer
 
-from c4s.cli import boundary, bundle, catalog, demo, engine, report, run, score, sql, suite, verify
+from c4s.cli import boundary, bundle, catalog, demo, doctor, engine, report, run, score, sql, suite, verify
 
 app = typer.Typer(name="c4s", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
                   help="Run coding agents on 3D scene cases, score the scenes they save, publish leaderboards.")
@@ -20,6 +20,7 @@ app.add_typer(catalog.app, name="catalog")
 app.add_typer(engine.app, name="engine")
 app.command("report")(report.report)
 app.command("sql")(sql.sql)
+app.command("doctor")(doctor.doctor)
 
 
 def main() -> NoReturn:

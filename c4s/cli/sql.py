@@ -11,9 +11,11 @@ from c4s.cli.output import print_json, print_table
 from c4s.errors import BadInput
 from c4s.home import warehouse_root
 from warehouse.database import ask, questions
+from warehouse.frames import export
 
 
 def sql(query: Annotated[str | None, typer.Argument(help="SQL, a question's name, or a .sql file")] = None,
+        out: Annotated[Path | None, typer.Option(help="write the rows to a .csv or .parquet file")] = None,
         json_output: Annotated[bool, typer.Option("--json", help="rows as a JSON array")] = False) -> None:
     """Ask the warehouse in SQL. Without a query, list the named questions."""
     if query is None:
@@ -31,6 +33,10 @@ def sql(query: Annotated[str | None, typer.Argument(help="SQL, a question's name
         text = Path(query).read_text()
     else:
         text = query
+    if out is not None:
+        count = export(warehouse_root(), text, out)
+        print_json({"file": str(out), "rows": count}) if json_output else print(f"{count} rows: {out}")
+        return
     columns, rows = ask(warehouse_root(), text)
     if json_output:
         print_json([dict(zip(columns, row, strict=True)) for row in rows])

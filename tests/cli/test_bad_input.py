@@ -89,3 +89,10 @@ def test_json_reports(tmp_path: Path) -> None:
     box = pack["assets"][0]
     assert box["path"] == "/Game/P/SM_Box.SM_Box"
     assert [high - low for low, high in zip(box["bounds_min_cm"], box["bounds_max_cm"], strict=True)] == [100, 100, 100]
+
+
+def test_doctor_says_what_is_missing(tmp_path: Path) -> None:
+    done = _c4s(tmp_path, "doctor", "--json")
+    found = {row["what"]: row for row in json.loads(done.stdout)}
+    assert found["starter suite"]["found"] is False and "c4s suite build" in found["starter suite"]["text"]
+    assert done.returncode == int(any(row["needed"] and not row["found"] for row in found.values()))

@@ -13,6 +13,7 @@ from c4s.case.package import SETTINGS
 from c4s.errors import BadInput
 from c4s.score.aggregate import aggregate
 from warehouse.database import ask, rebuild, rows
+from warehouse.frames import export
 from warehouse.parquet import write_part
 from warehouse.records import OutcomeRow, ScheduleRow
 
@@ -94,3 +95,15 @@ def test_an_empty_warehouse_answers_and_a_wrong_query_is_one_line(tmp_path: Path
     assert "\n" not in caught.value.line() and "nosuch" in caught.value.line()
     with pytest.raises(BadInput):
         ask(tmp_path, "DELETE FROM outcomes")
+
+
+def test_rows_leave_as_a_file_for_pandas(tmp_path: Path) -> None:
+    import pandas as pd
+
+    _store(tmp_path, dict.fromkeys(_grid(), 0.25))
+    for name, read in (("rows.csv", pd.read_csv), ("rows.parquet", pd.read_parquet)):
+        assert export(tmp_path, "SELECT configuration, model_score FROM leaderboard", tmp_path / name) == 3
+        found = read(tmp_path / name)
+        assert list(found["configuration"]) == list(AGENTS) and set(found["model_score"]) == {0.25}
+    with pytest.raises(BadInput, match="cannot write"):
+        export(tmp_path, "SELECT 1", tmp_path / "rows.docx")

@@ -1,0 +1,73 @@
+"""``c4s doctor``: what this machine has, what is missing, and what that costs."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Annotated
+
+import httpx
+import typer
+
+from c4s.cli.output import print_json, print_table
+from c4s.engine.sandbox import faults
+from c4s.errors import BadInput
+from c4s.home import home, suites_root
+
+API_TIMEOUT_S = 3.0
+LEAST_FREE_GB = 2.0
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that was looked at. ``needed`` things that are missing stop c4s; others cost what ``text`` says."""
+
+    what: str
+    found: bool
+    needed: bool
+    text: str
+
+
+def _findings() -> Iterator[Finding]:
+    missing = faults()
+    usable = [name for name, why in missing.items() if not why]
+    yield Finding("sandbox", bool(usable), True, f"{usable[0]} confines engine processes" if usable else
+                  "; ".join(f"{name}: {why}" for name, why in missing.items()))
+    flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").is_file() else ""
+    yield Finding("AVX2", " avx2" in flags, True, f"pictures are drawn on the CPU ({platform.machine()})")
+    free = shutil.disk_usage(home().parent if not home().exists() else home()).free / 1e9
+    yield Finding("disk", free > LEAST_FREE_GB, True, f"{free:.0f} GB free for {home()}")
+    yield Finding("starter suite", (suites_root() / "starter/suite.json").is_file(), False,
+                  "built" if (suites_root() / "starter/suite.json").is_file() else "build it: c4s suite build starter")
+    yield _prefect()
+    yield Finding("Unreal Editor", shutil.which("UnrealEditor-Cmd") is not None, False,
+                  "without it scenes are built on the headless engine, and are never ranked with Unreal results")
+
+
+def _prefect() -> Finding:
+    """Whether the Prefect server of ``PREFECT_API_URL`` answers; without one, flows run in the command's process."""
+    url = os.environ.get("PREFECT_API_URL")
+    if not url:
+        return Finding("Prefect server", False, False, "PREFECT_API_URL is not set: flows run in one process")
+    try:
+        answer = httpx.get(f"{url.rstrip('/')}/health", timeout=API_TIMEOUT_S)
+    except (httpx.HTTPError, httpx.InvalidURL) as error:
+        raise BadInput(f"the Prefect server does not answer: {error}", where=url,
+                       todo="start it, or unset PREFECT_API_URL") from None
+    return Finding("Prefect server", answer.is_success, False, f"{url} answers {answer.status_code}")
+
+
+def doctor(json_output: Annotated[bool, typer.Option("--json")] = False) -> int:
+    """Say what this machine has and what is missing. Exit 1 when something that c4s needs is missing."""
+    found = list(_findings())
+    if json_output:
+        print_json([asdict(finding) for finding in found])
+    else:
+        print_table(["what", "found", "needed", ""], [[f.what, f.found, f.needed, f.text] for f in found])
+    if any(finding.needed and not finding.found for finding in found):
+        raise typer.Exit(1)
+    return 0
