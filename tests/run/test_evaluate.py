@@ -107,7 +107,8 @@ def test_the_pages_in_a_browser(ran: Path) -> None:
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("requestfailed", lambda request: faults.append(request.url))
         page.goto((ran / "site/index.html").as_uri())
-        assert page.locator("tbody tr").first.locator("td").first.inner_text() == "1"
+        ranks = page.locator("tbody").first.locator("tr td:first-child").all_inner_texts()
+        assert ranks == ["–"] * len(LADDER), "without outdoor cases nobody has an overall score, so nobody a rank"
         page.get_by_role("link", name="indoor-flat-01-mirrored-bath").click()
         pictures = page.locator("figure img")
         assert pictures.count() >= 8
