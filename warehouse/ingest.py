@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -150,9 +149,3 @@ def rebuild_from_run(run: Path, suite: Path, warehouse: Path) -> int:
     for trial in scored:
         ingest_trial(trial, plan, warehouse)
     return len(scored)
-
-
-def document(row: dict[str, Any]) -> dict[str, Any]:
-    """The verdict in a ``verdicts`` row."""
-    found: dict[str, Any] = json.loads(row["document"])
-    return found

@@ -7,13 +7,20 @@ from typing import Annotated
 import typer
 
 from c4s.cli.output import print_json
-from c4s.home import site_root, warehouse_root
+from c4s.home import runs_root, site_root, suites_root, warehouse_root
+from c4s.run.records import Plan
 from reports.site import build_site
 from warehouse.database import rebuild
+from warehouse.ingest import rebuild_from_run
 
 
-def report(json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def report(from_runs: Annotated[bool, typer.Option("--from-runs", help="first write every outcome anew from the run "
+                                                   "folders")] = False,
+           json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
     """Rebuild the warehouse's views and render the pages from them."""
+    if from_runs:
+        for plan in sorted(runs_root().glob("*/plan.json")):
+            rebuild_from_run(plan.parent, suites_root() / Plan.read(plan).suite_id, warehouse_root())
     rebuild(warehouse_root())
     page = build_site(warehouse_root(), site_root())
     if json_output:
