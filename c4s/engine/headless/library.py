@@ -6,6 +6,7 @@ A created asset lives in memory until it is saved, as ``<content>/Game/.../Name.
 from __future__ import annotations
 
 import re
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Literal
@@ -46,7 +47,7 @@ class AssetDocument(Record):
     scalars: dict[str, float] = Field(default_factory=dict)
 
 
-class AssetLibrary:
+class AssetLibrary(ABC):
     """Finds, creates, saves and deletes assets."""
 
     log: EngineLog
@@ -171,9 +172,9 @@ class AssetLibrary:
             return asset._references()
         return None
 
+    @abstractmethod
     def level_file(self, package: str) -> Path | None:
         """Document of a level, or None."""
-        raise NotImplementedError
 
     def _is_saved(self, package: str) -> bool:
         file = self.content_file(package, ".asset.json")
