@@ -1,4 +1,4 @@
-"""Actors: identity, transforms, attachment, components, bounds."""
+"""The actor."""
 
 # ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
 
@@ -12,25 +12,11 @@ from c4s.engine.headless.unreal.components import (
     ActorComponent,
     PrimitiveComponent,
     SceneComponent,
-    StaticMeshComponent,
     of_class,
 )
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public
-from c4s.engine.headless.unreal.enums import AttachmentRule, ComponentMobility, DetachmentRule
-from c4s.engine.headless.unreal.lights import (
-    BrushComponent,
-    CameraComponent,
-    CapsuleComponent,
-    DirectionalLightComponent,
-    ExponentialHeightFogComponent,
-    PointLightComponent,
-    PostProcessSettings,
-    RectLightComponent,
-    SkyAtmosphereComponent,
-    SkyLightComponent,
-    SpotLightComponent,
-)
+from c4s.engine.headless.unreal.enums import AttachmentRule, DetachmentRule
 from c4s.engine.headless.unreal.structs import Guid, Rotator, Transform, Vector
 
 Parts = tuple[tuple[str, type[SceneComponent]], ...]
@@ -405,141 +391,3 @@ class Actor(Object):
 @public
 class Info(Actor):
     """An actor without a body."""
-
-
-@public
-class StaticMeshActor(Actor):
-    """An actor that shows one mesh."""
-
-    _parts = (("StaticMeshComponent0", StaticMeshComponent),)
-    _declares = {"static_mesh_component": Prop("StaticMeshComponent", get="_get_root", writable=False, saved=False)}
-
-    @api
-    def set_mobility(self, mobility: ComponentMobility) -> None:
-        """Set whether it may move in play."""
-        self._root().set_mobility(mobility)
-
-
-@public
-class Light(Actor):
-    """Base of lights."""
-
-    _declares = {"light_component": Prop("LightComponent", get="_get_root", writable=False, saved=False)}
-
-    @api
-    def set_brightness(self, new_brightness: float) -> None:
-        """Set the intensity."""
-        self._root().set_intensity(new_brightness)
-
-    @api
-    def get_brightness(self) -> float:
-        """The intensity."""
-        return float(self._root().get_editor_property("intensity"))
-
-
-@public
-class DirectionalLight(Light):
-    """A sun."""
-
-    _parts = (("LightComponent0", DirectionalLightComponent),)
-
-
-@public
-class PointLight(Light):
-    """A light in all directions."""
-
-    _parts = (("LightComponent0", PointLightComponent),)
-    _declares = {"point_light_component": Prop("PointLightComponent", get="_get_root", writable=False, saved=False)}
-
-
-@public
-class SpotLight(Light):
-    """A cone of light."""
-
-    _parts = (("LightComponent0", SpotLightComponent),)
-    _declares = {"spot_light_component": Prop("SpotLightComponent", get="_get_root", writable=False, saved=False)}
-
-
-@public
-class RectLight(Light):
-    """A shining rectangle."""
-
-    _parts = (("LightComponent0", RectLightComponent),)
-    _declares = {"rect_light_component": Prop("RectLightComponent", get="_get_root", writable=False, saved=False)}
-
-
-@public
-class SkyLight(Info):
-    """Light of the sky."""
-
-    _parts = (("SkyLightComponent0", SkyLightComponent),)
-    _declares = {"light_component": Prop("SkyLightComponent", get="_get_root", writable=False, saved=False)}
-
-
-@public
-class SkyAtmosphere(Info):
-    """The air."""
-
-    _parts = (("SkyAtmosphereComponent", SkyAtmosphereComponent),)
-    _declares = {"sky_atmosphere_component": Prop("SkyAtmosphereComponent", get="_get_root", writable=False,
-                                                  saved=False)}
-
-
-@public
-class ExponentialHeightFog(Info):
-    """Fog."""
-
-    _parts = (("HeightFogComponent0", ExponentialHeightFogComponent),)
-    _declares = {"component": Prop("ExponentialHeightFogComponent", get="_get_root", writable=False, saved=False)}
-
-
-@public
-class CameraActor(Actor):
-    """A camera."""
-
-    _parts = (("SceneComponent", SceneComponent), ("CameraComponent", CameraComponent))
-    _declares = {"camera_component": Prop("CameraComponent", get="_get_camera", writable=False, saved=False)}
-
-    def _get_camera(self) -> Any:
-        return next(c for c in self._components if isinstance(c, CameraComponent))
-
-
-@public
-class PlayerStart(Actor):
-    """Where a player starts."""
-
-    _parts = (("CollisionCapsule", CapsuleComponent),)
-    _declares = {"player_start_tag": Prop("Name", Name)}
-
-
-@public
-class Volume(Actor):
-    """A box in space."""
-
-    _parts = (("BrushComponent0", BrushComponent),)
-
-
-@public
-class PostProcessVolume(Volume):
-    """Exposure and grading of a region, or of everything when unbound."""
-
-    _declares = {"settings": Prop("PostProcessSettings", PostProcessSettings), "unbound": Prop("bool", False),
-                 "enabled": Prop("bool", True), "blend_radius": Prop("float", 100.0),
-                 "blend_weight": Prop("float", 1.0), "priority": Prop("float", 0.0)}
-
-
-@public
-class BlockingVolume(Volume):
-    """A volume that blocks."""
-
-
-@public
-class TriggerVolume(Volume):
-    """A volume that notices."""
-
-
-@public
-class NavMeshBoundsVolume(Volume):
-    """The region in which paths are found."""
-
-    _class_module = "NavigationSystem"

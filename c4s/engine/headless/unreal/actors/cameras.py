@@ -1,0 +1,27 @@
+"""Cameras."""
+
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.engine.headless.unreal.actors.base import Actor
+from c4s.engine.headless.unreal.components import (
+    SceneComponent,
+)
+from c4s.engine.headless.unreal.core import Prop, public
+from c4s.engine.headless.unreal.lights import (
+    CameraComponent,
+)
+
+
+@public
+class CameraActor(Actor):
+    """A camera."""
+
+    _parts = (("SceneComponent", SceneComponent), ("CameraComponent", CameraComponent))
+    _declares = {"camera_component": Prop("CameraComponent", get="_get_camera", writable=False, saved=False)}
+
+    def _get_camera(self) -> Any:
+        return next(c for c in self._components if isinstance(c, CameraComponent))

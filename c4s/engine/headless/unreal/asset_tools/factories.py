@@ -1,0 +1,100 @@
+"""Asset tools and their factories."""
+
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.asset_tools.paths import new_object_path
+from c4s.engine.headless.unreal.assets import (
+    AssetObject,
+    Material,
+    MaterialInstanceConstant,
+)
+from c4s.engine.headless.unreal.containers import Array, Name
+from c4s.engine.headless.unreal.core import Class, Object, Prop, api, as_class, public
+from c4s.packs import manifest
+
+
+@public
+class Factory(Object):
+    """Base of asset factories."""
+
+    _class_module = "UnrealEd"
+
+
+@public
+class MaterialFactoryNew(Factory):
+    """Makes materials."""
+
+
+@public
+class MaterialInstanceConstantFactoryNew(Factory):
+    """Makes material instances."""
+
+
+@public
+class BlueprintFactory(Factory):
+    """Makes Blueprints in Unreal; the headless engine refuses to."""
+
+    _declares = {"parent_class": Prop("Class | None", None, attribute=False)}
+
+
+@public
+class AssetImportTask(Object):
+    """A file to import; the headless engine refuses to import."""
+
+    _declares = {"filename": Prop("str", ""), "destination_path": Prop("str", ""), "destination_name": Prop("str", ""),
+                 "automated": Prop("bool", False), "save": Prop("bool", False), "replace_existing": Prop("bool", False),
+                 "imported_object_paths": Prop("Sequence[str]", lambda: Array._of("str", []), writable=False)}
+
+
+@public
+class AssetTools(Object):
+    """Makes assets."""
+
+    _class_module = "AssetTools"
+
+    @api
+    def create_asset(self, asset_name: str, package_path: str, asset_class: Class | type | None,
+                     factory: Factory | None, calling_context: Name | str = "None") -> Any:
+        """Make a material or material instance, in memory until saved; None when refused."""
+        target = new_object_path(f"{str(package_path).rstrip('/')}/{asset_name}")
+        if target is None or factory is None:
+            return None
+        kind = as_class(asset_class)._python_type if asset_class is not None else None
+        if isinstance(factory, MaterialFactoryNew) and kind in (None, Material):
+            made: AssetObject = Material._at(target, created=True)._bind(manifest.Material(path=target))
+        elif isinstance(factory, MaterialInstanceConstantFactoryNew) and kind in (None, MaterialInstanceConstant):
+            made = MaterialInstanceConstant._at(target, created=True)
+        else:
+            world().log.error(f"CreateAsset: {type(factory).__name__} does not make a "
+                              f"{kind.__name__ if kind else 'asset'}")
+            return None
+        world().create(made)
+        return made
+
+    @api
+    def import_asset_tasks(self, import_tasks: Sequence[AssetImportTask]) -> None:
+        """Refused: a case offers the assets of its packs only."""
+        for task in import_tasks:
+            world().log.error(f"ImportAssetTasks: importing '{task.filename}' is refused by the headless engine")
+
+
+@public
+class AssetToolsHelpers(Object):
+    """Access to the asset tools."""
+
+    _class_module = "AssetTools"
+
+    @classmethod
+    @api
+    def get_asset_tools(cls) -> AssetTools:
+        """The asset tools."""
+        return TOOLS
+
+
+TOOLS: AssetTools = AssetTools._make("AssetTools", None)

@@ -1,0 +1,37 @@
+"""Paths of assets, and loading."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.engine.headless.state import world
+
+
+def package_of(path: str) -> str:
+    """Package of an object path."""
+    return path.split(".", 1)[0]
+
+
+def load(path: str) -> Any:
+    """The asset of a path, or None with a logged warning."""
+    found = world().find(str(path))
+    if found is None:
+        world().log.warning(f"LoadAsset failed: '{path}' does not exist")
+    return found
+
+
+def in_folder(path: str, folder: str, recursive: bool) -> bool:
+    folder = folder.rstrip("/")
+    parent = package_of(path).rsplit("/", 1)[0]
+    return parent == folder or (recursive and parent.startswith(folder + "/"))
+
+
+def new_object_path(path: str) -> str | None:
+    package = package_of(path)
+    if world().content_file(package, "") is None:
+        world().log.error(f"'{path}' is not a package path under /Game/")
+        return None
+    if world().exists(package) or world().level_file(package) is not None:
+        world().log.error(f"'{path}' exists already")
+        return None
+    return f"{package}.{package.rsplit('/', 1)[-1]}"

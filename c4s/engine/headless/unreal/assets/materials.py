@@ -1,0 +1,181 @@
+"""Materials, their instances and parameters."""
+
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from c4s.engine.headless.unreal.assets.base import AssetObject
+from c4s.engine.headless.unreal.containers import Name
+from c4s.engine.headless.unreal.core import Object, Prop, api, public
+from c4s.engine.headless.unreal.enums import BlendMode
+from c4s.engine.headless.unreal.structs import LinearColor
+from c4s.packs import manifest
+
+_VECTORS = {"basecolor": "base_color", "color": "base_color", "tint": "base_color", "emissivecolor": "emissive"}
+_SCALARS = {"roughness": "roughness", "metallic": "metallic", "opacity": "opacity"}
+VECTOR_PARAMETERS = ("BaseColor", "EmissiveColor")
+SCALAR_PARAMETERS = ("Roughness", "Metallic", "Opacity")
+
+
+def parameter_field(name: object, vector: bool) -> str | None:
+    """Field of a surface that a material parameter drives (``BaseColor``, ``Base Color``, ``Roughness``), or None."""
+    return (_VECTORS if vector else _SCALARS).get(re.sub(r"[\s_]", "", str(name)).casefold())
+
+
+@public
+class MaterialInterface(AssetObject):
+    """Base of materials and their instances."""
+
+    def _surface(self) -> manifest.Material:
+        raise Exception(f"{self._name}: this material has no surface")
+
+    @api
+    def get_base_material(self) -> Any:
+        """The material behind all instances."""
+        return self
+
+
+@public
+class Material(MaterialInterface):
+    """A material: of a pack, or made by a script."""
+
+    _declares = {"two_sided": Prop("bool", False, attribute=False),
+                 "blend_mode": Prop("BlendMode", BlendMode.BLEND_OPAQUE)}
+
+    def _bind(self, record: manifest.Material) -> Any:
+        self._material = record
+        self._expressions: list[Any] = []
+        return self
+
+    def _surface(self) -> manifest.Material:
+        record: manifest.Material = self._material
+        return record
+
+
+@public
+class Texture(AssetObject):
+    """Base of textures. None is an asset of its own here: a texture belongs to its material."""
+
+
+class _Overriding(MaterialInterface):
+    """A material given by a parent and parameter values."""
+
+    _declares = {"parent": Prop("MaterialInterface | None", get="_parent", set="_set_parent")}
+
+    def _start(self, name: str, outer: Object | None) -> None:
+        super()._start(name, outer)
+        self._vectors: dict[str, tuple[float, float, float, float]] = {}
+        self._scalars: dict[str, float] = {}
+
+    def _parent(self) -> MaterialInterface | None:
+        found: MaterialInterface | None = self._values.get("parent")
+        return found
+
+    def _may_follow(self, parent: MaterialInterface | None) -> bool:
+        """Whether taking this parent leaves no circle."""
+        above: MaterialInterface | None = parent
+        while above is not None and above is not self:
+            above = above._parent() if isinstance(above, _Overriding) else None
+        return above is None
+
+    def _set_parent(self, parent: MaterialInterface | None) -> None:
+        if not self._may_follow(parent):
+            raise Exception(f"{self._name}: a material instance cannot be its own parent")
+        self._values["parent"] = parent
+
+    def _surface(self) -> manifest.Material:
+        parent = self._parent()
+        base = parent._surface() if parent is not None else manifest.Material(path=self._path())
+        update: dict[str, Any] = {"path": self._path(), "class_path": self._class_path()}
+        for name, colour in self._vectors.items():
+            field = parameter_field(name, True)
+            if field:
+                update[field] = colour[:3]
+        for name, value in self._scalars.items():
+            field = parameter_field(name, False)
+            if field:
+                update[field] = value
+        return base.model_copy(update=update)
+
+    def _set_vector(self, name: object, value: LinearColor) -> bool:
+        if parameter_field(name, True) is None:
+            return False
+        self._vectors[str(name)] = (value.r, value.g, value.b, value.a)
+        self._dirty = True
+        return True
+
+    def _set_scalar(self, name: object, value: float) -> bool:
+        if parameter_field(name, False) is None:
+            return False
+        self._scalars[str(name)] = float(value)
+        self._dirty = True
+        return True
+
+    def _vector(self, name: object) -> LinearColor:
+        field = parameter_field(name, True)
+        if not field:
+            return LinearColor()
+        r, g, b = getattr(self._surface(), field)
+        return LinearColor(r, g, b, 1.0)
+
+    def _scalar(self, name: object) -> float:
+        field = parameter_field(name, False)
+        return float(getattr(self._surface(), field)) if field else 0.0
+
+    @api
+    def get_base_material(self) -> Any:
+        """The material behind all instances."""
+        parent = self._parent()
+        return parent.get_base_material() if parent is not None else None
+
+    def _references(self) -> list[str]:
+        parent = self._parent()
+        return [parent._path()] if parent is not None else []
+
+
+@public
+class MaterialInstance(_Overriding):
+    """Base of material instances."""
+
+
+@public
+class MaterialInstanceConstant(MaterialInstance):
+    """A material instance asset."""
+
+
+@public
+class MaterialInstanceDynamic(MaterialInstance):
+    """A material instance owned by a component, or transient."""
+
+    @classmethod
+    def _owned(cls, name: str, outer: Object | None, parent: MaterialInterface | None) -> Any:
+        made = cls._make(name, outer)
+        made._values["parent"] = parent
+        made._created, made._dirty = False, False
+        return made
+
+    def _path(self) -> str:
+        return Object._path(self)
+
+    @api
+    def set_vector_parameter_value(self, parameter_name: Name | str, value: LinearColor) -> None:
+        """Set a vector parameter; an unknown one has no effect."""
+        self._set_vector(parameter_name, value)
+
+    @api
+    def set_scalar_parameter_value(self, parameter_name: Name | str, value: float) -> None:
+        """Set a scalar parameter; an unknown one has no effect."""
+        self._set_scalar(parameter_name, value)
+
+    @api
+    def get_vector_parameter_value(self, parameter_name: Name | str) -> LinearColor:
+        """Value of a vector parameter."""
+        return self._vector(parameter_name)
+
+    @api
+    def get_scalar_parameter_value(self, parameter_name: Name | str) -> float:
+        """Value of a scalar parameter."""
+        return self._scalar(parameter_name)

@@ -1,0 +1,110 @@
+"""Static meshes."""
+
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.engine.headless.pose import Pose
+from c4s.engine.headless.unreal.assets.base import AssetObject
+from c4s.engine.headless.unreal.assets.collision import BodySetup, aggregate
+from c4s.engine.headless.unreal.assets.materials import MaterialInterface
+from c4s.engine.headless.unreal.containers import Array, Name
+from c4s.engine.headless.unreal.core import Prop, api, public
+from c4s.engine.headless.unreal.structs import Box, BoxSphereBounds, ClosedStruct, Vector
+from c4s.packs.manifest import Asset
+from c4s.packs.meshes import Mesh
+
+
+@public
+class StaticMaterial(ClosedStruct):
+    """A slot of a static mesh."""
+
+    _fields = {"material_interface": Prop("MaterialInterface | None", None),
+               "material_slot_name": Prop("Name", Name),
+               "imported_material_slot_name": Prop("Name", Name, attribute=False)}
+    _takes = 2
+
+
+@public
+class StaticMesh(AssetObject):
+    """A static mesh asset."""
+
+    _declares = {"static_materials": Prop("Sequence[StaticMaterial]", get="_static_materials", writable=False),
+                 "body_setup": Prop("BodySetup", get="_body_setup", attribute=False, writable=False)}
+
+    def _bind(self, asset: Asset) -> Any:
+        self._asset = asset
+        return self
+
+    def _geometry(self) -> Mesh | None:
+        """Triangles, of the original where this is a copy; None when no pack holds that any more."""
+        from c4s.engine.headless.state import world
+
+        store = world().store
+        return store.mesh(self._asset.path) if store.asset(self._asset.path) is not None else None
+
+    def _slot_material(self, index: int) -> MaterialInterface | None:
+        from c4s.engine.headless.state import world
+
+        slots = self._asset.slots
+        if not 0 <= index < len(slots):
+            return None
+        found = world().find(slots[index].material)
+        return found if isinstance(found, MaterialInterface) else None
+
+    def _static_materials(self) -> Array:
+        return Array._of("StaticMaterial", [
+            StaticMaterial._of_fields(self._slot_material(i), Name(slot.name), Name(slot.name))
+            for i, slot in enumerate(self._asset.slots)])
+
+    def _body_setup(self) -> BodySetup:
+        made: BodySetup = BodySetup._make("BodySetup_0", self)
+        made._values["agg_geom"] = aggregate(self._asset)
+        return made
+
+    def _references(self) -> list[str]:
+        return [slot.material for slot in self._asset.slots]
+
+    @api
+    def get_material(self, material_index: int) -> MaterialInterface | None:
+        """Default material of a slot."""
+        return self._slot_material(material_index)
+
+    @api
+    def get_material_index(self, material_slot_name: Name | str) -> int:
+        """Index of a slot by name, -1 when there is none."""
+        for index, slot in enumerate(self._asset.slots):
+            if slot.name.casefold() == str(material_slot_name).casefold():
+                return index
+        return -1
+
+    @api
+    def get_bounding_box(self) -> Box:
+        """Local bounds as corners (cm)."""
+        return Box(Vector(*self._asset.bounds_min_cm), Vector(*self._asset.bounds_max_cm))
+
+    @api
+    def get_bounds(self) -> BoxSphereBounds:
+        """Local bounds as centre, half extent and radius (cm)."""
+        low, high = self._asset.bounds_min_cm, self._asset.bounds_max_cm
+        origin, extent = Pose((0, 0, 0), (0, 0, 0, 1), (1, 1, 1)).box(low, high)
+        half = Vector(*extent)
+        return BoxSphereBounds(Vector(*origin), half, half.length())
+
+    @api
+    def get_num_lods(self) -> int:
+        """Always one level of detail."""
+        return 1
+
+    @api
+    def get_num_triangles(self, lod_index: int) -> int:
+        """Triangles of the mesh."""
+        mesh = self._geometry()
+        return len(mesh.faces) if mesh is not None and lod_index == 0 else 0
+
+    @api
+    def get_num_sections(self, lod: int) -> int:
+        """Sections: one a slot."""
+        return len(self._asset.slots) if lod == 0 else 0

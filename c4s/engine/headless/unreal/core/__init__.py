@@ -1,0 +1,16 @@
+"""The strict object model of the ``unreal`` module: checked calls, editor properties, classes and objects.
+
+An unknown name is an ``AttributeError``, a wrong number or type of arguments a ``TypeError``, an unknown editor
+property an ``Exception``: as in Unreal's own Python.
+"""
+
+from __future__ import annotations
+
+from c4s.engine.headless.unreal.core.checks import TYPES, api, fits, need, public
+from c4s.engine.headless.unreal.core.objects import Class, Object, Package, as_class, subclass_of
+from c4s.engine.headless.unreal.core.properties import ObjectBase, Prop, converted, copied
+
+__all__ = [
+    "TYPES", "Class", "Object", "ObjectBase", "Package", "Prop", "api", "as_class", "converted", "copied", "fits",
+    "need", "public", "subclass_of",
+]

@@ -1,0 +1,135 @@
+"""Functions of the module itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.asset_tools import load
+from c4s.engine.headless.unreal.containers import Name
+from c4s.engine.headless.unreal.core import Class, Object, api, as_class, subclass_of
+from c4s.engine.headless.unreal.libraries.ticks import (
+    register_slate_post_tick_callback,
+    unregister_slate_post_tick_callback,
+)
+from c4s.engine.headless.unreal.subobjects import SubobjectDataSubsystem
+from c4s.engine.headless.unreal.subsystems import SUBSYSTEMS, EditorSubsystem
+
+
+def log(arg: object) -> None:
+    """Log a line."""
+    world().log.display(str(arg))
+
+
+def log_warning(arg: object) -> None:
+    """Log a warning."""
+    world().log.warning(str(arg))
+
+
+def log_error(arg: object) -> None:
+    """Log an error."""
+    world().log.error(str(arg))
+
+
+def _loaded(outer: Object | None, name: str) -> Any:
+    found = world().actors.get(name.rsplit(".", 1)[-1]) if ":PersistentLevel." in name else load(name)
+    return found
+
+
+@api
+def load_asset(name: str, type: Class | type | None = None, follow_redirectors: bool = True) -> Any:
+    """The asset of a path, or None with a logged warning."""
+    found = load(name)
+    if found is not None and type is not None and not subclass_of(found._class(), as_class(type)._python_type):
+        return None
+    return found
+
+
+@api
+def find_asset(name: str, type: Class | type | None = None, follow_redirectors: bool = True) -> Any:
+    """The asset of a path, or None."""
+    return world().find(name)
+
+
+@api
+def load_object(outer: Object | None, name: str, type: Class | type | None = None,
+                follow_redirectors: bool = True) -> Any:
+    """The object of a path, or None with a logged warning."""
+    return _loaded(outer, name)
+
+
+@api
+def find_object(outer: Object | None, name: str, type: Class | type | None = None,
+                follow_redirectors: bool = True) -> Any:
+    """The object of a path, or None."""
+    if ":PersistentLevel." in name:
+        return world().actors.get(name.rsplit(".", 1)[-1])
+    return world().find(name)
+
+
+@api
+def load_class(outer: Object | None, name: str, type: Class | type | None = None) -> Class | None:
+    """The class ``/Script/Module.Name`` or ``/Game/A/B.B_C``, or None with a logged warning."""
+    native = world().native_class(name)
+    if native is not None:
+        return as_class(native)
+    found = world().find(name)
+    if not isinstance(found, Class):
+        world().log.warning(f"LoadClass failed: '{name}' does not exist")
+        return None
+    return found
+
+
+@api
+def get_editor_subsystem(subsystem: Class | type) -> Any:
+    """An editor subsystem."""
+    wanted = as_class(subsystem)._python_type
+    if not issubclass(wanted, EditorSubsystem):
+        raise TypeError(f"get_editor_subsystem: '{wanted.__name__}' is no editor subsystem")
+    return _SUBSYSTEMS.get(wanted)
+
+
+@api
+def get_engine_subsystem(subsystem: Class | type) -> Any:
+    """An engine subsystem."""
+    if as_class(subsystem)._python_type is not SubobjectDataSubsystem:
+        raise TypeError(f"get_engine_subsystem: '{as_class(subsystem).get_name()}' is no engine subsystem")
+    return _SUBOBJECTS
+
+
+@api
+def new_object(type: Class | type, outer: Object | None = None, name: Name | str = "None",
+               base_type: Class | type | None = None) -> Any:
+    """A new object of a class that scripts may make."""
+    return as_class(type)._python_type(outer, name)
+
+
+def is_editor() -> bool:
+    """This is an editor."""
+    return True
+
+
+_SUBSYSTEMS = {kind: kind._make(kind.__name__, None) for kind in SUBSYSTEMS}
+_SUBOBJECTS: SubobjectDataSubsystem = SubobjectDataSubsystem._make("SubobjectDataSubsystem", None)
+
+
+def mesh_facts(path: str) -> dict[str, Any] | None:
+    """What the snapshot keeps of a mesh: digest, local bounds and collision bodies (cm), or None when unknown."""
+    asset = world().store.asset(path)
+    if asset is None:
+        found = world().find(path)
+        asset = getattr(found, "_asset", None)
+    if asset is None:
+        return None
+    return {"sha256": asset.mesh_sha256, "bounds_min_cm": list(asset.bounds_min_cm),
+            "bounds_max_cm": list(asset.bounds_max_cm),
+            "collision": [body.model_dump(mode="json") for body in asset.collision]}
+
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    f.__name__: f for f in (
+        log, log_warning, log_error, load_asset, find_asset, load_object, find_object, load_class, get_editor_subsystem,
+        get_engine_subsystem, new_object,
+        is_editor, register_slate_post_tick_callback, unregister_slate_post_tick_callback)}
+FUNCTIONS["c4s_mesh_facts"] = mesh_facts

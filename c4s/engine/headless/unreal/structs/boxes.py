@@ -1,0 +1,42 @@
+"""Ids and bounds."""
+
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
+from __future__ import annotations
+
+from c4s.engine.headless.unreal.core import Prop, public
+from c4s.engine.headless.unreal.structs.base import ClosedStruct, StructBase
+from c4s.engine.headless.unreal.structs.vectors import Vector
+
+
+@public
+class Guid(ClosedStruct):
+    """A globally unique id."""
+
+    _fields = {n: Prop("int", 0, attribute=False) for n in ("a", "b", "c", "d")}
+    _takes = 0
+
+    @classmethod
+    def _of(cls, text: str) -> Guid:
+        made: Guid = cls._of_fields(*(int(text[i * 8:i * 8 + 8], 16) for i in range(4)))
+        return made
+
+    def to_string(self) -> str:
+        """32 upper-case hex digits."""
+        return "".join(f"{number:08X}" for number in self.to_tuple())
+
+
+@public
+class Box(StructBase):
+    """An axis-aligned box."""
+
+    _fields = {"min": Prop("Vector", Vector), "max": Prop("Vector", Vector), "is_valid": Prop("bool", True)}
+    _takes = 2
+
+
+@public
+class BoxSphereBounds(StructBase):
+    """Bounds as a box (centre and half extent) and a sphere."""
+
+    _fields = {"origin": Prop("Vector", Vector), "box_extent": Prop("Vector", Vector),
+               "sphere_radius": Prop("float", 0.0)}

@@ -1,0 +1,8 @@
+"""Editor subsystems and the older static libraries with the same functions."""
+
+from __future__ import annotations
+
+from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
+from c4s.engine.headless.unreal.subsystems.listing import SUBSYSTEMS
+
+__all__ = ["SUBSYSTEMS", "EditorSubsystem"]

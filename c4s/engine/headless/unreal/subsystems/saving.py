@@ -1,0 +1,72 @@
+"""Maps and packages."""
+
+from __future__ import annotations
+
+from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.assets import AssetObject
+from c4s.engine.headless.unreal.containers import Array
+from c4s.engine.headless.unreal.core import Object, api, public
+from c4s.engine.headless.unreal.levels import World
+from c4s.engine.headless.unreal.subsystems.levels import open_map, save_current
+
+
+def _dirty_assets() -> list[AssetObject]:
+    return [asset for asset in world().created.values() if asset._dirty]
+
+
+@public
+class EditorLoadingAndSavingUtils(Object):
+    """Maps and packages."""
+
+    _class_module = "UnrealEd"
+
+    @classmethod
+    @api
+    def load_map(cls, filename: str) -> World | None:
+        """Open a level by package path; None when there is none."""
+        return open_map(filename)
+
+    @classmethod
+    @api
+    def new_blank_map(cls, save_existing_map: bool) -> World:
+        """Open an empty untitled level."""
+        if save_existing_map:
+            save_current()
+        return world().new_map()
+
+    @classmethod
+    @api
+    def save_map(cls, world: World, asset_path: str) -> bool:
+        """Save the open map under a path; it becomes that map."""
+        return _save_map(str(asset_path))
+
+    @classmethod
+    @api
+    def save_current_level(cls) -> bool:
+        """Save the open level."""
+        return save_current()
+
+    @classmethod
+    @api
+    def save_dirty_packages(cls, save_map_packages: bool, save_content_packages: bool) -> bool:
+        """Save what was edited."""
+        saved = [world().save(asset) for asset in _dirty_assets()] if save_content_packages else []
+        if save_map_packages and world().dirty:
+            saved.append(save_current())
+        return all(saved)
+
+    @classmethod
+    @api
+    def get_dirty_map_packages(cls) -> Array:
+        """Edited maps."""
+        return Array._of("Package", [world().map.get_package()] if world().dirty else [])
+
+    @classmethod
+    @api
+    def get_dirty_content_packages(cls) -> Array:
+        """Edited assets."""
+        return Array._of("Package", [a.get_package() for a in _dirty_assets()])
+
+
+def _save_map(path: str) -> bool:
+    return world().save_map(path)
