@@ -65,6 +65,15 @@ class Material(Record):
     opacity: float = 1.0
     texture: str | None = None
     """Base-colour texture, a file relative to the pack folder; it multiplies ``base_color``."""
+    alpha: Literal["opaque", "mask", "blend"] = "opaque"
+    """What the texture's alpha does: nothing; cuts holes where it is below ``alpha_cutoff``; or scales the opacity."""
+    alpha_cutoff: float = 0.5
+    normal_texture: str | None = None
+    """Tangent-space normals as in glTF (green points to the picture's top), a file of the pack."""
+    roughness_metal_texture: str | None = None
+    """As in glTF: green multiplies ``roughness``, blue ``metallic``; a file of the pack."""
+    emissive_texture: str | None = None
+    """It multiplies ``emissive``; a file of the pack."""
 
 
 class MaterialSlot(Record):

@@ -34,6 +34,8 @@ class Mesh:
     """(n, 2) texture coordinates: u to the right, v down, (0, 0) at the top left corner; they repeat."""
     face_slots: I32
     """(m,) material slot of each triangle."""
+    colors: F32 | None = None
+    """(n, 3) linear colours that multiply the materials' base colours; ``None`` for white."""
 
     @property
     def bounds_cm(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -52,11 +54,25 @@ class MeshPart:
     faces: I32
     normals: F32
     uvs: F32
+    colors: F32 | None = None
 
 
 def _material_name(geometry: Any) -> str:
     name = getattr(getattr(geometry.visual, "material", None), "name", None)
     return str(name) if name else "slot"
+
+
+def _colors(geometry: Any) -> F32 | None:
+    """Vertex colours of a geometry, linear as glTF stores them; ``None`` when it has none."""
+    visual = geometry.visual
+    found = getattr(visual, "vertex_attributes", {}).get("color")
+    if found is None and visual.kind == "vertex":
+        found = visual.vertex_colors
+    if found is None or len(found) != len(geometry.vertices):
+        return None
+    full = np.asarray(found)
+    factor = np.iinfo(full.dtype).max if full.dtype.kind in "ui" else 1.0
+    return np.clip(full[:, :3].astype(np.float64) / factor, 0.0, 1.0).astype(np.float32)
 
 
 def _part(geometry: Any, matrix: NDArray[np.float64], scale: float, where: str) -> MeshPart:
@@ -71,7 +87,7 @@ def _part(geometry: Any, matrix: NDArray[np.float64], scale: float, where: str) 
     swap = [0, 2, 1]
     return MeshPart(_material_name(geometry), (points[:, swap] * (100.0 * scale)).astype(np.float32),
                     np.asarray(geometry.faces)[:, ::-1].astype(np.int32), normals[:, swap].astype(np.float32),
-                    uvs.astype(np.float32))
+                    uvs.astype(np.float32), _colors(geometry))
 
 
 def read_parts(path: Path, *, scale: float = 1.0) -> list[MeshPart]:
@@ -110,10 +126,15 @@ def join_parts(parts: list[MeshPart], slots: list[str], where: str) -> Mesh:
     if unknown:
         raise BadInput(f"the mesh has a material {unknown[0]!r} that is no slot of the asset", where=where)
     offsets = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
+    colors = None
+    if any(part.colors is not None for part in parts):
+        colors = np.concatenate([np.ones((len(p.vertices), 3), np.float32) if p.colors is None else p.colors
+                                 for p in parts])
     return Mesh(vertices=np.concatenate([p.vertices for p in parts]),
                 faces=np.concatenate([p.faces + np.int32(o) for p, o in zip(parts, offsets, strict=True)]),
                 normals=np.concatenate([p.normals for p in parts]), uvs=np.concatenate([p.uvs for p in parts]),
-                face_slots=np.concatenate([np.full(len(p.faces), index[p.slot], np.int32) for p in parts]))
+                face_slots=np.concatenate([np.full(len(p.faces), index[p.slot], np.int32) for p in parts]),
+                colors=colors)
 
 
 def load_mesh(pack_dir: Path, asset: Asset) -> Mesh:

@@ -49,7 +49,11 @@ class PackStore:
 
     def texture_file(self, material: Material) -> Path | None:
         """File of the material's base-colour texture."""
-        return self._home[material.path] / material.texture if material.texture else None
+        return self.pack_file(material, material.texture)
+
+    def pack_file(self, material: Material, name: str | None) -> Path | None:
+        """A file that a material of a pack names; ``None`` when it names none."""
+        return self._home[material.path] / name if name else None
 
     def mesh(self, path: str) -> Mesh:
         """The mesh of a static mesh asset (cached); ``BadInput`` when there is no such asset or mesh."""
