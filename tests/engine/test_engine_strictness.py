@@ -35,7 +35,9 @@ def test_unknown_names(unreal, actor):
 
 @pytest.mark.parametrize("call", [
     lambda u, a: a.set_actor_location(u.Vector()),
-    lambda u, a: a.set_actor_location([0, 0, 0], False, False),
+    lambda u, a: a.set_actor_location([0, 0, 0, 0], False, False),
+    lambda u, a: a.set_actor_location("abc", False, False),
+    lambda u, a: a.static_mesh_component.set_material(True, None),
     lambda u, a: a.set_actor_rotation(u.Rotator()),
     lambda u, a: a.set_actor_transform(u.Transform()),
     lambda u, a: a.set_actor_location(u.Vector(), False, teleported=False),
@@ -60,9 +62,9 @@ def test_wrong_arguments_are_type_errors(unreal, actor, call):
 
 
 def test_unknown_editor_property(unreal, actor):
-    with pytest.raises(Exception, match="failed to find property 'colour'"):
+    with pytest.raises(Exception, match="StaticMeshActor: Failed to find property 'colour' for attribute 'colour'"):
         actor.get_editor_property("colour")
-    with pytest.raises(Exception, match="failed to find property"):
+    with pytest.raises(Exception, match="Failed to find property"):
         actor.static_mesh_component.set_editor_property("bounds", 1)
 
 

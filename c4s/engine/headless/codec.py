@@ -7,8 +7,7 @@ from typing import Any
 
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import TYPES, Prop, converted, copied, need
-from c4s.engine.headless.unreal.enums import EnumBase
+from c4s.engine.headless.unreal.core import TYPES, EnumBase, Prop, converted, copied, need
 from c4s.engine.headless.unreal.structs import Color, Rotator, StructBase
 from c4s.errors import BadInput
 

@@ -2,18 +2,9 @@
 
 from __future__ import annotations
 
-from enum import Enum, unique
+from enum import unique
 
-from c4s.engine.headless.unreal.core import public
-
-
-class EnumBase(Enum):
-    """Base of all enums."""
-
-    def __str__(self) -> str:
-        return f"<{type(self).__name__}.{self.name}: {self.value}>"
-
-    __repr__ = __str__
+from c4s.engine.headless.unreal.core import EnumBase, public
 
 
 @public

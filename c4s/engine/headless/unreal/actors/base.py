@@ -119,9 +119,9 @@ class Actor(Object):
         world().relabel(self, str(new_actor_label).strip() or self._label)
 
     @api
-    def rename(self, name: Name | str | None = None, outer: Object | None = None) -> bool:
+    def rename(self, name: Name | str = "None", outer: Object | None = None) -> bool:
         """Change the object name; False when it is taken or not a name."""
-        return world().rename(self, str(name)) if name is not None else False
+        return world().rename(self, str(name)) if str(name) != "None" else False
 
     @api
     def get_folder_path(self) -> Name:

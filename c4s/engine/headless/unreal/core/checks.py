@@ -1,18 +1,21 @@
-"""Types by name, and calls whose arguments are checked."""
+"""Types by name, and calls whose arguments are checked and converted as Unreal's Python converts them."""
 
 from __future__ import annotations
 
 import functools
 import inspect
-from collections.abc import Callable
-from typing import ParamSpec, TypeVar
+from collections.abc import Callable, Mapping
+from typing import Any, ParamSpec, TypeVar
 
-from c4s.engine.headless.unreal.containers import Array, Name, Text
+from c4s.engine.headless.unreal.containers import Array, FixedArray, Map, Name, Set, Text
 
 P = ParamSpec("P")
 R = TypeVar("R")
 TYPES: dict[str, type] = {}
 """Public classes, structs and enums by their name: what ``unreal`` shows and what annotations refer to."""
+
+_PLAIN = {"float": "DoubleProperty", "int": "IntProperty", "bool": "BoolProperty", "str": "StrProperty",
+          "Name": "NameProperty", "Text": "TextProperty", "Class": "ClassProperty", "type": "ClassProperty"}
 
 
 def public(cls: type[R]) -> type[R]:
@@ -22,15 +25,43 @@ def public(cls: type[R]) -> type[R]:
     return cls
 
 
-for _type in (Array, Name, Text):
+for _type in (Array, FixedArray, Map, Name, Set, Text):
     TYPES[_type.__name__] = _type
+
+
+def camel(name: str) -> str:
+    """The C++ name of a Python one: ``new_location`` as ``NewLocation``."""
+    return "".join(part[:1].upper() + part[1:] for part in name.split("_"))
 
 
 def fits(value: object, kind: str) -> bool:
     """Whether ``value`` may be passed where ``kind`` (``"float"``, ``"Vector"``, ``"StaticMesh | None"``) is wanted."""
+    try:
+        accepted(value, kind)
+    except TypeError:
+        return False
+    return True
+
+
+def accepted(value: Any, kind: str) -> Any:
+    """``value`` as ``kind``: a struct may be given as a sequence or mapping of its fields, a whole number as a float.
+
+    Raises:
+        TypeError: it is no such thing; the text is Unreal's innermost line.
+    """
     if type(value).__name__ == kind:
-        return True
-    return any(_fits_one(value, part) for part in _alternatives(kind))
+        return value
+    parts = _alternatives(kind)
+    for part in parts:
+        if _fits_one(value, part):
+            return int(value) if part == "int" and isinstance(value, float) else value
+    for part in parts:
+        if part.startswith("Sequence") and isinstance(value, (list, tuple, Array)):
+            return [accepted(item, part[len("Sequence["):-1]) for item in value]
+        found = TYPES.get(part)
+        if found is not None and hasattr(found, "_from_parts") and isinstance(value, (list, tuple, Array, Mapping)):
+            return found._from_parts(value)
+    raise TypeError(_innermost(value, parts[0]))
 
 
 @functools.cache
@@ -43,10 +74,8 @@ def _fits_one(value: object, kind: str) -> bool:
         return True
     if kind == "None":
         return value is None
-    if kind == "float":
-        return isinstance(value, (int, float))
-    if kind == "int":
-        return isinstance(value, int)
+    if kind in ("float", "int"):
+        return isinstance(value, (int, float)) and not isinstance(value, bool)
     if kind == "bool":
         return isinstance(value, (bool, int))
     if kind in ("str", "Name", "Text"):
@@ -56,41 +85,129 @@ def _fits_one(value: object, kind: str) -> bool:
     if kind.startswith("Sequence"):
         if not isinstance(value, (list, tuple, Array)):
             return False
-        return all(_fits_one(item, kind[len("Sequence["):-1]) for item in value)
+        parts = _alternatives(kind[len("Sequence["):-1])
+        return all(any(_fits_one(item, part) for part in parts) for item in value)
+    if kind.startswith("Mapping"):
+        return isinstance(value, Mapping | Map)
     return isinstance(value, TYPES[kind])
 
 
-def need(value: object, kind: str, what: str) -> None:
-    """``TypeError`` when ``value`` is not of ``kind``."""
-    if not fits(value, kind):
-        raise TypeError(f"{what}: cannot convert type '{type(value).__name__}' to {kind}")
+def property_kind(kind: str) -> str:
+    """Unreal's name for the kind of a property, as its errors say it."""
+    part = _alternatives(kind)[0]
+    if part in _PLAIN:
+        return _PLAIN[part]
+    if part.startswith("Sequence"):
+        return "ArrayProperty"
+    found = TYPES.get(part)
+    if found is not None and hasattr(found, "_from_parts"):
+        return "StructProperty"
+    return "EnumProperty" if found is not None and hasattr(found, "__members__") else "ObjectProperty"
+
+
+def _innermost(value: object, kind: str) -> str:
+    given = type(value).__name__
+    family = property_kind(kind)
+    if family == "StructProperty":
+        return f"NativizeStructInstance: Cannot nativize '{given}' as '{kind}'"
+    if family == "ObjectProperty" and kind in TYPES:
+        return f"NativizeObject: Cannot nativize '{given}' as 'Object' (allowed Class type: '{kind}')"
+    return f"Nativize: Cannot nativize '{given}' as '{kind}'"
+
+
+def need(value: Any, kind: str, what: str, name: str = "") -> Any:
+    """``value`` as ``kind``, or a ``TypeError`` in Unreal's three lines: what failed, which property, and why."""
+    try:
+        return accepted(value, kind)
+    except TypeError as error:
+        label = camel(name) or kind
+        raise TypeError(f"{what}\n  TypeError: NativizeProperty: Cannot nativize '{type(value).__name__}' as '{label}' "
+                        f"({property_kind(kind)})\n    TypeError: {error}") from None
 
 
 def api(function: Callable[P, R]) -> Callable[P, R]:
-    """A function of Unreal's Python API: argument types checked from the annotations, dead objects refused."""
-    parameters = list(inspect.signature(function).parameters.values())
-    by_name = {p.name: str(p.annotation) if p.annotation is not p.empty else "Any" for p in parameters}
-    owned = bool(parameters) and parameters[0].name == "self"
+    """A function of Unreal's Python API.
 
-    def check(name: str, value: object, kind: str) -> None:
-        if not fits(value, kind):
-            raise TypeError(f"{function.__qualname__}: parameter '{name}': "
-                            f"cannot convert type '{type(value).__name__}' to {kind}")
+    Arguments are checked and converted from the annotations (read as text), dead objects are refused. ``None`` passes
+    for any object; where the function needs one, that is logged and the function gives the empty result.
+    """
+    signature = inspect.signature(function)
+    parameters = list(signature.parameters.values())
+    owned = bool(parameters) and parameters[0].name == "self"
+    bound = owned or (bool(parameters) and parameters[0].name == "cls")
+    named = parameters[1:] if bound else parameters
+    names = [p.name for p in named]
+    kinds = {p.name: str(p.annotation) if p.annotation is not p.empty else "Any" for p in named}
+    required = [p.name for p in named if p.default is p.empty]
+    title = function.__name__
+
+    def refuse_count(given: int, passed: dict[str, Any]) -> None:
+        if not names and (given or passed):
+            raise TypeError(f"{title}() takes no arguments ({given + len(passed)} given)")
+        if given + len(passed) > len(names):
+            raise TypeError(f"{title}() takes at most {len(names)} argument{'s' * (len(names) != 1)} "
+                            f"({given + len(passed)} given)")
+        for index, name in enumerate(names):
+            if name in passed and index < given:
+                raise TypeError(f"argument for {title}() given by name ('{name}') and position ({index + 1})")
+            if name in required and index >= given and name not in passed:
+                raise TypeError(f"{title}() required argument '{name}' (pos {index + 1}) not found")
+        for name in passed:
+            if name not in kinds:
+                raise TypeError(f"'{name}' is an invalid keyword argument for {title}()")
+
+    def convert(owner: Any, name: str, value: Any) -> Any:
+        kind = kinds[name]
+        if kind == "Any":
+            return value
+        if type(value).__name__ != kind:
+            where = getattr(owner, "_name", None) or f"Default__{getattr(owner, '__name__', type(owner).__name__)}"
+            of = owner.__name__ if isinstance(owner, type) else type(owner).__name__
+            value = need(value, kind, f"{of}: Failed to convert parameter '{name}' when calling function "
+                                      f"'{of}.{camel(title)}' on '{where}'", name)
         if isinstance(value, TYPES["Object"]):
             value._need_alive()  # type: ignore[attr-defined]
+        return value
 
     @functools.wraps(function)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
-        if owned and args and isinstance(args[0], TYPES["Object"]):
-            args[0]._need_alive()  # type: ignore[attr-defined]
-            if len(args) == 1 and not kwargs:
+        owner: Any = args[0] if bound and args else None
+        if owned and isinstance(owner, TYPES["Object"]):
+            owner._need_alive()  # type: ignore[attr-defined]
+            if len(args) == 1 and not kwargs and not required:
                 return function(*args, **kwargs)
-        for value, (name, kind) in zip(args, by_name.items(), strict=False):
-            if kind != "Any":
-                check(name, value, kind)
+        given = args[1:] if bound else args
+        if kwargs or len(given) != len(names):
+            refuse_count(len(given), kwargs)
+        for name, value in (*zip(names, given, strict=False), *kwargs.items()):
+            if value is None and _is_object(kinds[name]):
+                return _without(title, name, str(signature.return_annotation))  # type: ignore[no-any-return]
+        values: list[Any] = [convert(owner, name, value) for name, value in zip(names, given, strict=False)]
         for name, value in kwargs.items():
-            if by_name.get(name, "Any") != "Any":
-                check(name, value, by_name[name])
-        return function(*args, **kwargs)
+            kwargs[name] = convert(owner, name, value)
+        return function(*args[:1], *values, **kwargs) if bound else function(*values, **kwargs)  # type: ignore[arg-type]
 
     return call
+
+
+@functools.cache
+def _is_object(kind: str) -> bool:
+    """Whether an object is needed, where ``None`` would be no object."""
+    parts = _alternatives(kind)
+    return "None" not in parts and (parts[0] == "Class" or (parts[0] in TYPES
+                                                            and issubclass(TYPES[parts[0]], TYPES["Object"])))
+
+
+def _without(title: str, name: str, result: str) -> Any:
+    """The empty result of a function that was given no object, which is logged."""
+    from c4s.engine.headless.state import world
+
+    world().log.error(f"{camel(title)}: {camel(name)} is not valid.")
+    if result in ("None", "Any") or "None" in _alternatives(result):
+        return None
+    if result in ("bool", "int", "float", "str"):
+        return {"bool": False, "int": 0, "float": 0.0, "str": ""}[result]
+    if result == "Array":
+        return Array._of("Any", [])
+    found = TYPES.get(result)
+    return found() if found is not None and hasattr(found, "_from_parts") else None

@@ -104,6 +104,23 @@ class Object(ObjectBase):
         return outer
 
     @api
+    def get_typed_outer(self, type: Class | type) -> Any:
+        """The nearest object of a type that this one lies in, or None."""
+        outer: Any = self._outer
+        while outer is not None and not isinstance(outer, as_class(type)._python_type):
+            outer = outer._outer
+        return outer
+
+    def call_method(self, name: str, *args: Any, **kwargs: Any) -> Any:
+        """Call a function by name, with a tuple of arguments and a dict of named ones."""
+        function = getattr(self, str(name), None)
+        if str(name).startswith("_") or not callable(function):
+            raise Exception(f"{self._class().get_name()}: Failed to find function '{name}' on '{self._name}'")
+        given = args[0] if args and isinstance(args[0], tuple) else args
+        named = args[1] if len(args) > 1 and isinstance(args[1], dict) else kwargs
+        return function(*given, **named)
+
+    @api
     def get_outermost(self) -> Package:
         """The package."""
         return _package(self)
@@ -132,7 +149,7 @@ class Object(ObjectBase):
         return False
 
     @api
-    def rename(self, name: Name | str | None = None, outer: Object | None = None) -> bool:
+    def rename(self, name: Name | str = "None", outer: Object | None = None) -> bool:
         """Rename; refused for objects without a level."""
         return False
 
@@ -168,6 +185,20 @@ class Class(Object):
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         raise TypeError("'Class' object is not callable")
+
+
+@public
+class ScriptStruct(Object):
+    """The type of a struct as an object."""
+
+    _class_module = "CoreUObject"
+
+
+@public
+class Enum(Object):
+    """An enum as an object."""
+
+    _class_module = "CoreUObject"
 
 
 _CLASSES: dict[str, Class] = {}

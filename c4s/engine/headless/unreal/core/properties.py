@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core.checks import need
+from c4s.engine.headless.unreal.containers import Array, Name, Text
+from c4s.engine.headless.unreal.core.checks import camel, need, property_kind
+from c4s.engine.headless.unreal.core.enumeration import PropertyAccessChangeNotifyMode
 
 
 @dataclass(frozen=True)
@@ -75,9 +76,14 @@ class ObjectBase:
 
     def _write(self, name: str, prop: Prop, value: Any) -> None:
         self._need_alive()
+        owner = type(self).__name__
         if not prop.writable:
-            raise Exception(f"{type(self).__name__}: property '{name}' is read-only and cannot be set")
-        need(value, prop.kind, f"{type(self).__name__}: property '{name}'")
+            raise Exception(f"{owner}: Property '{camel(name)}' for attribute '{name}' on '{owner}' is read-only and "
+                            "cannot be set")
+        if type(value).__name__ != prop.kind:
+            value = need(value, prop.kind, f"{owner}: Failed to convert type '{type(value).__name__}' to property "
+                                           f"'{camel(name)}' ({property_kind(prop.kind)}) for attribute '{name}' "
+                                           f"on '{owner}'", name)
         if prop.set:
             getattr(self, prop.set)(value)
         else:
@@ -90,24 +96,32 @@ class ObjectBase:
     def _need_alive(self) -> None:
         """Refuse the use of an object that is gone."""
 
-    def _property(self, name: str) -> Prop:
-        prop = type(self)._properties.get(name)
+    @classmethod
+    def _property(cls, name: str) -> tuple[str, Prop]:
+        """A property by its Python name, or by its C++ name, as Unreal finds it too."""
+        prop = cls._properties.get(name)
+        if prop is None:
+            wanted = name.casefold()
+            for own, each in cls._properties.items():
+                if wanted in (camel(own).casefold(), f"b{camel(own)}".casefold() if each.kind == "bool" else ""):
+                    name, prop = own, each
         if prop is None or not prop.scripts:
-            raise Exception(f"{type(self).__name__}: failed to find property '{name}' for attribute '{name}' "
-                            f"on '{type(self).__name__}'")
-        return prop
+            raise Exception(f"{cls.__name__}: Failed to find property '{name}' for attribute '{name}' "
+                            f"on '{cls.__name__}'")
+        return name, prop
 
     def get_editor_property(self, name: str | Name) -> Any:
-        """Value of an editor property (snake_case name); structs are copies."""
-        need(name, "str", f"{type(self).__name__}.get_editor_property")
-        return self._read(str(name), self._property(str(name)))
+        """Value of an editor property; structs and arrays are copies."""
+        return self._read(*self._property(str(need(name, "str", f"{type(self).__name__}.get_editor_property"))))
 
-    def set_editor_property(self, name: str | Name, value: Any, notify_mode: Any = None) -> None:
-        """Set an editor property (snake_case name)."""
-        need(name, "str", f"{type(self).__name__}.set_editor_property")
-        self._write(str(name), self._property(str(name)), value)
+    def set_editor_property(self, name: str | Name, value: Any,
+                            notify_mode: PropertyAccessChangeNotifyMode = PropertyAccessChangeNotifyMode.DEFAULT
+                            ) -> None:
+        """Set an editor property."""
+        own, prop = self._property(str(need(name, "str", f"{type(self).__name__}.set_editor_property")))
+        self._write(own, prop, value)
 
-    def set_editor_properties(self, properties: dict[str, Any]) -> None:
+    def set_editor_properties(self, properties: Mapping[str, Any]) -> None:
         """Set several editor properties."""
         for name, value in properties.items():
             self.set_editor_property(name, value)
@@ -119,12 +133,16 @@ def converted(value: Any, kind: str) -> Any:
         return value
     if kind == "float":
         return float(value)
+    if kind == "int":
+        return int(value)
     if kind == "bool":
         return bool(value)
     if kind == "Name":
         return Name(str(value))
     if kind == "str":
         return str(value)
+    if kind == "Text":
+        return Text(str(value))
     if kind == "Class" and isinstance(value, type):
         return value.static_class()  # type: ignore[attr-defined]
     if kind.startswith("Sequence"):

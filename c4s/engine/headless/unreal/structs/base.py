@@ -4,9 +4,14 @@
 
 from __future__ import annotations
 
+import inspect
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from c4s.engine.headless.unreal.core import Prop, converted, copied, need
+from c4s.engine.headless.unreal.containers import Name
+from c4s.engine.headless.unreal.core import TYPES, Prop, camel, converted, copied, need
+from c4s.engine.headless.unreal.core.enumeration import PropertyAccessChangeNotifyMode
+from c4s.engine.headless.unreal.structs.text import read_text, write_text
 
 
 class StructBase:
@@ -35,6 +40,31 @@ class StructBase:
                 object.__setattr__(self, name, default)
 
     @classmethod
+    def _from_parts(cls, parts: Any) -> Any:
+        """A struct of a sequence of constructor arguments, or of a mapping of its fields, as Unreal converts them."""
+        if isinstance(parts, Mapping):
+            made = cls()
+            for name, value in parts.items():
+                made.set_editor_property(str(name), value)
+            return made
+        limit = len(inspect.signature(cls.__init__).parameters) - 1 if "__init__" in cls.__dict__ else len(cls._fields)
+        limit = limit if cls._takes is None else cls._takes
+        if len(parts) > limit:
+            raise TypeError(f"{cls.__name__}: Struct has {limit} initialization parameters, but the given sequence had "
+                            f"{len(parts)} elements")
+        return cls(*parts)
+
+    @classmethod
+    def cast(cls, object: Any) -> Any:
+        """A copy of a struct, or a struct of a sequence or mapping; ``TypeError`` for anything else."""
+        return copied(need(object, cls.__name__, f"Cannot cast type '{type(object).__name__}' to '{cls.__name__}'"))
+
+    @classmethod
+    def static_struct(cls) -> Any:
+        """The struct's type as an object."""
+        return TYPES["ScriptStruct"]._make(cls.__name__, None)  # type: ignore[attr-defined]
+
+    @classmethod
     def _of_fields(cls, *values: Any) -> Any:
         """A struct with its first fields set, whatever its constructor takes."""
         made = cls()
@@ -50,7 +80,10 @@ class StructBase:
 
     def _put(self, name: str, value: Any) -> None:
         prop = self._fields[name]
-        need(value, prop.kind, f"{type(self).__name__}: property '{name}'")
+        if type(value).__name__ != prop.kind:
+            owner = type(self).__name__
+            value = need(value, prop.kind, f"{owner}: Failed to convert type '{type(value).__name__}' to property "
+                                           f"'{camel(name)}' for attribute '{name}' on '{owner}'", name)
         object.__setattr__(self, name, converted(value, prop.kind))
 
     def __getattr__(self, name: str) -> Any:
@@ -85,12 +118,14 @@ class StructBase:
         """All fields in order."""
         return tuple(self.__dict__[n] for n in self._fields)
 
-    def get_editor_property(self, name: str) -> Any:
+    def get_editor_property(self, name: str | Name) -> Any:
         """A field by name."""
         self._known(name)
         return copied(self.__dict__[str(name)])
 
-    def set_editor_property(self, name: str, value: Any, notify_mode: Any = None) -> None:
+    def set_editor_property(self, name: str | Name, value: Any,
+                            notify_mode: PropertyAccessChangeNotifyMode = PropertyAccessChangeNotifyMode.DEFAULT
+                            ) -> None:
         """Set a field by name."""
         self._known(name)
         self._put(str(name), value)
@@ -98,11 +133,21 @@ class StructBase:
     def _known(self, name: object) -> None:
         prop = self._fields.get(str(name))
         if prop is None or not prop.scripts:
-            raise Exception(f"{type(self).__name__}: failed to find property '{name}'")
+            owner = type(self).__name__
+            raise Exception(f"{owner}: Failed to find property '{name}' for attribute '{name}' on '{owner}'")
+
+    def set_editor_properties(self, properties: Mapping[str, Any]) -> None:
+        """Set several fields by name."""
+        for name, value in properties.items():
+            self.set_editor_property(name, value)
+
+    def import_text(self, content: str) -> bool:
+        """Read the fields of Unreal's text form, ``(X=1.0,Y=2.0)``; False (and nothing set) when it is none."""
+        return read_text(self, content)
 
     def export_text(self) -> str:
         """Unreal's text form."""
-        return "(" + ",".join(f"{_camel(n)}={_text(self.__dict__[n])}" for n in self._fields) + ")"
+        return "(" + ",".join(f"{camel(n)}={write_text(self.__dict__[n])}" for n in self._fields) + ")"
 
 
 class ClosedStruct(StructBase):
@@ -114,13 +159,3 @@ class ClosedStruct(StructBase):
             if prop is not None and not prop.attribute:
                 raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
         return super().__getattribute__(name)
-
-
-def _camel(name: str) -> str:
-    return "".join(part.capitalize() for part in name.split("_"))
-
-
-def _text(value: Any) -> str:
-    if isinstance(value, StructBase):
-        return value.export_text()
-    return f"{value:.6f}" if isinstance(value, float) else str(value)

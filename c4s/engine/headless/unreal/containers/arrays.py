@@ -1,66 +1,12 @@
-"""Name, Text and Array: Unreal's own types, which are not Python's ``str`` and ``list``."""
+"""Array and FixedArray."""
 
 from __future__ import annotations
 
+import types
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, TypeVar
+from typing import Any
 
-Self = TypeVar("Self", bound="_Word")
-
-
-class _Word:
-    """An immutable piece of text that compares with ``str`` but is none."""
-
-    __slots__ = ("_text",)
-
-    def __init__(self, value: object = "") -> None:
-        if not isinstance(value, (str, _Word)):
-            raise TypeError(f"{type(self).__name__}: cannot convert type '{type(value).__name__}' to str")
-        self._text = str(value)
-
-    def __str__(self) -> str:
-        return self._text
-
-    def __len__(self) -> int:
-        return len(self._text)
-
-
-class Name(_Word):
-    """FName: compares without case; the empty name is ``None``."""
-
-    __slots__ = ()
-
-    def __init__(self, value: object = "None") -> None:
-        super().__init__(value)
-        self._text = self._text or "None"
-
-    def __repr__(self) -> str:
-        return f'Name("{self._text}")'
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, (str, Name)) and str(other).casefold() == self._text.casefold()
-
-    def __hash__(self) -> int:
-        return hash(self._text.casefold())
-
-    def is_none(self) -> bool:
-        """Whether this is the empty name."""
-        return self._text == "None"
-
-
-class Text(_Word):
-    """FText."""
-
-    __slots__ = ()
-
-    def __repr__(self) -> str:
-        return f'Text("{self._text}")'
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, (str, Text)) and str(other) == self._text
-
-    def __hash__(self) -> int:
-        return hash(self._text)
+from c4s.engine.headless.unreal.containers.items import checked, initial, kind_name
 
 
 class Array:
@@ -69,8 +15,11 @@ class Array:
     __slots__ = ("_items", "_kind")
 
     def __init__(self, type: Any) -> None:
-        self._kind = _kind_name(type)
+        self._kind = kind_name(type)
         self._items: list[Any] = []
+
+    def __class_getitem__(cls, *args: Any) -> Any:
+        return types.GenericAlias(cls, args)
 
     @classmethod
     def _of(cls, kind: str, items: Iterable[Any]) -> Array:
@@ -87,10 +36,7 @@ class Array:
         return made
 
     def _checked(self, value: Any) -> Any:
-        from c4s.engine.headless.unreal.core import converted, need
-
-        need(value, self._kind, "Array")
-        return converted(value, self._kind)
+        return checked(value, self._kind, "Array")
 
     def __len__(self) -> int:
         return len(self._items)
@@ -122,8 +68,14 @@ class Array:
         joined.extend(other)
         return joined
 
+    def __mul__(self, count: int) -> Array:
+        return Array._of(self._kind, self._items * count)
+
     def __repr__(self) -> str:
         return repr(self._items)
+
+    def __copy__(self) -> Array:
+        return self.copy()
 
     def copy(self) -> Array:
         """A shallow copy."""
@@ -144,6 +96,10 @@ class Array:
     def remove(self, value: Any) -> None:
         """Remove the first equal item; ``ValueError`` when there is none."""
         self._items.remove(value)
+
+    def clear(self) -> None:
+        """Remove all items."""
+        self._items.clear()
 
     def pop(self, index: int = -1) -> Any:
         """Remove and return."""
@@ -166,13 +122,49 @@ class Array:
         self._items.sort(key=key, reverse=reverse)
 
     def resize(self, len: int) -> None:
-        """Cut to ``len`` items; growing is refused for items without a default."""
-        if len > self.__len__():
-            raise Exception("Array: cannot grow an array of this type")
+        """Cut to ``len`` items, or fill up with defaults."""
         del self._items[len:]
+        self._items += [initial(self._kind) for _ in range(len - self.__len__())]
 
 
-def _kind_name(kind: Any) -> str:
-    if not isinstance(kind, type):
-        raise TypeError(f"Array: cannot convert type '{type(kind).__name__}' to a type")
-    return kind.__name__
+class FixedArray:
+    """A typed array of a length that cannot change."""
+
+    __slots__ = ("_items", "_kind")
+
+    def __init__(self, type: Any, len: int) -> None:
+        self._kind = kind_name(type)
+        self._items = [initial(self._kind) for _ in range(len)]
+
+    def __class_getitem__(cls, *args: Any) -> Any:
+        return types.GenericAlias(cls, args)
+
+    @classmethod
+    def cast(cls, type: Any, obj: Iterable[Any]) -> FixedArray:
+        """A fixed array of ``type`` with the items of ``obj``."""
+        items = list(obj)
+        made = cls(type, len(items))
+        for index, item in enumerate(items):
+            made[index] = item
+        return made
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(list(self._items))
+
+    def __getitem__(self, index: int) -> Any:
+        return self._items[index]
+
+    def __setitem__(self, index: int, value: Any) -> None:
+        self._items[index] = checked(value, self._kind, "FixedArray")
+
+    def __copy__(self) -> FixedArray:
+        return self.copy()
+
+    def copy(self) -> FixedArray:
+        """A shallow copy."""
+        made = FixedArray.__new__(FixedArray)
+        made._kind, made._items = self._kind, list(self._items)
+        return made
