@@ -15,12 +15,15 @@ MANIFEST = "bundle.json"
 
 def _inside(path: str) -> str:
     parts = PurePosixPath(path).parts
-    if not path or path.startswith("/") or "\\" in path or ".." in parts or ":" in parts[0] or "\0" in path:
+    if not parts or path.startswith(("/", "~")) or "\\" in path or ".." in parts or ":" in parts[0] or "\0" in path:
         raise ValueError("paths are relative to the bundle, with '/', without '..'")
     return path
 
 
 BundlePath = Annotated[str, AfterValidator(_inside)]
+Digest = Annotated[str, Field(pattern=r"^[0-9a-fA-F]{64}$")]
+INTEGRITY_LEAVES = ("candidate_snapshot_integrity", "content_and_dependency_parity", "asset_library_manifest_parity")
+"""The three recorded checks of candidate integrity."""
 
 
 class _Part(BaseModel):
@@ -53,8 +56,13 @@ class Integrity(_Part):
     """Recorded integrity: the three checks."""
 
     status: Literal["valid", "invalid"]
-    leaves: dict[str, str] = Field(default_factory=dict)
+    leaves: dict[str, str | None] | None = None
     failure_reason: str | None = None
+
+    def failed_leaf(self) -> str | None:
+        """The first check that is recorded with another status than ``valid``."""
+        recorded = self.leaves or {}
+        return next((name for name in INTEGRITY_LEAVES if recorded.get(name) not in (None, "valid")), None)
 
 
 class Scenes(_Part):
@@ -68,7 +76,7 @@ class Scenes(_Part):
 class Physics(_Part):
     """The recorded report of physical safety."""
 
-    report: BundlePath
+    report: BundlePath | None = None
 
 
 class Semantic(_Part):
@@ -82,7 +90,7 @@ class Overview(_Part):
     """The recorded overview judgement and its four views."""
 
     judgement: BundlePath | None = None
-    views: list[BundlePath] = Field(default_factory=list)
+    views: list[BundlePath] | None = None
 
 
 class Render(_Part):
@@ -99,20 +107,25 @@ class Manifest(Record):
 
     schema_version: Literal["code4scene.bundle.v1"]
     task: Task
-    run: Run = Field(default_factory=Run)
+    run: Run | None = None
     candidate_integrity: Integrity | None = None
     scenes: Scenes | None = None
     physics: Physics | None = None
     semantic: Semantic | None = None
     overview: Overview | None = None
-    renders: list[Render] = Field(default_factory=list)
-    files: dict[BundlePath, str]
+    renders: list[Render] | None = None
+    files: dict[BundlePath, Digest]
     """SHA-256 of every file that is referenced."""
-    notes: str | None = None
+    notes: Any = None
+
+    @property
+    def submitted(self) -> bool:
+        """Whether the run left a submission."""
+        return self.run is None or self.run.submission == "submitted"
 
     def referenced(self) -> set[str]:
         """Paths that the manifest names."""
-        named: list[Any] = [render.path for render in self.renders]
+        named: list[Any] = [render.path for render in self.renders or ()]
         if self.scenes:
             named += [self.scenes.candidate, self.scenes.input, self.scenes.ground_truth]
         if self.physics:
@@ -120,19 +133,22 @@ class Manifest(Record):
         if self.semantic:
             named += [self.semantic.decisions, self.semantic.stage3_plan]
         if self.overview:
-            named += [self.overview.judgement, *self.overview.views]
+            named += [self.overview.judgement, *(self.overview.views or ())]
         return {path for path in named if path}
 
     def lacks(self) -> list[str]:
-        """Fields that a submitted bundle of this setting must have and has not."""
-        if self.run.submission == "missing":
+        """Fields that a submitted bundle of this setting must have and has not.
+
+        A text-to-scene bundle may lack decisions, judgement and snapshot: what they give is then not evaluated, or
+        taken from the recorded report.
+        """
+        if not self.submitted:
             return []
         if self.candidate_integrity is None:
             return ["candidate_integrity"]
         if self.candidate_integrity.status == "invalid":
             return []
-        if self.task.setting == "text-to-scene":
-            return [] if self.semantic and self.semantic.decisions else ["semantic.decisions"]
         scenes = self.scenes or Scenes()
-        missing = [f"scenes.{name}" for name in ("candidate", "input", "ground_truth") if not getattr(scenes, name)]
-        return missing + ([] if self.physics else ["physics.report"])
+        needed = () if self.task.setting == "text-to-scene" else ("candidate", "input", "ground_truth")
+        missing = [f"scenes.{name}" for name in needed if not getattr(scenes, name)]
+        return missing + ([] if self.physics and self.physics.report else ["physics.report"])

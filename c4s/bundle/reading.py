@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import zlib
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -51,8 +52,23 @@ def read_bundle(root: Path) -> EvidenceBundle:
         raise BadInput(f"{unlisted[0]!r} has no digest under 'files'", where=where)
     for path, expected in manifest.files.items():
         if not (root / path).is_file():
-            raise BadInput("a file of the bundle is missing", where=str(root / path))
+            raise BadInput("a file of the bundle is missing", where=str(root / path), todo="copy the whole folder")
         if digest_file(root / path) != expected.lower():
             raise BadInput("a file of the bundle is not the one that was packed: its digest differs",
                            where=str(root / path))
-    return EvidenceBundle(root, manifest)
+    bundle = EvidenceBundle(root, manifest)
+    for path in _replayed_frames(bundle):
+        if path not in manifest.files:
+            raise BadInput(f"{path!r} of the stage 3 plan has no digest under 'files'", where=where)
+    return bundle
+
+
+def _replayed_frames(bundle: EvidenceBundle) -> list[str]:
+    """Pictures that a recorded request schedule would send to a judge again."""
+    plan_path = bundle.manifest.semantic.stage3_plan if bundle.manifest.semantic else None
+    plan = bundle.json(plan_path) if plan_path else None
+    frames = plan.get("frames") if isinstance(plan, Mapping) else None
+    if frames is not None and not (isinstance(frames, Mapping) and all(
+            isinstance(frame, Mapping) and isinstance(frame.get("path"), str) for frame in frames.values())):
+        raise BadInput("the frames of the stage 3 plan have no paths", where=str(bundle.root / str(plan_path)))
+    return [frame["path"] for frame in (frames or {}).values()]

@@ -15,12 +15,13 @@ from c4s.errors import BadInput
 from c4s.run.records import TrialScore
 from c4s.score.case import case_score
 from c4s.score.detailed import detailed_from_report
-from c4s.score.overview import overview_from_report
+from c4s.score.overview import overview_score
 from c4s.score.physics import physics_from_report
 from c4s.score.policy import PHYSICS_POLICY, SEMANTIC_CASE_POLICY
 from c4s.verify.integrity import INTEGRITY_POLICY
 from c4s.verify.overview import POLICY as OVERVIEW_POLICY
 from c4s.verify.repair import repair_verdict
+from c4s.verify.snapshot_schema import scene_fault
 from c4s.verify.support import text_to_scene_support
 from c4s.verify.verdict import Verdict
 
@@ -49,7 +50,7 @@ def score_bundle(bundle: EvidenceBundle, *, minimum_actors: int = MINIMUM_ACTORS
     scenes = manifest.scenes
     candidate = bundle.json(scenes.candidate) if scenes and scenes.candidate else None
     verdicts: dict[str, Verdict] = {}
-    submitted = manifest.run.submission == "submitted"
+    submitted = manifest.submitted
     if submitted:
         verdicts["integrity"] = _integrity(bundle, candidate, minimum_actors)
     if submitted and verdicts["integrity"].status == "valid":
@@ -58,7 +59,8 @@ def score_bundle(bundle: EvidenceBundle, *, minimum_actors: int = MINIMUM_ACTORS
                          "overview": _overview(bundle)}
         else:
             verdicts |= {"physics": _physics(bundle, None), "repair": _repair(bundle, candidate)}
-    score = case_score(case_id=manifest.task.id, setting=setting, configuration=manifest.run.model or "unnamed",
+    model = manifest.run.model if manifest.run else None
+    score = case_score(case_id=manifest.task.id, setting=setting, configuration=model or "unnamed",
                        repeat=1, judge="recorded", engine=_engine(candidate), submitted=submitted, verdicts=verdicts)
     return BundleScore(score, verdicts)
 
@@ -69,32 +71,37 @@ def _engine(candidate: Any) -> str:
 
 
 def _integrity(bundle: EvidenceBundle, candidate: Any, minimum_actors: int) -> Verdict:
-    """The recorded verdict, with actor list and minimum checked again."""
+    """The recorded verdict; of a candidate snapshot the schema and the minimum are checked again."""
     recorded = bundle.manifest.candidate_integrity
     if recorded is None:
         raise BadInput("the bundle has no candidate_integrity", where=str(bundle.root))
-    reason = "" if recorded.status == "valid" else recorded.failure_reason or "invalid"
-    if not reason and candidate is not None:
-        actors = candidate.get("actors") if isinstance(candidate, Mapping) else None
-        if not isinstance(actors, list) or not all(isinstance(actor, Mapping) for actor in actors):
-            reason = "snapshot_schema: there is no list of actors"
-        elif len(actors) < minimum_actors:
-            reason = f"minimum_actors: {len(actors)} of at least {minimum_actors} actors"
+    failed = recorded.failed_leaf()
+    reason = ""
+    if recorded.status == "invalid":
+        reason = recorded.failure_reason or "invalid"
+    elif candidate is not None and (fault := scene_fault(candidate)):
+        reason = f"snapshot_schema: {fault}"
+    elif candidate is not None and len(candidate["actors"]) < minimum_actors:
+        reason = f"minimum_actors: {len(candidate['actors'])} of at least {minimum_actors} actors"
+    elif candidate is not None and failed:
+        reason = f"{failed} is recorded as {(recorded.leaves or {})[failed]!r}"
     return Verdict(verifier="integrity", status="invalid" if reason else "valid", policy=INTEGRITY_POLICY,
-                   measurements={"leaves": recorded.leaves}, reason=reason)
+                   measurements={"leaves": recorded.leaves or {}}, reason=reason)
 
 
 def _physics(bundle: EvidenceBundle, scene: Any) -> Verdict:
-    """From the recorded report; a text-to-scene snapshot gives the support leaf anew."""
+    """From the recorded report; a text-to-scene snapshot with a tested actor gives the support leaf anew."""
     recorded = bundle.manifest.physics
-    report = bundle.json(recorded.report) if recorded else None
+    report = bundle.json(recorded.report) if recorded and recorded.report else None
+    if report is not None and not isinstance(report, Mapping):
+        raise BadInput("the physics report is not an object", where=str(bundle.root))
     rate = None
     if scene is not None:
         try:
             rate = text_to_scene_support(scene).rate
         except ValueError as error:
             raise BadInput(f"support cannot be measured: {error}", where=str(bundle.root)) from None
-    total = physics_from_report(report, rate)
+    total = physics_from_report(report, rate, whole_scene=bundle.manifest.task.setting == "text-to-scene")
     return Verdict(verifier="physics", status="measured", score=total["score"], policy=PHYSICS_POLICY,
                    measurements={"leaves": total["leaves"], "floating_source": total["floating_source"]})
 
@@ -118,18 +125,22 @@ def _semantic(verifier: str, policy: str, made: Mapping[str, Any]) -> Verdict:
 
 def _detailed(bundle: EvidenceBundle) -> Verdict:
     semantic = bundle.manifest.semantic
-    found = bundle.json(semantic.decisions) if semantic and semantic.decisions else None
-    if not isinstance(found, Mapping) or not isinstance(found.get("decisions"), list):
+    found = bundle.json(semantic.decisions) if semantic and semantic.decisions else {"decisions": []}
+    document = {"report_status": "measured", "decisions": found} if isinstance(found, list) else found
+    if not isinstance(document, Mapping) or not isinstance(document.get("decisions") or [], list):
         raise BadInput("the decisions are not {\"report_status\", \"decisions\": [...]}", where=str(bundle.root))
     return _semantic("detailed", SEMANTIC_CASE_POLICY, detailed_from_report(
-        {"status": found.get("report_status"),
-         "metrics": {"semantic_requirement_aggregation": found["decisions"]}}))
+        {"status": document.get("report_status"),
+         "metrics": {"semantic_requirement_aggregation": document.get("decisions")}}))
 
 
 def _overview(bundle: EvidenceBundle) -> Verdict:
     overview = bundle.manifest.overview
     found = bundle.json(overview.judgement) if overview and overview.judgement else None
-    if found is not None and not isinstance(found, Mapping):
-        raise BadInput("the overview judgement is not an object", where=str(bundle.root))
-    metrics = {} if found is None else {**found, "dimensions": found.get("dimension_scores")}
-    return _semantic("overview", OVERVIEW_POLICY, overview_from_report({"status": "measured", "metrics": metrics}))
+    if not found:
+        return _semantic("overview", OVERVIEW_POLICY, {"status": "missing", "score": None})
+    if not isinstance(found, Mapping) or not isinstance(found.get("dimension_scores"), Mapping):
+        raise BadInput("the overview judgement has no dimension_scores", where=str(bundle.root))
+    return _semantic("overview", OVERVIEW_POLICY, overview_score(
+        found["dimension_scores"], found.get("structural_integrity_score"),
+        bool(found.get("severe_structural_cap_eligible"))))

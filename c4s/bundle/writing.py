@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from c4s.bundle.manifest import MANIFEST, Manifest
+from c4s.bundle.manifest import INTEGRITY_LEAVES, MANIFEST, Manifest
 from c4s.errors import BadInput
 from c4s.files import digest_file, write_json
 from c4s.run.folder import TrialFolder
@@ -17,7 +17,6 @@ from c4s.verify.verdict import Verdict
 
 _LEAF_OF_REASON = {"unresolved_dependencies": "content_and_dependency_parity",
                    "manifest_disagreement": "asset_library_manifest_parity"}
-_LEAVES = ("candidate_snapshot_integrity", "content_and_dependency_parity", "asset_library_manifest_parity")
 
 
 class _Writer:
@@ -75,6 +74,9 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
         value["run"]["submission"] = "missing"
     else:
         integrity = Verdict.read(folder.verdict("integrity"))
+        if score.status == "pending" or integrity.status not in ("valid", "invalid"):
+            raise BadInput(f"the trial has no score yet: {score.reason or integrity.reason}",
+                           where=str(folder.root), todo="finish the run first")
         value["candidate_integrity"] = _integrity(integrity)
         if integrity.status == "valid":
             value |= _evidence(writer, folder, score, withheld)
@@ -84,7 +86,7 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
 
 
 def _integrity(verdict: Verdict) -> dict[str, Any]:
-    leaves = dict.fromkeys(_LEAVES, "valid")
+    leaves = dict.fromkeys(INTEGRITY_LEAVES, "valid")
     if verdict.status != "valid":
         code = str(verdict.measurements.get("reason_code"))
         leaves[_LEAF_OF_REASON.get(code, "candidate_snapshot_integrity")] = "invalid"
@@ -107,15 +109,18 @@ def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld:
         scenes["ground_truth"] = writer.copy("scenes/ground_truth.scene.json", withheld / "truth.snapshot.json")
         return value
     detailed = Verdict.read(folder.verdict("detailed"))
-    value["semantic"] = {"decisions": writer.json("semantic/decisions.json", {
-        "report_status": detailed.status,
-        "decisions": detailed.measurements.get("semantic_requirement_aggregation", [])})}
+    rows = detailed.measurements.get("semantic_requirement_aggregation", [])
+    if detailed.measurements.get("judge") == "rule":
+        rows = [{**row, "resolved_by": "structured"} for row in rows]
+    value["semantic"] = {"decisions": writer.json("semantic/decisions.json",
+                                                  {"report_status": detailed.status, "decisions": rows})}
     views = [writer.copy(f"renders/overview/view_{n}.png", folder.evidence / "captures" / f"overview-{n}.png")
              for n in range(1, OVERVIEW_VIEWS + 1)]
     value["overview"] = {"views": views}
     overview = Verdict.read(folder.verdict("overview"))
     if overview.status == "measured":
         value["overview"]["judgement"] = writer.json("overview/judgement.json", {
+            "status": "measured", "recorded_score": overview.score,
             "dimension_scores": {name: row["score"] for name, row in overview.measurements["dimensions"].items()},
             "structural_integrity_score": overview.measurements["structural_integrity_score"],
             "severe_structural_cap_eligible": overview.measurements["severe_structural_cap_eligible"]})

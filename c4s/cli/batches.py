@@ -1,37 +1,47 @@
-"""JSON-lines files for the batch commands: plain or gzip, one row in, one line out."""
+"""JSON-lines files for the batch commands: plain or gzip, one row in, one line out. Nothing is held but the row."""
 
 from __future__ import annotations
 
 import gzip
 import json
 import sys
+import zlib
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput
 
+Row = dict[str, Any]
 
-def read_rows(path: Path) -> Iterator[dict[str, Any]]:
-    """Rows of a JSON-lines file, gzip or not. ``BadInput`` names the first line that is no object."""
+
+def _lines(path: Path) -> Iterator[bytes]:
+    """Lines that are not blank. Raises ``BadInput`` when the file is missing, cut off or no gzip file inside."""
     if not path.is_file():
         raise BadInput("no such file", where=str(path))
     with path.open("rb") as raw:
-        zipped = raw.read(2) == b"\x1f\x8b"
-    opened: Any = gzip.open if zipped else open
+        opened: Any = gzip.open if raw.read(2) == b"\x1f\x8b" else open
     try:
-        with opened(path, "rt", encoding="utf-8") as lines:
-            for number, line in enumerate(lines, start=1):
-                if line.strip():
-                    row = json.loads(line)
-                    if not isinstance(row, dict):
-                        raise BadInput("not a JSON object", where=f"{path}:{number}")
-                    yield row
-    except (ValueError, EOFError, OSError) as error:
-        raise BadInput(f"not JSON lines: {error}", where=str(path)) from None
+        with opened(path, "rb") as lines:
+            yield from (line for line in lines if line.strip())
+    except (EOFError, OSError, zlib.error) as error:
+        raise BadInput(f"cannot read this file to its end: {error}", where=str(path), todo="is it complete?") from None
 
 
-def write_rows(path: Path, verify: Callable[[Iterable[dict[str, Any]]], Iterator[dict[str, Any]]]) -> None:
-    """Print one JSON line a row of the file."""
-    for result in verify(read_rows(path)):
-        sys.stdout.write(json.dumps(result, ensure_ascii=False) + "\n")
+def read_rows(path: Path) -> Iterator[Row | BadInput]:
+    """Rows of a JSON-lines file, gzip or not, one at a time; for a line that is no JSON object, what is wrong."""
+    for number, line in enumerate(_lines(path), start=1):
+        try:
+            row = json.loads(line)
+        except (ValueError, RecursionError) as error:
+            yield BadInput(f"row {number} is not JSON: {error}")
+            continue
+        yield row if isinstance(row, dict) else BadInput(f"row {number} is not a JSON object")
+
+
+def write_rows(path: Path, verify: Callable[[Iterable[Row]], Iterator[Row]]) -> None:
+    """Print one JSON line a row of the file, in order, each as soon as it is known."""
+    for row in read_rows(path):
+        results = [{"name": None, "error": row.line()}] if isinstance(row, BadInput) else verify((row,))
+        for result in results:
+            sys.stdout.write(json.dumps(result) + "\n")

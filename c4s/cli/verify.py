@@ -47,6 +47,8 @@ def repair(start: Annotated[Path | None, typer.Option("--input", help="snapshot 
     from c4s.verify.repair import verify_repair
 
     if batch is not None:
+        if start or truth or candidate:
+            raise BadInput("give either --batch FILE or the three scenes")
         write_rows(batch, repair_batch)
         return
     _print(verify_repair(_given(start, "--input"), _given(truth, "--truth"), _given(candidate, "--candidate")),

@@ -34,15 +34,29 @@ def setting_of(text: Any) -> Setting:
 
 @dataclass(frozen=True, slots=True)
 class CaseRow:
-    """One scheduled contribution of a model. ``score`` is None while it is not resolved."""
+    """One scheduled contribution of a model, as given."""
 
-    model: str
     setting: Setting
     case_id: str
-    zero: bool
-    score: float | None
-    rates: Mapping[str, float | None]
-    """``repair_f1``, ``precision``, ``recall``, ``physics``; zeros for a zero row, None where absent."""
+    status: str
+    given: Mapping[str, Any]
+
+    @property
+    def zero(self) -> bool:
+        """Whether the status forces a zero, whatever the row says."""
+        return self.status in ZERO_STATUSES
+
+    @property
+    def resolved(self) -> bool:
+        """Whether it has a final score."""
+        return self.zero or self.status in MEASURED_STATUSES
+
+    def number(self, name: str, where: str) -> float | None:
+        """``score`` or a rate: zero for a zero row, None for a rate that is not given. Raises ``BadInput``."""
+        if self.zero:
+            return 0.0
+        value = self.given.get(name)
+        return None if name != "score" and value in (None, "") else _number(value, name, where)
 
 
 def _number(value: Any, name: str, where: str) -> float:
@@ -55,30 +69,21 @@ def _number(value: Any, name: str, where: str) -> float:
     return number
 
 
-def _rate(value: Any, name: str, where: str) -> float | None:
-    return None if value is None or value == "" else _number(value, name, where)
-
-
-def _case_row(row: Mapping[str, Any]) -> CaseRow:
-    model, case_id = str(row.get("model") or "").strip(), str(row.get("case_id") or "").strip()
-    if not model or not case_id:
-        raise BadInput("a case row needs 'model' and 'case_id'")
-    where = f"{model}/{case_id}"
-    status = str(row.get("status") or "measured")
-    if status in ZERO_STATUSES:
-        if row.get("score") is not None:
-            _number(row["score"], "score", where)
-        return CaseRow(model, setting_of(row.get("setting")), case_id, True, 0.0, dict.fromkeys(_RATES.values(), 0.0))
-    score = _number(row.get("score"), "score", where)
-    rates = {name: _rate(row.get(name), name, where) for name in _RATES.values()}
-    if status not in MEASURED_STATUSES:
-        return CaseRow(model, setting_of(row.get("setting")), case_id, False, None, dict.fromkeys(rates))
-    return CaseRow(model, setting_of(row.get("setting")), case_id, False, score, rates)
+def _case_row(row: Any) -> tuple[str, CaseRow]:
+    if not isinstance(row, Mapping):
+        raise BadInput("a case row must be a JSON object")
+    missing = [name for name in ("model", "case_id", "setting") if row.get(name) in (None, "")]
+    if missing:
+        raise BadInput(f"a case row needs {', '.join(missing)}")
+    return str(row["model"]), CaseRow(setting_of(row["setting"]), str(row["case_id"]),
+                                      str(row.get("status") or "measured"), row)
 
 
 def _schedule(given: Mapping[str, Sequence[str]] | None, rows: Iterable[CaseRow]) -> dict[Setting, list[str]]:
     """Case ids by setting: as scheduled, else all that any model has."""
     schedule: dict[Setting, list[str]] = {}
+    if given is not None and not isinstance(given, Mapping):
+        raise BadInput("a schedule must be case ids by setting")
     if given is None:
         seen: dict[Setting, set[str]] = defaultdict(set)
         for row in rows:
@@ -86,8 +91,8 @@ def _schedule(given: Mapping[str, Sequence[str]] | None, rows: Iterable[CaseRow]
         return {setting: sorted(seen[setting]) for setting in SETTINGS if setting in seen}
     for name, cases in given.items():
         setting = setting_of(name)
-        if not cases:
-            raise BadInput(f"the schedule of {setting} is empty")
+        if not isinstance(cases, (list, tuple)) or not cases or not all(isinstance(case, str) for case in cases):
+            raise BadInput(f"the schedule of {setting} must be a list of case ids that is not empty")
         if len(set(cases)) != len(cases):
             raise BadInput(f"the schedule of {setting} names a case twice")
         schedule[setting] = list(cases)
@@ -95,11 +100,13 @@ def _schedule(given: Mapping[str, Sequence[str]] | None, rows: Iterable[CaseRow]
 
 
 def _pool(*groups: Sequence[float] | None) -> float | None:
-    """Mean over several groups of case values, each case once; None when a group is not complete."""
+    """Mean over one or several groups of case values, each case once; None when a group is not complete."""
     means = [(len(group), mean(group)) for group in groups if group]
     if len(means) < len(groups):
         return None
-    return sum(size * value for size, value in means) / sum(size for size, _ in means)
+    if len(means) == 1:
+        return means[0][1]
+    return math.fsum(size * value for size, value in means) / sum(size for size, _ in means)
 
 
 def _percent(value: float | None) -> float | None:
@@ -112,31 +119,36 @@ def _complete(values: Iterable[float | None]) -> list[float] | None:
     return known if len(known) == len(items) else None
 
 
+def _values(rows: Sequence[CaseRow], model: str) -> dict[str, list[float] | None]:
+    """Scores and rates of a setting's rows; None for what is not complete. Every score must be a number in [0, 1]."""
+    scores = [row.number("score", f"{model}/{row.case_id}") for row in rows]
+    if not rows or not all(row.resolved for row in rows):
+        return dict.fromkeys(("score", *_RATES.values()))
+    rates = {name: _complete(row.number(name, f"{model}/{row.case_id}") for row in rows)
+             for name in _RATES.values()} if rows[0].setting != _T2S else {}
+    return dict.fromkeys(_RATES.values()) | rates | {"score": _complete(scores)}
+
+
 def _model_row(model: str, schedule: Mapping[Setting, Sequence[str]], rows: Mapping[tuple[Setting, str], CaseRow],
                missing_as_zero: bool) -> dict[str, Any]:
-    contributions: dict[Setting, list[CaseRow]] = {}
-    unresolved: list[str] = []
-    for setting in SETTINGS:
-        contributions[setting] = []
-        for case_id in schedule.get(setting, ()):
-            row = rows.get((setting, case_id)) or CaseRow(
-                model, setting, case_id, missing_as_zero, 0.0 if missing_as_zero else None,
-                dict.fromkeys(_RATES.values(), 0.0 if missing_as_zero else None))
-            contributions[setting].append(row)
-            if row.score is None:
-                unresolved.append(f"{setting}:{case_id}")
-    scores = {setting: _complete(row.score for row in contributions[setting]) or None for setting in SETTINGS}
-    means = {setting: mean(values) if values else None for setting, values in scores.items()}
+    absent = "zero_missing_result" if missing_as_zero else "unresolved"
+    contributions: dict[Setting, list[CaseRow]] = {setting: [] for setting in SETTINGS}
+    for setting, cases in schedule.items():
+        contributions[setting] = [rows.get((setting, case_id)) or CaseRow(setting, case_id, absent, {"score": 0.0})
+                                  for case_id in cases]
+    unresolved = [f"{setting}:{row.case_id}" for setting in schedule for row in contributions[setting]
+                  if not row.resolved]
+    values = {setting: _values(contributions[setting], model) for setting in SETTINGS}
 
     def rate(name: str, *settings: Setting) -> float | None:
-        return _pool(*(_complete(row.rates[name] for row in contributions[setting]) for setting in settings))
+        return _pool(*(values[setting][name] for setting in settings))
 
-    i2s = _pool(scores[_INDOOR], scores[_OUTDOOR])
-    t2s = means[_T2S]
-    total = (None if t2s is None or i2s is None else MODEL_WEIGHTS["t2s"] * t2s + MODEL_WEIGHTS["i2s"] * i2s)
+    t2s, i2s = rate("score", _T2S), rate("score", _INDOOR, _OUTDOOR)
+    total = None if t2s is None or i2s is None else MODEL_WEIGHTS["t2s"] * t2s + MODEL_WEIGHTS["i2s"] * i2s
     return {
         "model": model, "model_score": total, "model_score_100": _percent(total), "t2s_score": t2s, "i2s_score": i2s,
-        "i2s_score_100": _percent(i2s), "indoor_i2s_score": means[_INDOOR], "outdoor_i2s_score": means[_OUTDOOR],
+        "i2s_score_100": _percent(i2s), "indoor_i2s_score": rate("score", _INDOOR),
+        "outdoor_i2s_score": rate("score", _OUTDOOR),
         "indoor_f1_case_macro": rate("repair_f1", _INDOOR), "outdoor_f1_case_macro": rate("repair_f1", _OUTDOOR),
         **{f"i2s_{short}_case_macro": rate(name, _INDOOR, _OUTDOOR) for short, name in _RATES.items()},
         "indoor_physics_case_macro": rate("physics", _INDOOR), "outdoor_physics_case_macro": rate("physics", _OUTDOOR),
@@ -153,7 +165,7 @@ def ranks(values: Sequence[float | None]) -> list[int | None]:
     return [None if value is None else 1 + sum(other > value for other in known) for value in values]
 
 
-def aggregate(rows: Iterable[Mapping[str, Any]], schedule: Mapping[str, Sequence[str]] | None = None,
+def aggregate(rows: Sequence[Mapping[str, Any]], schedule: Mapping[str, Sequence[str]] | None = None,
               missing_as_zero: bool = True) -> list[dict[str, Any]]:
     """Model scores of case rows, best first.
 
@@ -163,22 +175,25 @@ def aggregate(rows: Iterable[Mapping[str, Any]], schedule: Mapping[str, Sequence
     Args:
         rows: ``{"model", "setting", "case_id", "status", "score"}`` and optionally ``repair_f1``, ``precision``,
             ``recall``, ``physics``. Statuses that force a zero do so whatever the score says.
-        schedule: case ids by setting; None takes every case that any model has.
+        schedule: case ids by setting; None takes every case that any model has. Rows of a setting that is not
+            scheduled at all do not count.
         missing_as_zero: a scheduled case without a row is a zero; else it is unresolved.
 
     Raises:
-        BadInput: a row twice, a row that is not scheduled, an unknown setting, or a score outside [0, 1].
+        BadInput: a row twice, a case that its setting's schedule lacks, an unknown setting, or a score outside [0, 1].
     """
+    if not isinstance(rows, (list, tuple)):
+        raise BadInput("case rows must be a list")
     parsed = [_case_row(row) for row in rows]
-    cases = _schedule(schedule, parsed)
+    cases = _schedule(schedule, (row for _, row in parsed))
     models: dict[str, dict[tuple[Setting, str], CaseRow]] = defaultdict(dict)
-    for row in parsed:
-        key, where = (row.setting, row.case_id), f"{row.model} / {row.setting} / {row.case_id}"
-        if key in models[row.model]:
+    for model, row in parsed:
+        key, where = (row.setting, row.case_id), f"{model} / {row.setting} / {row.case_id}"
+        if key in models[model]:
             raise BadInput("duplicate case row", where=where)
-        if row.case_id not in cases.get(row.setting, ()):
+        if row.setting in cases and row.case_id not in cases[row.setting]:
             raise BadInput("this case is not scheduled", where=where)
-        models[row.model][key] = row
+        models[model][key] = row
     table = [_model_row(model, cases, found, missing_as_zero) for model, found in models.items()]
     for name, score in (("model_rank", "model_score"), ("i2s_rank", "i2s_score")):
         for line, rank in zip(table, ranks([line[score] for line in table]), strict=True):

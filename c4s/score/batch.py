@@ -9,27 +9,29 @@ from c4s.errors import BadInput
 from c4s.score.aggregate import aggregate
 from c4s.score.case import i2s_case, t2s_case
 from c4s.score.detailed import detailed_from_report, detailed_score
+from c4s.score.families import attach_families, families_from_graph
+from c4s.score.numbers import record
 from c4s.score.overview import overview_from_report, overview_score
 from c4s.score.physics import physics_from_report
-from c4s.score.requirements import attach_families, families_from_graph, protocol_detailed, semantic_case
+from c4s.score.requirements import protocol_detailed, semantic_case
 
 Answer = dict[str, Any] | list[dict[str, Any]]
 
 
 def _t2s_case(row: Mapping[str, Any]) -> Answer:
-    return t2s_case(valid=row.get("valid") is True, detailed=row.get("detailed"), overview=row.get("overview"),
+    return t2s_case(valid=bool(row.get("valid")), detailed=row.get("detailed"), overview=row.get("overview"),
                     physics=row.get("physics"))
 
 
 def _i2s_case(row: Mapping[str, Any]) -> Answer:
-    return i2s_case(valid=row.get("valid") is True, repair_f1=row.get("repair_f1"), physics=row.get("physics_score"))
+    return i2s_case(valid=bool(row.get("valid")), repair_f1=row.get("repair_f1"), physics=row.get("physics_score"))
 
 
 def _overview(row: Mapping[str, Any]) -> Answer:
     dimensions = row.get("dimension_scores")
     if not isinstance(dimensions, Mapping):
         raise BadInput("overview judgement needs 'dimension_scores'")
-    return overview_score(dimensions, row.get("structural_score"), row.get("severe_cap_eligible") is True)
+    return overview_score(dimensions, row.get("structural_score"), bool(row.get("severe_cap_eligible")))
 
 
 def _semantic(row: Mapping[str, Any]) -> Answer:
@@ -38,7 +40,7 @@ def _semantic(row: Mapping[str, Any]) -> Answer:
 
 
 def _graph(row: Mapping[str, Any]) -> Answer:
-    graph = row.get("graph") or {}
+    graph = record(row.get("graph"), "graph")
     return {"family_map": families_from_graph(graph), "attached": attach_families(graph, row.get("requirements") or [])}
 
 
@@ -50,7 +52,7 @@ KINDS: dict[str, Callable[[Mapping[str, Any]], Answer]] = {
     "detailed_report": lambda row: detailed_from_report(row.get("report")),
     "semantic_case": _semantic, "semantic_graph": _graph,
     "model": lambda row: aggregate(row.get("rows") or [], row.get("schedule"),
-                                   row.get("missing_as_zero", True) is not False)}
+                                   bool(row.get("missing_as_zero", True)))}
 """What each kind of row asks for."""
 
 
@@ -67,6 +69,8 @@ def score_row(row: Any) -> dict[str, Any]:
         answer = KINDS[kind](given)
     except BadInput as error:
         return {"name": name, "error": error.line()}
+    except RecursionError:
+        return {"name": name, "error": "requirements are nested too deep"}
     return {"name": name, "models": answer} if isinstance(answer, list) else {"name": name, **answer}
 
 

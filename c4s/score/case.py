@@ -23,7 +23,10 @@ def t2s_case(*, valid: bool, detailed: Any, overview: Any, physics: Any,
     values = {name: unit_number(value) for name, value in given.items()}
     missing = [name for name, value in values.items() if value is None]
     used = {name: value or 0.0 for name, value in values.items()}
-    score = round(sum(weight * used[name] for name, weight in weights.items()), T2S_DIGITS)
+    total = 0.0
+    for name, weight in weights.items():
+        total += weight * used[name]
+    score = round(total, T2S_DIGITS)
     return {"policy": T2S_POLICY, "status": "measured_with_missing_zero" if missing else "measured",
             "missing_components": missing, "score": score, **used}
 

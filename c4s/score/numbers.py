@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from c4s.errors import BadInput
@@ -28,3 +28,32 @@ def mean(values: Iterable[float]) -> float:
     """Arithmetic mean by an exact sum; the values must not be empty."""
     items = list(values)
     return math.fsum(items) / len(items)
+
+
+def weighted_mean(pairs: Iterable[tuple[float, float]]) -> float:
+    """Mean of ``(weight, value)`` pairs, summed in their order. ``BadInput`` when the weights sum to zero."""
+    weights = values = 0.0
+    for weight, value in pairs:
+        weights += weight
+        values += weight * value
+    if weights == 0:
+        raise BadInput("weights sum to zero")
+    return values / weights
+
+
+def record(value: Any, name: str) -> Mapping[str, Any]:
+    """A section of a report: the object, or an empty one for null. ``BadInput`` for anything else."""
+    if isinstance(value, Mapping):
+        return value
+    if value:
+        raise BadInput(f"{name} must be a JSON object")
+    return {}
+
+
+def records(value: Any, name: str) -> list[Mapping[str, Any]]:
+    """A list of objects, empty for null. ``BadInput`` for anything else."""
+    if not value:
+        return []
+    if not isinstance(value, (list, tuple)) or not all(isinstance(item, Mapping) for item in value):
+        raise BadInput(f"{name} must be a list of JSON objects")
+    return list(value)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.score.numbers import unit_number
+from c4s.score.numbers import record, unit_number
 from c4s.score.policy import (
     OVERVIEW_VIEWS,
     OVERVIEW_WEIGHTS,
@@ -55,14 +55,12 @@ def severe_cap_eligible(*, severe: bool, confidence: float, views: list[int], ca
 
 def overview_from_report(report: Any) -> dict[str, Any]:
     """Overview score recomputed from a recorded report; ``{"status", "score": None}`` when it cannot be used."""
-    if not isinstance(report, Mapping):
-        return {"status": "missing", "score": None}
+    report = record(report, "report")
+    metrics = record(report.get("metrics"), "metrics")
+    dimensions = record(metrics.get("dimensions"), "dimensions")
     status = report.get("status")
-    metrics = report.get("metrics")
-    metrics = metrics if isinstance(metrics, Mapping) else {}
-    dimensions = metrics.get("dimensions")
-    if str(status or "").lower() in UNUSABLE_STATUSES or not isinstance(dimensions, Mapping) or not dimensions:
+    if str(status or "").casefold() in UNUSABLE_STATUSES or not dimensions:
         return {"status": str(status or "missing"), "score": None}
-    scores = {name: row.get("score") if isinstance(row, Mapping) else row for name, row in dimensions.items()}
-    return overview_score(scores, metrics.get("structural_integrity_score"),
-                          metrics.get("severe_structural_cap_eligible") is True)
+    return overview_score({name: record(row, name).get("score") for name, row in dimensions.items()},
+                          metrics.get("structural_integrity_score"),
+                          bool(metrics.get("severe_structural_cap_eligible")))

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.files import canonical_json
-from c4s.score.detailed import clauses_of, detailed_score, row_score, weighted_mean
-from c4s.score.numbers import unit_number
+from c4s.score.detailed import clauses_of, detailed_score
+from c4s.score.families import family_of, node_name, predicate_type, section
+from c4s.score.numbers import record, records, unit_number, weighted_mean
 from c4s.score.policy import (
     COMPOSITE_TYPES,
     CONJUNCTIVE_TYPES,
     DETAILED_DIGITS,
-    FAMILY_OF_TYPE,
     FAMILY_WEIGHTS,
     SEMANTIC_CASE_POLICY,
     SEMANTIC_CASE_SCHEMA,
@@ -27,26 +26,7 @@ Row = dict[str, Any]
 _CLAUSE = re.compile(r"[^.!?;]+[.!?;]*")
 _DECIDED = frozenset({"MATCH", "MISMATCH"})
 _STATUSES = _DECIDED | {"ERROR", "NOT_EVALUATED"}
-
-
-def predicate_type(requirement: Mapping[str, Any]) -> str:
-    """The requirement's type in lower case; ``presence`` is ``existence``."""
-    kind = requirement.get("predicate_type")
-    if not kind:
-        binding = requirement.get("evaluation_binding")
-        parameters = binding.get("parameters") if isinstance(binding, Mapping) else None
-        kind = parameters.get("predicate_type") if isinstance(parameters, Mapping) else None
-    text = str(kind or "").strip().lower()
-    return "existence" if text == "presence" else text
-
-
-def family_of(requirement: Mapping[str, Any]) -> Family | None:
-    """Family of a requirement: the one attached to it, else by its type; None when neither names one."""
-    attached = requirement.get("semantic_family")
-    for family in FAMILY_WEIGHTS:
-        if attached == family:
-            return family
-    return FAMILY_OF_TYPE.get(predicate_type(requirement))
+_NOISE = 1e-12
 
 
 def clause_spans(prompt: str) -> list[tuple[int, int]]:
@@ -64,24 +44,33 @@ def _span(requirement: Mapping[str, Any], length: int) -> tuple[int, int]:
     span = requirement.get("source_span")
     if isinstance(span, Mapping):
         span = [span.get("start"), span.get("end")]
-    if isinstance(span, Sequence) and not isinstance(span, str) and len(span) == 2 \
+    if isinstance(span, (list, tuple)) and len(span) == 2 \
             and all(isinstance(v, int) and not isinstance(v, bool) for v in span) and 0 <= span[0] < span[1]:
         return span[0], span[1]
-    return 0, length
+    return 0, max(1, length)
 
 
 def _decision(requirement: Mapping[str, Any]) -> tuple[str, float, bool]:
     """Status, score and whether it is known. What was not decided is worth zero and stays in the denominator."""
-    status = str(requirement.get("evaluation_status") or "").upper()
+    status = str(requirement.get("evaluation_status", requirement.get("verdict"))).strip().upper()
     status = status if status in _STATUSES else "NOT_EVALUATED"
     if status not in _DECIDED:
         return status, 0.0, False
-    check = requirement.get("check")
-    for value in (requirement.get("score"), check.get("score") if isinstance(check, Mapping) else None):
+    for value in (requirement.get("score"), section(requirement, "check").get("score")):
         score = unit_number(value)
         if score is not None:
             return status, score, True
     return status, 1.0 if status == "MATCH" else 0.0, True
+
+
+def _identity(row: Row, requirement: Mapping[str, Any]) -> str:
+    """What makes two requirements one and the same: place, words, type, and what they are bound to."""
+    binding = section(requirement, "evaluation_binding")
+    bound = [sorted((str(name), repr(value)) for name, value in section.items() if name != skipped)
+             for section, skipped in ((section(binding, "parameters"), "predicate_type"),
+                                      (section(binding, "entity_scopes"), None),
+                                      (section(requirement, "entity_scopes"), None))]
+    return repr((row["source_span"], " ".join(row["text"].casefold().split()), row["predicate_type"], bound))
 
 
 def _inside(inner: Row, outer: Row) -> bool:
@@ -92,8 +81,7 @@ def _inside(inner: Row, outer: Row) -> bool:
 def _exclude(rows: list[Row], requirements: Sequence[Mapping[str, Any]]) -> None:
     first: set[str] = set()
     for row, requirement in zip(rows, requirements, strict=True):
-        identity = canonical_json([row["source_span"], row["text"], row["predicate_type"],
-                                   requirement.get("entity_scopes") or {}])
+        identity = _identity(row, requirement)
         if identity in first:
             row["exclusion_reason"] = "exact_duplicate"
         first.add(identity)
@@ -102,7 +90,7 @@ def _exclude(rows: list[Row], requirements: Sequence[Mapping[str, Any]]) -> None
         if row["exclusion_reason"] is not None:
             continue
         composite = row["predicate_type"] in COMPOSITE_TYPES
-        if composite and (requirement.get("semantic_replaced_by_children") is True
+        if composite and (requirement.get("semantic_replaced_by_children")
                           or any(_inside(other, row) for other in distinct)):
             row["exclusion_reason"] = "composite_replaced_by_children"
         elif row["semantic_family"] is None:
@@ -121,7 +109,7 @@ def _cap(rows: list[Row]) -> None:
             parts = [own, *(done[id(c)] for c in direct)]
             value = min(score for score, _ in parts)
             known = all(k for _, k in parts) or any(k and score == 0 for score, k in parts)
-            row["parent_constrained"] = (value, known) != own
+            row["parent_constrained"] = known != own[1] or not math.isclose(value, own[0], abs_tol=_NOISE)
             own = (value, known)
         done[id(row)] = own
     for row in rows:
@@ -131,9 +119,9 @@ def _cap(rows: list[Row]) -> None:
 def decided_rows(prompt: str, requirements: Sequence[Mapping[str, Any]]) -> list[Row]:
     """The rows of ``detailed_score`` for verified requirements, excluded ones included with their reason."""
     rows: list[Row] = []
-    for requirement in requirements:
+    for number, requirement in enumerate(requirements):
         status, score, known = _decision(requirement)
-        rows.append({"node_id": requirement.get("node_id"), "text": requirement.get("text"),
+        rows.append({"node_id": node_name(requirement, number), "text": str(requirement.get("text") or ""),
                      "source_span": list(_span(requirement, len(prompt))),
                      "predicate_type": predicate_type(requirement), "semantic_family": family_of(requirement),
                      "predicate_weight": 1.0, "evaluation_status": status, "value": score, "score_known": known,
@@ -141,20 +129,20 @@ def decided_rows(prompt: str, requirements: Sequence[Mapping[str, Any]]) -> list
     _exclude(rows, requirements)
     active = [row for row in rows if row["exclusion_reason"] is None]
     _cap(active)
-    spans = clause_spans(prompt)
+    spans = clause_spans(prompt) or [(0, len(prompt))]
     for row in rows:
         row["included"] = row["exclusion_reason"] is None
         if row["included"]:
             start, end = row["source_span"]
             overlaps = [min(end, b) - max(start, a) for a, b in spans]
-            row["clause_index"] = max(range(len(spans)), key=lambda i: (max(0, overlaps[i]), -i)) if spans else 0
+            row["clause_index"] = max(range(len(spans)), key=lambda i: (max(0, overlaps[i]), -i))
         row["effective_score"] = round(row["value"], DETAILED_DIGITS)
     return rows
 
 
 def _clause_report(rows: Sequence[Mapping[str, Any]], texts: list[str], family: str) -> Row:
     index = rows[0]["clause_index"]
-    return {"index": index, "text": texts[index] if index < len(texts) else "", "semantic_family": family,
+    return {"index": index, "text": texts[index], "semantic_family": family,
             "clause_weight": 1.0, "score": weighted_mean((1.0, row["value"]) for row in rows),
             "known_coverage": weighted_mean((1.0, float(row["score_known"])) for row in rows),
             "active_requirement_count": len(rows)}
@@ -165,17 +153,29 @@ def _rounded(record: Row) -> Row:
                      if record[key] is not None}
 
 
+def _checked_weights(given: Mapping[str, Any]) -> dict[Family, float]:
+    unknown = sorted(set(given) - set(FAMILY_WEIGHTS))
+    if unknown:
+        raise BadInput(f"unknown semantic family weights: {', '.join(unknown)}")
+    weights: dict[Family, float] = {}
+    for family in FAMILY_WEIGHTS:
+        value = given.get(family, 1.0)
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 < value < math.inf:
+            raise BadInput(f"the weight of {family} must be a positive number, not {value!r}")
+        weights[family] = float(value)
+    return weights
+
+
 def semantic_case(prompt: str, requirements: Sequence[Mapping[str, Any]],
                   family_weights: Mapping[str, float] | None = None) -> Row:
     """The verifier's own case report: rows, clauses and families, with equal family weights unless given.
 
     Family values are not rounded before they are averaged, so it can differ by 0.0001 from ``detailed_score``.
-    Raises ``BadInput`` for unknown families or when requirements exist but none counts.
+    Raises ``BadInput`` for unknown families, for weights that are not positive numbers, and when requirements exist
+    but none counts.
     """
-    unknown = sorted(set(family_weights or {}) - set(FAMILY_WEIGHTS))
-    if unknown:
-        raise BadInput(f"unknown semantic family weights: {', '.join(unknown)}")
-    weights = {family: float((family_weights or {}).get(family, 1.0)) for family in FAMILY_WEIGHTS}
+    weights = _checked_weights(record(family_weights, "family_weights"))
+    requirements = records(requirements, "requirements")
     rows = decided_rows(prompt, requirements)
     active = [row for row in rows if row["included"]]
     head = {"schema_version": SEMANTIC_CASE_SCHEMA, "score_policy": SEMANTIC_CASE_POLICY,
@@ -188,7 +188,7 @@ def semantic_case(prompt: str, requirements: Sequence[Mapping[str, Any]],
                                                                          "requirements": []}
     if not active:
         raise BadInput("no active semantic requirement maps to a declared family")
-    texts = [prompt[a:b] for a, b in clause_spans(prompt)]
+    texts = [prompt[a:b] for a, b in clause_spans(prompt)] or [prompt]
     families: dict[str, Row] = {}
     for family, weight in weights.items():
         mine = [row for row in active if row["semantic_family"] == family]
@@ -212,58 +212,6 @@ def semantic_case(prompt: str, requirements: Sequence[Mapping[str, Any]],
         "families": {name: _rounded(f) for name, f in families.items()}, "requirements": shown}
 
 
-def families_from_graph(graph: Mapping[str, Any]) -> dict[str, Family]:
-    """Family of each predicate node. A logic node has one only if all that it scopes over share it."""
-    nodes = {str(node["id"]): predicate_type(node) for node in graph.get("nodes", ())
-             if isinstance(node, Mapping) and predicate_type(node)}
-    scoped: dict[str, list[str]] = defaultdict(list)
-    for edge in graph.get("edges", ()):
-        if edge.get("edge_type") == "scope":
-            scoped[str(edge.get("source_id"))].append(str(edge.get("target_id")))
-    found: dict[str, Family] = {}
-    for node, kind in nodes.items():
-        if kind != "logic":
-            if kind in FAMILY_OF_TYPE:
-                found[node] = FAMILY_OF_TYPE[kind]
-            continue
-        shared = {FAMILY_OF_TYPE.get(nodes[child]) for child in _descendants(node, scoped)
-                  if nodes.get(child, "logic") != "logic"}
-        only = next(iter(shared)) if len(shared) == 1 else None
-        if only is not None:
-            found[node] = only
-    return found
-
-
-def _descendants(node: str, scoped: Mapping[str, Iterable[str]]) -> list[str]:
-    seen: list[str] = []
-    pending = list(scoped.get(node, ()))
-    while pending:
-        child = pending.pop()
-        if child not in seen and child != node:
-            seen.append(child)
-            pending.extend(scoped.get(child, ()))
-    return seen
-
-
-def attach_families(graph: Mapping[str, Any], requirements: Sequence[Mapping[str, Any]]) -> list[Row]:
-    """Requirements with their node's family, and a mark on those whose scoped children replace them."""
-    families = families_from_graph(graph)
-    parents = {str(edge.get("source_id")) for edge in graph.get("edges", ()) if edge.get("edge_type") == "scope"}
-    attached = []
-    for requirement in requirements:
-        row, node = dict(requirement), str(requirement.get("node_id"))
-        if node in families:
-            row["semantic_family"] = families[node]
-        if node in parents:
-            row["semantic_replaced_by_children"] = True
-        attached.append(row)
-    return attached
-
-
 def protocol_detailed(case: Mapping[str, Any]) -> Row | None:
     """Detailed Alignment of a ``semantic_case`` report under the benchmark's family weights; None when it is empty."""
     return detailed_score(case["requirements"]) if case["requirements"] else None
-
-
-__all__ = ["attach_families", "clause_spans", "decided_rows", "families_from_graph", "family_of", "predicate_type",
-           "protocol_detailed", "row_score", "semantic_case"]

@@ -11,8 +11,9 @@ from c4s.judge.inventory import Facts
 from c4s.judge.requirements import read_requirements
 from c4s.judge.rule import RuleJudge
 from c4s.judge.views import read_views
+from c4s.score.families import attach_families
 from c4s.score.policy import SEMANTIC_CASE_POLICY
-from c4s.score.requirements import attach_families, protocol_detailed, semantic_case
+from c4s.score.requirements import protocol_detailed, semantic_case
 from c4s.verify.verdict import Verdict
 
 

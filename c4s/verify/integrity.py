@@ -6,7 +6,8 @@ Integrity Checks").
 3. *Manifest*: submission, scorer and frozen content name the same packs with the same digests.
 
 A failure that the submission caused is ``invalid`` (the case score is zero, with the reason); one that the evaluator
-caused is ``error`` (never a score).
+caused is ``error`` (never a score). So the scorer's own content is compared first: a package that is missing because
+the scorer mounted other content says nothing about the submission.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import Any, Literal, TypeAlias
 
 from c4s.model import Record
 from c4s.verify.repair.actors import is_semantic, short_class
+from c4s.verify.snapshot_schema import scene_fault
 from c4s.verify.verdict import Verdict
 
 INTEGRITY_POLICY = "c4s.integrity.v1"
@@ -24,8 +26,8 @@ ReasonCode: TypeAlias = Literal["unloadable", "snapshot_schema", "minimum_actors
                                 "export_failed"]
 _EVALUATOR_FAULTS = frozenset({"scorer_manifest", "evidence_missing", "export_failed"})
 _ENGINE_OWNED = frozenset({"worldsettings", "brush", "defaultphysicsvolume", "levelbounds"})
-_ALWAYS_RESOLVED = ("/Engine/", "/Script/", "/Temp/", "/Paper2D/")
-"""Package roots that ship with the engine: they are not followed."""
+_ENGINE_ROOTS = ("/engine/", "/script/", "/temp/", "/paper2d/")
+"""Package roots (lower case) that the frozen dependency policy leaves to the engine: they are not followed."""
 _SCHEMA = "0.3."
 _LISTED = 20
 
@@ -60,46 +62,37 @@ def _schema_fault(snapshot: Any) -> str:
         return f"schema_version is {version!r}, not {_SCHEMA}x"
     if snapshot.get("units") != "cm":
         return f"units are {snapshot.get('units')!r}, not 'cm'"
-    actors = snapshot.get("actors")
-    if not isinstance(actors, list):
-        return "there is no list of actors"
-    declared = snapshot.get("actor_count")
-    if declared is not None and declared != len(actors):
-        return f"actor_count is {declared!r} but there are {len(actors)} actors"
-    for number, actor in enumerate(actors):
-        if not isinstance(actor, Mapping):
-            return f"actor {number} is not an object"
-        if not isinstance(actor.get("class"), str) or not actor["class"].strip():
-            return f"actor {number} has no class"
-        if not isinstance(actor.get("transform"), Mapping):
-            return f"actor {number} has no transform"
-    return ""
+    return scene_fault(snapshot)
 
 
 def _package(entry: Any) -> str:
+    """Package name of a dependency entry, object and export quotes cut off."""
     name = entry.get("package") if isinstance(entry, Mapping) else entry
-    return str(name or "").partition(".")[0]
+    text = str(name or "").strip()
+    folder, slash, leaf = (text.split("'")[1] if text.count("'") >= 2 else text).rpartition("/")
+    return folder + slash + leaf.partition(".")[0]
 
 
 def unresolved_packages(dependencies: Mapping[str, Any], tolerated: Iterable[str] = ()) -> list[str]:
-    """Packages of a dependency report that do not resolve, without engine packages and those known and tolerated."""
-    known = {_package(name) for name in tolerated}
+    """Packages of a dependency report that do not resolve, without engine packages and those known and tolerated.
+
+    Package names are compared as the engine does, without regard to case.
+    """
+    known = {_package(name).casefold() for name in tolerated}
     names = {_package(entry) for entry in dependencies.get("unresolved") or ()}
-    return sorted(name for name in names if name and name not in known and not name.startswith(_ALWAYS_RESOLVED))
+    return sorted(name for name in names if name and name.casefold() not in known
+                  and not name.casefold().startswith(_ENGINE_ROOTS))
 
 
-def _manifest_fault(manifest: ManifestDigests) -> tuple[ReasonCode, str] | None:
-    sides: tuple[tuple[str, dict[str, str], ReasonCode], ...] = (
-        ("scorer", manifest.scorer, "scorer_manifest"), ("submission", manifest.submission, "manifest_disagreement"))
-    for side, digests, code in sides:
-        for pack in sorted(manifest.frozen | digests):
-            wanted, found = manifest.frozen.get(pack), digests.get(pack)
-            if wanted == found:
-                continue
+def _disagreement(side: str, digests: Mapping[str, str], frozen: Mapping[str, str]) -> str:
+    """The first pack that a side has otherwise than the frozen content; empty when they agree."""
+    for pack in sorted({**frozen, **digests}):
+        wanted, found = frozen.get(pack), digests.get(pack)
+        if wanted is None or found is None or wanted.lower() != found.lower():
             said = ("is missing" if found is None else "is not part of the case" if wanted is None
                     else f"has digest {found[:12]}, not {wanted[:12]}")
-            return code, f"pack {pack} of the {side} {said}"
-    return None
+            return f"pack {pack} of the {side} {said}"
+    return ""
 
 
 def _failed(code: ReasonCode, text: str, measurements: dict[str, Any], inputs: Mapping[str, str]) -> Verdict:
@@ -116,7 +109,7 @@ def unloadable(reason: str, inputs: Mapping[str, str] | None = None) -> Verdict:
 def verify_integrity(snapshot: Any, dependencies: Mapping[str, Any] | None, minimum_actors: int,
                      manifest: ManifestDigests, *, tolerated: Iterable[str] = (),
                      inputs: Mapping[str, str] | None = None) -> Verdict:
-    """Run the three checks; the first that fails gives the reason.
+    """Run the three checks, the scorer's own content first; the first that fails gives the reason.
 
     Args:
         snapshot: the exported scene; null when the evaluator made none.
@@ -129,7 +122,10 @@ def verify_integrity(snapshot: Any, dependencies: Mapping[str, Any] | None, mini
     Returns:
         Status ``valid``, ``invalid`` or ``error``; ``measurements["reason_code"]`` names the failed check.
     """
-    read = inputs or {}
+    read, tolerated = inputs or {}, list(tolerated)
+    drift = _disagreement("scorer", manifest.scorer, manifest.frozen)
+    if drift:
+        return _failed("scorer_manifest", drift, {}, read)
     if snapshot is None:
         return _failed("evidence_missing", "no snapshot was exported", {}, read)
     metadata = snapshot.get("export_metadata") if isinstance(snapshot, Mapping) else None
@@ -146,13 +142,13 @@ def verify_integrity(snapshot: Any, dependencies: Mapping[str, Any] | None, mini
     if dependencies is None:
         return _failed("evidence_missing", "no dependency report was made", measurements, read)
     missing = unresolved_packages(dependencies, tolerated)
-    measurements["packages"] = len(dependencies.get("packages") or ())
+    measurements |= {"packages": len(dependencies.get("packages") or ()), "tolerated": sorted(tolerated)}
     if missing:
         more = "" if len(missing) <= _LISTED else f" and {len(missing) - _LISTED} more"
         return _failed("unresolved_dependencies", ", ".join(missing[:_LISTED]) + more,
                        measurements | {"unresolved": missing}, read)
-    disagreement = _manifest_fault(manifest)
-    if disagreement is not None:
-        return _failed(*disagreement, measurements, read)
+    disagreement = _disagreement("submission", manifest.submission, manifest.frozen)
+    if disagreement:
+        return _failed("manifest_disagreement", disagreement, measurements, read)
     return Verdict(verifier="integrity", status="valid", policy=INTEGRITY_POLICY, measurements=measurements,
                    population={"actors": len(snapshot["actors"]), "content_actors": found}, inputs=dict(read))

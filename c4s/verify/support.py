@@ -69,14 +69,18 @@ class Support:
 def measured_vector(record: Any, field: str) -> tuple[float, float, float]:
     """Three finite numbers of a record's field; ``ValueError`` otherwise (strings and booleans are no numbers)."""
     values = record.get(field) if isinstance(record, Mapping) else None
-    if not isinstance(values, Sequence) or isinstance(values, str) or len(values) != 3 or not all(
-            isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in values):
-        raise ValueError(f"{field} is not three finite numbers")
-    return float(values[0]), float(values[1]), float(values[2])
+    try:
+        if isinstance(values, (list, tuple)) and len(values) == 3 and all(
+                isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in values):
+            return float(values[0]), float(values[1]), float(values[2])
+    except OverflowError:
+        raise ValueError(f"{field} holds a number that is too large") from None
+    raise ValueError(f"{field} is not three finite numbers")
 
 
 def _excluded_by_class(actor: Mapping[str, Any]) -> bool:
-    return str(actor.get("class", "")).rsplit(".", 1)[-1].lower() in EXCLUDED_CLASSES
+    kind = actor.get("class", "")
+    return isinstance(kind, str) and kind.rsplit(".", 1)[-1].lower() in EXCLUDED_CLASSES
 
 
 def excluded_by_label(actor: Mapping[str, Any]) -> bool:
@@ -91,19 +95,31 @@ def excluded_by_name(actor: Mapping[str, Any]) -> bool:
 
 
 def text_to_scene_support(snapshot: Mapping[str, Any]) -> Support:
-    """The text-to-scene rule on a snapshot. ``ValueError``: an evaluated actor lacks usable bounds or transform."""
-    actors: list[Mapping[str, Any]] = list(snapshot.get("actors") or [])
+    """The text-to-scene rule on a snapshot.
+
+    Raises ``ValueError`` for a snapshot without actor records, and for an actor that is not excluded by its names and
+    lacks usable bounds or transform.
+    """
+    found = snapshot.get("actors")
+    if not isinstance(found, list) or not all(isinstance(actor, Mapping) for actor in found):
+        raise ValueError("the scene has no list of actors")
+    actors: list[Mapping[str, Any]] = found
     states: list[State] = ["excluded"] * len(actors)
     evaluated: list[int] = []
     rows: list[tuple[float, ...]] = []
     for index, actor in enumerate(actors):
+        if not isinstance(actor.get("class", ""), str):
+            raise ValueError(f"actor {index}: the class is no text")
         if excluded_by_name(actor):
             continue
-        origin = measured_vector(actor.get("bounds"), "origin_cm")
-        extent = measured_vector(actor.get("bounds"), "extent_cm")
+        try:
+            origin = measured_vector(actor.get("bounds"), "origin_cm")
+            extent = measured_vector(actor.get("bounds"), "extent_cm")
+            pivot = measured_vector(actor.get("transform"), "location_cm")
+        except ValueError as error:
+            raise ValueError(f"actor {index} ({actor.get('label', actor.get('name'))}): {error}") from None
         if all(half < TINY_CM for half in extent):
             continue
-        pivot = measured_vector(actor.get("transform"), "location_cm")
         evaluated.append(index)
         rows.append((*origin, *extent, *pivot))
     table = np.array(rows, dtype=float).reshape(-1, 9)

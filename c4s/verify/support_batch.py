@@ -8,16 +8,24 @@ from typing import Any
 from c4s.verify.support import text_to_scene_support
 
 
-def support_rows(rows: Iterable[Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
-    """For each ``{"name", "scene"}``: ``{"name", actor_count, floating_count, floating_labels, rate, per_actor}``.
+def support_row(row: Any) -> dict[str, Any]:
+    """``{"name", actor_count, floating_count, floating_labels, rate, per_actor}`` of ``{"name", "scene"}``.
 
-    A scene that cannot be measured gives ``{"name", "error"}``.
+    A scene that cannot be measured gives ``{"name", "error"}`` with one line.
     """
-    for row in rows:
-        try:
-            support = text_to_scene_support(row["scene"])
-        except (ValueError, TypeError, KeyError, AttributeError) as error:
-            yield {"name": row.get("name"), "error": f"{type(error).__name__}: {error}"}
-            continue
-        yield {"name": row.get("name"), "actor_count": support.evaluated, "floating_count": support.floating,
-               "floating_labels": support.floating_labels, "rate": support.rate, "per_actor": support.per_actor}
+    if not isinstance(row, Mapping):
+        return {"name": None, "error": "a row must be a JSON object"}
+    name, scene = row.get("name"), row.get("scene")
+    if not isinstance(scene, Mapping):
+        return {"name": name, "error": "a row needs an object 'scene'"}
+    try:
+        support = text_to_scene_support(scene)
+    except ValueError as error:
+        return {"name": name, "error": " ".join(str(error).split())}
+    return {"name": name, "actor_count": support.evaluated, "floating_count": support.floating,
+            "floating_labels": support.floating_labels, "rate": support.rate, "per_actor": support.per_actor}
+
+
+def support_rows(rows: Iterable[Any]) -> Iterator[dict[str, Any]]:
+    """One result row for each row, in order. A bad row is answered with its error and stops nothing."""
+    return map(support_row, rows)
