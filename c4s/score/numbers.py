@@ -13,7 +13,7 @@ def unit_number(value: Any) -> float | None:
     """The value as a float when it is a finite number in [0, 1], else None. Booleans and strings are no numbers."""
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         return None
-    return float(value) if math.isfinite(value) and 0 <= value <= 1 else None
+    return float(value) if 0 <= value <= 1 else None
 
 
 def required_unit_number(value: Any, name: str, *, where: str = "") -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from typing import Any
 
@@ -92,3 +93,56 @@ def test_severe_cap_needs_certainty_two_views_and_words() -> None:
 def test_a_batch_answers_bad_rows_with_one_line() -> None:
     answers = list(score_batch([3, {"name": "x", "kind": "nothing"}, {"name": "y", "kind": "i2s_case", "input": []}]))
     assert [set(answer) for answer in answers] == [{"name", "error"}] * 3
+
+
+def test_a_zero_by_rule_is_zero_whatever_the_row_says() -> None:
+    for status in ("zero_invalid_candidate", "zero_missing_submission", "zero_missing_result"):
+        rows = table("m", 1.0, 1.0, 1.0)
+        rows[0] |= {"status": status, "score": "n/a"}
+        assert aggregate(rows)[0]["t2s_score"] == 0.0
+        rows[1] |= {"status": status, "score": None, "repair_f1": 7}
+        assert aggregate(rows)[0]["indoor_f1_case_macro"] == 0.0
+
+
+def test_only_rates_that_enter_a_mean_are_read() -> None:
+    rows = table("m", 1.0, 1.0, 1.0)
+    rows[0]["physics"] = "n/a"
+    assert aggregate(rows)[0]["t2s_score"] == 1.0
+    rows[2] |= {"status": "error", "repair_f1": 7}
+    assert aggregate(rows)[0]["outdoor_f1_case_macro"] is None
+    rows[1]["precision"] = 7
+    with pytest.raises(BadInput, match="precision"):
+        aggregate(rows)
+
+
+def test_a_macro_rate_needs_the_rate_of_every_row_that_is_no_zero() -> None:
+    rows = [row("m", INDOOR, "a", 1.0, repair_f1="0.5"), row("m", INDOOR, "b", 1.0, repair_f1=""),
+            row("m", OUTDOOR, "c", 0.0, "zero_missing_result")]
+    assert aggregate(rows)[0]["indoor_f1_case_macro"] is None
+    rows[1]["repair_f1"] = 1
+    found = aggregate(rows)[0]
+    assert (found["indoor_f1_case_macro"], found["i2s_f1_case_macro"]) == (0.75, 0.5)
+    assert found["outdoor_f1_case_macro"] == 0.0
+
+
+def test_unresolved_cases_keep_the_schedules_order_and_an_unscheduled_setting_does_not_count() -> None:
+    schedule = {OUTDOOR: ["o1", "o0"], INDOOR: ["i"]}
+    found = aggregate(table("m", 0.5, 1.0, 1.0), schedule, missing_as_zero=False)[0]
+    assert found["unresolved_cases"] == [f"{OUTDOOR}:o1"] and found["t2s_cases"] == 0
+    empty = aggregate([row("m", T2S, "t", 0.5)], schedule, missing_as_zero=False)[0]
+    assert empty["unresolved_cases"] == [f"{OUTDOOR}:o1", f"{OUTDOOR}:o0", f"{INDOOR}:i"]
+
+
+@given(st.lists(st.floats(0, 1), min_size=1, max_size=7))
+def test_a_mean_of_one_setting_is_not_weighed_again(values: list[float]) -> None:
+    rows = [row("m", INDOOR, f"c{n}", value, repair_f1=value) for n, value in enumerate(values)]
+    found = aggregate(rows)[0]
+    assert found["indoor_i2s_score"] == found["indoor_f1_case_macro"] == math.fsum(values) / len(values)
+
+
+def test_the_published_shares_of_the_domains() -> None:
+    rows = [row("m", T2S, "t", 0.0), *(row("m", INDOOR, f"i{n}", 1.0) for n in range(25)),
+            *(row("m", OUTDOOR, f"o{n}", 0.0) for n in range(50))]
+    assert aggregate(rows)[0]["i2s_score"] == pytest.approx(1 / 3)
+    private = [row("m", INDOOR, f"i{n}", 1.0) for n in range(55)] + [row("m", OUTDOOR, f"o{n}", 0.0) for n in range(30)]
+    assert aggregate(private)[0]["i2s_score"] == pytest.approx(11 / 17)
