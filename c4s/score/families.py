@@ -52,9 +52,16 @@ def node_name(requirement: Mapping[str, Any], number: int) -> str:
                or f"requirement_{number}")
 
 
+def _list(graph: Mapping[str, Any], name: str) -> Sequence[Any]:
+    found = graph.get(name) or ()
+    if not isinstance(found, (list, tuple)):
+        raise BadInput(f"the graph's {name} must be a list")
+    return found
+
+
 def _scope_edges(graph: Mapping[str, Any]) -> list[tuple[str, Any]]:
     """Scope edges as (parent, child); without those that name no parent."""
-    edges = (edge for edge in graph.get("edges") or () if isinstance(edge, Mapping))
+    edges = (edge for edge in _list(graph, "edges") if isinstance(edge, Mapping))
     return [(str(edge["source_id"]), edge.get("target_id")) for edge in edges
             if word(edge.get("edge_type", "")) == "scope" and edge.get("source_id") is not None]
 
@@ -64,7 +71,7 @@ def families_from_graph(graph: Mapping[str, Any]) -> dict[str, Family]:
 
     The scope is followed through logic nodes only; nodes of a type without a family say nothing.
     """
-    types = {str(node["id"]): word(node["predicate_type"]) for node in graph.get("nodes") or ()
+    types = {str(node["id"]): word(node["predicate_type"]) for node in _list(graph, "nodes")
              if isinstance(node, Mapping) and node.get("id") is not None and node.get("predicate_type") is not None}
     scoped: dict[str, list[str]] = defaultdict(list)
     for parent, child in _scope_edges(graph):

@@ -40,7 +40,8 @@ PROMPT = "A red barn with two oak doors stands by a pond. Hens walk in the yard!
 
 
 def semantic(*rows: dict[str, Any], **more: Any) -> dict[str, Any]:
-    return score("semantic_case", prompt=PROMPT, requirements=list(rows), **more)["semantic_case"]
+    found: dict[str, Any] = score("semantic_case", prompt=PROMPT, requirements=list(rows), **more)["semantic_case"]
+    return found
 
 
 class TestDetailed:
@@ -193,7 +194,7 @@ class TestSemanticCase:
 
 class TestGraph:
     def families(self, nodes: dict[str, str | None], scope: list[tuple[str, str]]) -> dict[str, str]:
-        graph = {"nodes": [{"id": name, "predicate_type": kind} for name, kind in nodes.items()] + [{"id": "entity"}, 3],
+        graph = {"nodes": [*({"id": name, "predicate_type": kind} for name, kind in nodes.items()), {"id": "e"}, 3],
                  "edges": [{"edge_type": "Scope", "source_id": a, "target_id": b} for a, b in scope]
                  + [{"edge_type": "argument", "source_id": "l", "target_id": "entity"}, None]}
         found: dict[str, str] = score("semantic_graph", graph=graph, requirements=[])["family_map"]
@@ -271,8 +272,8 @@ class TestPhysics:
         assert self.physics(self.leaf(FLOATING, 0.0), self.leaf(SOLID, bad))["score"] == 0.5
 
     def test_direction_of_the_leaf_then_of_the_report_then_the_published_one(self) -> None:
-        own = {"metadata": {"score_direction": "higher_is_better"}}
-        assert self.physics(self.leaf(FLOATING, 0.25, **own),
+        own = {"score_direction": "higher_is_better"}
+        assert self.physics(self.leaf(FLOATING, 0.25, metadata=own),
                             leaf_score_directions={FLOATING: "lower_is_better"})["score"] == 0.125
         assert self.physics(self.leaf(SOLID, 0.25), leaf_score_directions={SOLID: "lower_is_better"})["score"] == 0.375
         odd = self.physics(self.leaf(FLOATING, 0.25, metadata={"score_direction": "sideways"}))
@@ -296,7 +297,8 @@ class TestPhysics:
 
 class TestCase:
     def test_rounding_is_to_even_on_the_binary_value(self) -> None:
-        assert score("t2s_case", valid=True, detailed=0.00025, overview=0, physics=0)["score"] == round(0.2 * 0.00025, 4)
+        for part in (0.00025, 0.00075, 0.5):
+            assert score("t2s_case", valid=True, detailed=part, overview=0, physics=0)["score"] == round(0.2 * part, 4)
         assert score("i2s_case", valid=True, repair_f1=1 / 3, physics_score=1 / 3)["score"] == 0.333333
 
     def test_a_missing_part_is_zero_in_text_and_refused_in_image(self) -> None:
