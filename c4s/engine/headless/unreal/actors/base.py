@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from c4s.engine.headless.pose import Pose
+from c4s.engine.headless.queries.changes import note
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.components import (
     ActorComponent,
@@ -74,6 +75,7 @@ class Actor(Object):
         self._changed("components")
 
     def _changed(self, name: str) -> None:
+        note(self)
         world().touch()
 
     def _kill(self) -> None:

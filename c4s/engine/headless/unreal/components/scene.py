@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from c4s.engine.headless.pose import IDENTITY, Pose, Triple, compose, relative_to
+from c4s.engine.headless.queries.changes import note
 from c4s.engine.headless.unreal.components.base import ActorComponent
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Object, Prop, api, public
@@ -51,6 +52,7 @@ class SceneComponent(ActorComponent):
 
     def _stale(self) -> None:
         self._world = None
+        note(self._outer)
         for child in self._children:
             child._stale()
 

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import SceneComponent
-from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Object, api, public
-from c4s.engine.headless.unreal.enums import DrawDebugTrace, TraceTypeQuery
 from c4s.engine.headless.unreal.paths import Paths
-from c4s.engine.headless.unreal.structs import LinearColor, Vector
-from c4s.engine.headless.unreal.traces import HitResult, line_hits
+from c4s.engine.headless.unreal.structs import Vector
+from c4s.engine.headless.unreal.traces.boxes import BoxTraces
+from c4s.engine.headless.unreal.traces.capsules import CapsuleTraces
+from c4s.engine.headless.unreal.traces.lines import LineTraces
+from c4s.engine.headless.unreal.traces.overlaps import Overlaps
+from c4s.engine.headless.unreal.traces.spheres import SphereTraces
 
 ENGINE_VERSION = "5.6.0-c4s.headless"
 
 
 @public
-class SystemLibrary(Object):
+class SystemLibrary(LineTraces, SphereTraces, BoxTraces, CapsuleTraces, Overlaps, Object):
     """System functions."""
 
     @classmethod
@@ -76,30 +77,6 @@ class SystemLibrary(Object):
             return component.get_world_location(), Vector(), 0.0
         origin, extent = component._world_pose().box(*local)
         return Vector(*origin), Vector(*extent), math.hypot(*extent)
-
-    @classmethod
-    @api
-    def line_trace_single(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                          trace_channel: TraceTypeQuery, trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                          draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                          trace_color: LinearColor = LinearColor(1, 0, 0, 1),  # noqa: B008
-                          trace_hit_color: LinearColor = LinearColor(0, 1, 0, 1),  # noqa: B008
-                          draw_time: float = 5.0) -> HitResult | None:
-        """First hit along a line on the triangles of meshes with collision, or None. Nothing is drawn."""
-        hits = line_hits(start, end, list(actors_to_ignore))
-        return hits[0] if hits else None
-
-    @classmethod
-    @api
-    def line_trace_multi(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                         trace_channel: TraceTypeQuery, trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                         draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                         trace_color: LinearColor = LinearColor(1, 0, 0, 1),  # noqa: B008
-                         trace_hit_color: LinearColor = LinearColor(0, 1, 0, 1),  # noqa: B008
-                         draw_time: float = 5.0) -> Array | None:
-        """Hits along a line up to the first that blocks (every mesh blocks), or None."""
-        hits = line_hits(start, end, list(actors_to_ignore))
-        return Array._of("HitResult", hits[:1]) if hits else None
 
     @classmethod
     @api
