@@ -54,7 +54,7 @@ def build_scene(unreal):
     keep = unreal.AttachmentRule.KEEP_WORLD
     post.attach_to_actor(gate, "", keep, keep, keep)
     lamp = spawn(unreal.SpotLight, unreal.Vector(0, 0, 300), unreal.Rotator(pitch=-90))
-    lamp.spot_light_component.set_light_color(unreal.LinearColor(1, 0.5, 0.25))
+    lamp.spot_light_component.set_light_color(unreal.LinearColor(1, 0.5, 0.25, 1))
     lamp.spot_light_component.set_editor_property("intensity_units", unreal.LightUnits.LUMENS)
     lamp.set_actor_label("Lamp over the gate")
     grade = spawn(unreal.PostProcessVolume, unreal.Vector())

@@ -143,7 +143,11 @@ def _by_matrices(rotation: Array, scale: Triple) -> Quaternion:
     """Quaternion of a scaled matrix with its scale removed and the signs of ``scale`` put back (negative scales)."""
     lengths = np.linalg.norm(rotation, axis=0)
     axes = rotation / np.where(lengths > 1e-8, lengths, 1.0) * np.where(np.array(scale) < 0, -1.0, 1.0)
-    m = axes
+    return by_matrix(axes)
+
+
+def by_matrix(m: Array) -> Quaternion:
+    """Quaternion of a 3x3 rotation matrix that acts on column vectors."""
     trace = float(np.trace(m))
     if trace > 0:
         s = math.sqrt(trace + 1) * 2

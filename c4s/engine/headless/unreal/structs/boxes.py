@@ -4,8 +4,11 @@
 
 from __future__ import annotations
 
+import random
+
 from c4s.engine.headless.unreal.core import Prop, public
 from c4s.engine.headless.unreal.structs.base import ClosedStruct, StructBase
+from c4s.engine.headless.unreal.structs.planes import Vector2D
 from c4s.engine.headless.unreal.structs.vectors import Vector
 
 
@@ -31,6 +34,20 @@ class Box(StructBase):
     """An axis-aligned box."""
 
     _fields = {"min": Prop("Vector", Vector), "max": Prop("Vector", Vector), "is_valid": Prop("bool", True)}
+    _takes = 2
+    min: Vector
+    max: Vector
+
+    def random_point_in_box_extents(self) -> Vector:
+        """A random point inside."""
+        return Vector(*map(random.uniform, self.min._triple(), self.max._triple()))
+
+
+@public
+class Box2D(StructBase):
+    """An axis-aligned rectangle."""
+
+    _fields = {"min": Prop("Vector2D", Vector2D), "max": Prop("Vector2D", Vector2D), "is_valid": Prop("bool", True)}
     _takes = 2
 
 

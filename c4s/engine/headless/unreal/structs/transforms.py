@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from c4s.engine.headless.pose import (
     IDENTITY,
@@ -18,9 +18,15 @@ from c4s.engine.headless.pose import (
 )
 from c4s.engine.headless.unreal.core import Prop, api, need, public
 from c4s.engine.headless.unreal.structs.base import StructBase
+from c4s.engine.headless.unreal.structs.modes import LerpInterpolationMode
+from c4s.engine.headless.unreal.structs.numbers import clamped
 from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
+from c4s.engine.headless.unreal.structs.turns import slerp
 from c4s.engine.headless.unreal.structs.vectors import Vector
 from c4s.scene.transform import quat_from_rotator, quat_multiply, rotator_from_quat
+
+if TYPE_CHECKING:
+    from c4s.engine.headless.unreal.structs.matrices import Matrix
 
 
 @public
@@ -32,14 +38,12 @@ class Transform(StructBase):
     rotation: Quat
     scale3d: Vector
 
-    def __init__(self, location: Any = None, rotation: Any = None, scale: Any = None) -> None:
-        for value, kind, name in ((location, "Vector", "location"), (rotation, "Rotator", "rotation"),
-                                  (scale, "Vector", "scale")):
-            if value is not None:
-                need(value, kind, f"Transform: parameter '{name}'")
-        super().__init__(location if location is not None else Vector(),
-                         rotation.quaternion() if rotation is not None else Quat(),
-                         scale if scale is not None else Vector(1, 1, 1))
+    def __init__(self, location: Any = (0.0, 0.0, 0.0), rotation: Any = (0.0, 0.0, 0.0),
+                 scale: Any = (1.0, 1.0, 1.0)) -> None:
+        given = [need(value, kind, f"Transform: Failed to convert argument '{name}'", name)
+                 for value, kind, name in ((location, "Vector", "location"), (rotation, "Rotator", "rotation"),
+                                           (scale, "Vector", "scale"))]
+        super().__init__(given[0], given[1].quaternion(), given[2])
 
     @classmethod
     def _of(cls, pose: Pose) -> Transform:
@@ -49,6 +53,22 @@ class Transform(StructBase):
 
     def _pose(self) -> Pose:
         return Pose(self.translation._triple(), normalized(self.rotation._four()), self.scale3d._triple())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Transform) and self.is_near_equal(other)
+
+    __hash__ = None
+
+    @api
+    def equals(self, b: Transform) -> bool:
+        """Whether all parts agree within 0.0001."""
+        return self.is_near_equal(b)
+
+    def __imul__(self, other: Any) -> Any:
+        if not isinstance(other, Transform):
+            return NotImplemented
+        self.assign(self * other)
+        return self
 
     def __mul__(self, other: Any) -> Any:
         return Transform._of(compose(self._pose(), other._pose())) if isinstance(other, Transform) else NotImplemented
@@ -95,6 +115,36 @@ class Transform(StructBase):
     def transform_rotation(self, rotation: Rotator) -> Rotator:
         """A local rotation in the world."""
         return Rotator._of(rotator_from_quat(quat_multiply(self._pose().quat, quat_from_rotator(rotation._triple()))))
+
+    @api
+    def inverse_transform_rotation(self, rotation: Rotator) -> Rotator:
+        """A world rotation seen from here."""
+        return Rotator._of_quat(quat_multiply(conjugate(self._pose().quat), rotation._quat()))
+
+    def to_matrix(self) -> Matrix:
+        """Scale, rotation and translation as a matrix."""
+        from c4s.engine.headless.unreal.structs.matrices import Matrix
+
+        return Matrix._of(self._pose().matrix().T)
+
+    @api
+    def lerp(self, b: Transform, alpha: float,
+             interp_mode: LerpInterpolationMode = LerpInterpolationMode.QUAT_INTERP) -> Transform:
+        """A transform part of the way."""
+        one, two = self._pose(), b._pose()
+        if interp_mode is LerpInterpolationMode.EULER_INTERP:
+            turned = Rotator._of(one.rotation_deg).lerp(Rotator._of(two.rotation_deg), alpha, False)._quat()
+        else:
+            turned = slerp(one.quat, two.quat, alpha)
+        return Transform._of(Pose(Vector(*one.location).lerp_to(Vector(*two.location), alpha)._triple(), turned,
+                                  Vector(*one.scale).lerp_to(Vector(*two.scale), alpha)._triple()))
+
+    @api
+    def interp_to(self, target: Transform, delta_time: float, interp_speed: float) -> Transform:
+        """A step towards a target that slows down as it comes near."""
+        if interp_speed <= 0:
+            return target
+        return self.lerp(target, clamped(delta_time * interp_speed, 0.0, 1.0))
 
     def determinant(self) -> float:
         """Product of the scale factors."""

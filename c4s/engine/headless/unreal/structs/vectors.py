@@ -1,37 +1,29 @@
 """Vectors."""
 
-
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
 
 from __future__ import annotations
 
 import math
+import random
 from typing import TYPE_CHECKING, Any
 
-from c4s.engine.headless.pose import (
-    rotate,
-)
-from c4s.engine.headless.unreal.core import api, public
-from c4s.engine.headless.unreal.structs.numbers import Constant, Near, numbers
+from c4s.engine.headless.pose import rotate
+from c4s.engine.headless.unreal.core import Prop, api, public
+from c4s.engine.headless.unreal.structs.directions import Directed
+from c4s.engine.headless.unreal.structs.numbers import SMALL, Constant, Scaled, clamped, numbers, quotient
 from c4s.scene.transform import quat_from_rotator
 
 if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.structs.rotations import Rotator
+    from c4s.engine.headless.unreal.structs.colors import LinearColor
+    from c4s.engine.headless.unreal.structs.grids import IntVector
+    from c4s.engine.headless.unreal.structs.planes import Vector2D
+    from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
+    from c4s.engine.headless.unreal.structs.transforms import Transform
 
 
 @public
-class Vector2D(Near):
-    """Two numbers."""
-
-    _fields = numbers("x", "y")
-    x: float
-    y: float
-
-    def __init__(self, x: float = 0.0, y: float = 0.0) -> None:
-        super().__init__(x, y)
-
-
-@public
-class Vector(Near):
+class Vector(Directed, Scaled):
     """A point or direction in cm."""
 
     _fields = numbers("x", "y", "z")
@@ -48,10 +40,6 @@ class Vector(Near):
     UP = Constant(0.0, 0.0, 1.0)
     DOWN = Constant(0.0, 0.0, -1.0)
 
-    def assign(self, vector: Any) -> None:
-        """Take over all numbers."""
-        super().assign(vector)
-
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
         if not self._fill(x, y, z):
             super().__init__(x, y, z)
@@ -59,13 +47,48 @@ class Vector(Near):
     def _triple(self) -> tuple[float, float, float]:
         return (self.x, self.y, self.z)
 
-    def length(self) -> float:
-        """Length in cm."""
-        return math.sqrt(self.x * self.x + self.y * self.y + self.z * self.z)
+    def __or__(self, other: Any) -> Any:
+        return self.dot(other) if isinstance(other, Vector) else NotImplemented
 
-    def length_squared(self) -> float:
-        """Squared length."""
-        return self.x * self.x + self.y * self.y + self.z * self.z
+    def __xor__(self, other: Any) -> Any:
+        return self.cross(other) if isinstance(other, Vector) else NotImplemented
+
+    def set(self, x: float, y: float, z: float) -> None:
+        """Set all numbers."""
+        self._take(Vector(x, y, z))
+
+    def assign(self, vector: Any) -> None:
+        """Take over all numbers."""
+        super().assign(vector)
+
+    @api
+    def add_int(self, b: int) -> Vector:
+        """A number added to every component."""
+        return Vector(self.x + b, self.y + b, self.z + b)
+
+    @api
+    def subtract_int(self, b: int) -> Vector:
+        """A number taken from every component."""
+        return Vector(self.x - b, self.y - b, self.z - b)
+
+    @api
+    def multiply_int(self, b: int) -> Vector:
+        """Product with a number."""
+        return Vector(self.x * b, self.y * b, self.z * b)
+
+    @api
+    def divide_int(self, b: int = 1) -> Vector:
+        """Quotient by a number."""
+        return Vector(quotient(self.x, b), quotient(self.y, b), quotient(self.z, b))
+
+    @api
+    def divide(self, b: Vector = (1.0, 1.0, 1.0)) -> Vector:  # type: ignore[assignment]
+        """Quotient by component."""
+        return self / Vector.cast(b)  # type: ignore[no-any-return]
+
+    def reciprocal(self) -> Vector:
+        """1 / x by component; a huge number for 0."""
+        return Vector(*(1 / a if a else 3.4e38 for a in self._triple()))
 
     @api
     def dot(self, b: Vector) -> float:
@@ -77,24 +100,163 @@ class Vector(Near):
         """Vector product."""
         return Vector(self.y * b.z - self.z * b.y, self.z * b.x - self.x * b.z, self.x * b.y - self.y * b.x)
 
-    def normal(self, tolerance: float = 1e-4) -> Vector:
-        """Unit vector in this direction; zero for a (nearly) zero one."""
+    # what it looks like
+
+    @api
+    def is_nearly_zero(self, tolerance: float = 1e-4) -> bool:
+        """Whether all components lie within the tolerance of 0."""
+        return max(map(abs, self._triple())) <= tolerance
+
+    @api
+    def is_unit(self, squared_lenth_tolerance: float = 1e-4) -> bool:
+        """Whether the squared length is 1, within the tolerance."""
+        return abs(1 - self.length_squared()) < squared_lenth_tolerance
+
+    @api
+    def is_uniform(self, tolerance: float = 1e-4) -> bool:
+        """Whether all components agree within the tolerance."""
+        return max(self._triple()) - min(self._triple()) <= tolerance
+
+    def is_normal(self) -> bool:
+        """Whether it is a unit vector, roughly."""
+        return abs(1 - self.length_squared()) < 0.01
+
+    def is_nan(self) -> bool:
+        """Whether any number is not finite."""
+        return not all(map(math.isfinite, self._triple()))
+
+    def get_abs(self) -> Vector:
+        """Without signs."""
+        return Vector(abs(self.x), abs(self.y), abs(self.z))
+
+    def get_abs_max(self) -> float:
+        """Largest number without sign."""
+        return max(map(abs, self._triple()))
+
+    def get_abs_min(self) -> float:
+        """Smallest number without sign."""
+        return min(map(abs, self._triple()))
+
+    def get_max_element(self) -> float:
+        """Largest number."""
+        return max(self._triple())
+
+    def get_min_element(self) -> float:
+        """Smallest number."""
+        return min(self._triple())
+
+    @api
+    def get_max(self, b: Vector) -> Vector:
+        """Larger numbers by component."""
+        return Vector(*map(max, self._triple(), b._triple()))
+
+    @api
+    def get_min(self, b: Vector) -> Vector:
+        """Smaller numbers by component."""
+        return Vector(*map(min, self._triple(), b._triple()))
+
+    def get_sign_vector(self) -> Vector:
+        """1 or -1 by component."""
+        return Vector(*(1.0 if a >= 0 else -1.0 for a in self._triple()))
+
+    def get_projection(self) -> Vector:
+        """Divided by z."""
+        return Vector(quotient(self.x, self.z), quotient(self.y, self.z), 1.0)
+
+    # bounds
+
+    @api
+    def bounded_to_cube(self, radius: float) -> Vector:
+        """Moved into the cube of a half side."""
+        return Vector(*(clamped(a, -radius, radius) for a in self._triple()))
+
+    @api
+    def bounded_to_box(self, box_min: Vector, box_max: Vector) -> Vector:
+        """Moved into a box."""
+        return Vector(*map(clamped, self._triple(), box_min._triple(), box_max._triple()))
+
+    @api
+    def add_bounded(self, add_vect: Vector, radius: float) -> None:
+        """Add, and stay within the cube of a half side."""
+        self._take((self + add_vect).bounded_to_cube(radius))
+
+    @api
+    def clamped_size(self, min: float, max: float) -> Vector:
+        """With its length moved between two."""
         size = self.length()
-        return Vector() if size * size < tolerance * tolerance else Vector(self.x / size, self.y / size, self.z / size)
-
-    def normalize(self, tolerance: float = 1e-8) -> None:
-        """Make it a unit vector in place."""
-        self.assign(self.normal(tolerance))
+        return Vector() if size <= SMALL else self._times(clamped(size, min, max) / size)
 
     @api
-    def distance(self, v2: Vector) -> float:
-        """Distance in cm."""
-        return math.dist(self._triple(), v2._triple())
+    def clamped_size_max(self, max: float) -> Vector:
+        """With a length of at most ``max``."""
+        if max < 1e-4:
+            return Vector()
+        size = self.length()
+        return self._times(max / size) if size > max else self.copy()  # type: ignore[no-any-return]
 
     @api
-    def distance2d(self, v2: Vector) -> float:
-        """Horizontal distance in cm."""
-        return math.hypot(self.x - v2.x, self.y - v2.y)
+    def clamped_size2d(self, min: float, max: float) -> Vector:
+        """With its horizontal length moved between two."""
+        size = self.length2d()
+        factor = clamped(size, min, max) / size if size > SMALL else 0.0
+        return Vector(self.x * factor, self.y * factor, self.z)
+
+    @api
+    def clamped_size_max2d(self, max: float) -> Vector:
+        """With a horizontal length of at most ``max``."""
+        size = self.length2d()
+        factor = 0.0 if max < 1e-4 else max / size if size > max else 1.0
+        return Vector(self.x * factor, self.y * factor, self.z)
+
+    @api
+    def snapped_to_grid(self, grid_size: float) -> Vector:
+        """Moved to the nearest point of a grid (cm); 0 changes nothing."""
+        if grid_size == 0:
+            return Vector(*self._triple())
+        return Vector(*(math.floor((a + grid_size / 2) / grid_size) * grid_size for a in self._triple()))
+
+    @api
+    def random_point_in_box_extents(self, half_size: Vector) -> Vector:
+        """A random point in the box of a half size around this one."""
+        return Vector(*(random.uniform(c - h, c + h) for c, h in zip(self._triple(), half_size._triple(), strict=True)))
+
+    # conversions
+
+    def unwind_euler(self) -> None:
+        """Wrap all numbers as angles to -180..180 degrees."""
+        self._take(Vector(*(math.remainder(a, 360.0) for a in self._triple())))
+
+    def to_degrees(self) -> Vector:
+        """Radians as degrees."""
+        return Vector(*map(math.degrees, self._triple()))
+
+    def to_radians(self) -> Vector:
+        """Degrees as radians."""
+        return Vector(*map(math.radians, self._triple()))
+
+    def truncated(self) -> IntVector:
+        """Whole parts."""
+        from c4s.engine.headless.unreal.structs.grids import IntVector
+
+        return IntVector(*map(int, self._triple()))
+
+    def vector2d(self) -> Vector2D:
+        """x and y."""
+        from c4s.engine.headless.unreal.structs.planes import Vector2D
+
+        return Vector2D(self.x, self.y)
+
+    def linear_color(self) -> LinearColor:
+        """As a colour of alpha 1."""
+        from c4s.engine.headless.unreal.structs.colors import LinearColor
+
+        return LinearColor(self.x, self.y, self.z, 1.0)
+
+    def transform(self) -> Transform:
+        """A transform to this place."""
+        from c4s.engine.headless.unreal.structs.transforms import Transform
+
+        return Transform(location=self)
 
     def rotator(self) -> Rotator:
         """Rotation that turns +X into this direction."""
@@ -103,39 +265,29 @@ class Vector(Near):
         return Rotator(roll=0.0, pitch=math.degrees(math.atan2(self.z, math.hypot(self.x, self.y))),
                        yaw=math.degrees(math.atan2(self.y, self.x)))
 
+    def quaternion(self) -> Quat:
+        """Rotation that turns +X into this direction."""
+        return self.rotator().quaternion()
+
     @api
     def rotate(self, b: Rotator) -> Vector:
         """This vector turned by a rotation."""
         return Vector(*rotate(quat_from_rotator(b._triple()), self._triple()))
 
-    def length2d(self) -> float:
-        """Horizontal length in cm."""
-        return math.hypot(self.x, self.y)
-
-    def is_zero(self) -> bool:
-        """Whether all components are exactly 0."""
-        return self._triple() == (0.0, 0.0, 0.0)
-
     @api
-    def is_nearly_zero(self, tolerance: float = 1e-4) -> bool:
-        """Whether all components lie within the tolerance of 0."""
-        return max(map(abs, self._triple())) <= tolerance
-
-    @api
-    def lerp_to(self, b: Vector, alpha: float) -> Vector:
-        """Linear mix."""
-        return Vector(*(p + (q - p) * alpha for p, q in zip(self._triple(), b._triple(), strict=True)))
+    def unrotate(self, b: Rotator) -> Vector:
+        """This vector turned back by a rotation."""
+        x, y, z, w = quat_from_rotator(b._triple())
+        return Vector(*rotate((-x, -y, -z, w), self._triple()))
 
 
 @public
-class Vector4(Near):
-    """Four numbers."""
+class Plane(Vector):
+    """A plane: its normal, and its distance from the origin along that (cm)."""
 
-    _fields = numbers("x", "y", "z", "w")
-
-    def assign(self, vector: Any) -> None:
-        """Take over all numbers."""
-        super().assign(vector)
+    _fields = {**numbers("x", "y", "z"), "w": Prop("float", 0.0)}
+    w: float
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, w: float = 0.0) -> None:
-        super().__init__(x, y, z, w)
+        if not self._fill(x, y, z, w):
+            super(Vector, self).__init__(x, y, z, w)
