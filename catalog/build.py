@@ -35,6 +35,9 @@ def glb(mesh: Mesh, slots: list[str], colors: dict[str, tuple[float, float, floa
         color = [*(round(255 * c) for c in colors[slot]), 255]
         material = trimesh.visual.material.PBRMaterial(name=slot, baseColorFactor=color)
         visual = trimesh.visual.TextureVisuals(uv=mesh.uvs[used] * [1, -1] + [0, 1], material=material)
+        if mesh.colors is not None:
+            rgb = np.concatenate([mesh.colors[used], np.ones((len(used), 1))], axis=1)
+            visual.vertex_attributes["color"] = np.round(rgb * 255).astype(np.uint8)
         part = trimesh.Trimesh(mesh.vertices[used][:, swap].astype(np.float64) / 100,
                                corners.reshape(-1, 3)[:, ::-1], vertex_normals=mesh.normals[used][:, swap],
                                visual=visual, process=False)

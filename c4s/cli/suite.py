@@ -92,6 +92,8 @@ def import_scene_file(
         out: Annotated[str, typer.Option(help="id of the pack and of the folder under the suites")],
         scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
         without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
+        replace: Annotated[list[str] | None, typer.Option(
+            help="NAME=FILE#PART: read a mesh that an SDF world names from another file; repeatable")] = None,
         json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
     """Bring a human-made scene in as a source scene: a pack of its meshes and a level with an actor a placed thing."""
     from cases.importers.run import import_scene
@@ -103,7 +105,7 @@ def import_scene_file(
             progress.update(task, description=f"reading {message:43.43}")
 
         report = import_scene(file, out, suites=suites_root(), packs=packs_root(), scale=scale,
-                              without=without or [], progress=step)
+                              without=without or [], replace=replace or [], progress=step)
         progress.update(task, description=f"{'scene written':51}")
     if json_output:
         print_json(report)
@@ -112,8 +114,8 @@ def import_scene_file(
           f"licence {report['license']}): {report['level']}")
     for reason, names in grouped(report["skipped"], "reason").items():
         print(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
-    for row in report["notes"]:
-        print(f"note {row['name']}: {row['note']}" if row["name"] else f"note: {row['note']}")
+    for text, names in grouped(report["notes"], "note").items():
+        print(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
     if report["proposed_scale"]:
         print(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
 

@@ -18,7 +18,8 @@ SDF, TREE, TABLE = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",)
 
 
 def import_scene(source: Path, suite_id: str, *, suites: Path, packs: Path, scale: float = 1.0,
-                 without: Sequence[str] = (), progress: Callable[[str], None] | None = None) -> dict[str, Any]:
+                 without: Sequence[str] = (), replace: Sequence[str] = (),
+                 progress: Callable[[str], None] | None = None) -> dict[str, Any]:
     """Bring a scene file in as pack ``suite_id`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
     Args:
@@ -28,6 +29,7 @@ def import_scene(source: Path, suite_id: str, *, suites: Path, packs: Path, scal
         packs: where packs lie.
         scale: metres per unit; SDF is metres by definition.
         without: patterns of actors that are left out.
+        replace: ``NAME=FILE`` or ``NAME=FILE#PART,PART``: meshes of an SDF world that are read from another file.
         progress: told what is being read.
 
     Raises:
@@ -40,11 +42,13 @@ def import_scene(source: Path, suite_id: str, *, suites: Path, packs: Path, scal
         raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
     if (suites / suite_id / "suite.json").exists():
         raise BadInput("a suite of this name exists", where=suite_id, todo="choose another --out")
+    if replace and kind not in SDF:
+        raise BadInput("only meshes of an SDF world can be replaced", where=f"--replace {replace[0]}")
     folder, scene = source.parent, ImportedScene()
     if kind in SDF:
         if scale != 1.0:
             raise BadInput("SDF is in metres", where=f"--scale {scale}", todo="leave --scale out")
-        scene, folder = read_sdf(source, progress), scene_root(source)
+        scene, folder = read_sdf(source, progress, _replacements(replace)), scene_root(source)
     elif kind in TREE:
         scene = read_tree(source, scale=scale)
     elif kind in TABLE:
@@ -54,3 +58,13 @@ def import_scene(source: Path, suite_id: str, *, suites: Path, packs: Path, scal
                        todo=f"it reads {', '.join(SDF + TREE + TABLE)}")
     return write_scene(scene, suite_id, source=source, license_folder=folder, suites=suites, packs=packs,
                        without=without, scale=scale)
+
+
+def _replacements(rows: Sequence[str]) -> dict[str, str]:
+    found = {}
+    for row in rows:
+        name, equals, file = row.partition("=")
+        if not (name and equals and file):
+            raise BadInput("a replacement is NAME=FILE or NAME=FILE#PART", where=f"--replace {row}")
+        found[name.strip()] = file.strip()
+    return found

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatch
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,7 @@ from c4s.scene.transform import rotator_from_quat
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
 from catalog.ingest.hulls import bodies
 from catalog.ingest.licence import licence
-from catalog.ingest.source import SourcePart
+from catalog.ingest.surface import SourcePart
 from catalog.ingest.units import check_units, words
 from catalog.ingest.writer import PackWriter, identifier
 
@@ -41,23 +41,43 @@ class SceneAsset:
 
 @dataclass
 class SceneActor:
-    """A placed mesh: its path in the source (``Cafe/chair_1``), its asset's key, its matrix (cm, Unreal's axes)."""
+    """A placed mesh: its path in the source (``Cafe/chair_1``), its asset's key, its matrix (cm, Unreal's axes).
+
+    ``movable``: the source says that it is not fixed to its place.
+    """
 
     path: str
     asset: str
     matrix: Matrix
+    movable: bool = False
 
 
 @dataclass
 class SceneLight:
-    """A light: ``point`` or ``directional``, world matrix, linear colour and strength as in the engine."""
+    """A light: world matrix (it shines along X), linear colour and strength as in the engine.
+
+    ``units`` of a point or spot light, the engine's own measure when left out; ``cone_deg`` are the inner and outer
+    half angles of a spot light.
+    """
 
     path: str
-    kind: str
+    kind: Literal["point", "spot", "directional"]
     matrix: Matrix
     color: tuple[float, float, float] = (1.0, 1.0, 1.0)
     intensity: float = 1.0
     radius_cm: float = 1000.0
+    units: Literal["CANDELAS"] | None = None
+    cone_deg: tuple[float, float] | None = None
+
+
+@dataclass
+class SceneCamera:
+    """A camera: world matrix (it looks along X), horizontal field of view in degrees, width over height."""
+
+    path: str
+    matrix: Matrix
+    fov_deg: float
+    aspect: float
 
 
 @dataclass
@@ -69,6 +89,7 @@ class ImportedScene:
     assets: dict[str, SceneAsset] = field(default_factory=dict)
     actors: list[SceneActor] = field(default_factory=list)
     lights: list[SceneLight] = field(default_factory=list)
+    cameras: list[SceneCamera] = field(default_factory=list)
     skipped: list[dict[str, str]] = field(default_factory=list)
     notes: list[dict[str, str]] = field(default_factory=list)
 
@@ -129,13 +150,15 @@ def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_fo
         pack = writer.finish(title=f"Meshes of {source.stem}", license_id=name, license_text=text,
                              description=f"Imported from {source.name}")
     level = with_identities(Level(package=f"/Game/{pack.content_folder}/Maps/{identifier(suite_id)}",
-                                  actors=[*_actors(scene, kept, paths, suite_id), *_lights(scene, suite_id)]), suite_id)
+                                  actors=[*_actors(scene, kept, paths, suite_id), *_cameras(scene, suite_id),
+                                          *_lights(scene, suite_id)]), suite_id)
     folder = suites / suite_id
     level.write(folder / LEVEL_FILE)
     units = check_units(sizes).proposed
     proposed = None if scene.metric or units is None else float(f"{units * scale:.2g}")
     report = {"suite": suite_id, "level": str(folder / LEVEL_FILE), "package": level.package, "pack": pack.pack_id,
-              "license": pack.license, "actors": len(kept), "lights": len(scene.lights), "assets": len(pack.assets),
+              "license": pack.license, "actors": len(kept), "lights": len(scene.lights),
+              "cameras": len(scene.cameras), "assets": len(pack.assets),
               "left_out": len(scene.actors) - len(kept), "skipped": scene.skipped, "notes": scene.notes,
               "proposed_scale": proposed, "sha256": level.sha256()}
     write_json(folder / "import.json", report)
@@ -154,10 +177,26 @@ def _actors(scene: ImportedScene, kept: list[SceneActor], paths: dict[str, str],
         if sheared:
             scene.note(actor.path, "its shear is left out")
         name = _unique(identifier(re.sub(r"(?<![A-Za-z0-9])-(?=[0-9])", "minus", actor.path)), names)
+        properties = {"mobility": "MOVABLE"} if actor.movable else {}
         actors.append(LevelActor(
             name=name, label=name, class_path=STATIC_MESH_ACTOR, guid=guid_of(f"{suite_id}|{name}"),
             transform=transform, folder=actor.path.rpartition("/")[0], components=[LevelComponent(
-                name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=paths[actor.asset])]))
+                name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=paths[actor.asset],
+                properties=properties)]))
+    return actors
+
+
+def _cameras(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
+    names: Counter[str] = Counter()
+    actors = []
+    for camera in scene.cameras:
+        name = _unique(identifier(f"Camera_{camera.path.rpartition('/')[2]}"), names)
+        actors.append(LevelActor(
+            name=name, label=name, class_path="/Script/Engine.CameraActor", guid=guid_of(f"{suite_id}|{name}"),
+            transform=place(camera.matrix)[0], components=[
+                LevelComponent(name="SceneComponent", class_path="/Script/Engine.SceneComponent"),
+                LevelComponent(name="CameraComponent", class_path="/Script/Engine.CameraComponent", properties={
+                    "field_of_view": camera.fov_deg, "aspect_ratio": camera.aspect})]))
     return actors
 
 
@@ -171,11 +210,15 @@ def _lights(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
     names: Counter[str] = Counter()
     actors = []
     for light in lights:
-        kind = "PointLight" if light.kind == "point" else "DirectionalLight"
+        kind = {"point": "PointLight", "spot": "SpotLight", "directional": "DirectionalLight"}[light.kind]
         properties: dict[str, Any] = {"intensity": light.intensity,
                                       "light_color": [*(round(255 * c) for c in light.color), 255]}
-        if light.kind == "point":
+        if light.kind != "directional":
             properties["attenuation_radius"] = light.radius_cm
+        if light.units is not None:
+            properties["intensity_units"] = light.units
+        if light.cone_deg is not None:
+            properties |= {"inner_cone_angle": light.cone_deg[0], "outer_cone_angle": light.cone_deg[1]}
         name = _unique(identifier(f"Light_{light.path.removeprefix('Light')}"), names)
         actors.append(_light(name, kind, place(light.matrix)[0], properties, suite_id))
     return [*actors, _light("Light_Sky", "SkyLight", Transform(), {"intensity": 1.0}, suite_id)]

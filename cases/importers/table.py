@@ -13,7 +13,8 @@ import numpy as np
 
 from c4s.errors import BadInput
 from cases.importers.scene import ImportedScene, Matrix, SceneActor, SceneAsset
-from cases.importers.sdf_shapes import numbers, rigid, to_unreal
+from cases.importers.sdf_frames import numbers, rigid
+from cases.importers.sdf_shapes import to_unreal
 from catalog.ingest.source import read_source
 
 WORLD = ("x", "y", "z", "roll", "pitch", "yaw")

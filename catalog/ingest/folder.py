@@ -12,7 +12,8 @@ import numpy as np
 from c4s.errors import BadInput
 from catalog.ingest.hulls import HullPer, bodies
 from catalog.ingest.licence import UNKNOWN, licence
-from catalog.ingest.source import SUFFIXES, Source, Up, read_source
+from catalog.ingest.source import SUFFIXES, Up, read_source
+from catalog.ingest.surface import Source
 from catalog.ingest.units import check_units, words
 from catalog.ingest.writer import PackWriter, identifier
 

@@ -8,13 +8,14 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, write_bytes
 from c4s.packs.manifest import Asset, CollisionBody, Material, MaterialSlot, Pack
 from c4s.packs.meshes import Mesh
 from catalog.build import glb
-from catalog.ingest.source import SourcePart, Surface
+from catalog.ingest.surface import SourcePart, Surface
 
 PACK_ID = re.compile(r"[a-z0-9][a-z0-9._-]{0,62}")
 
@@ -29,6 +30,14 @@ def content_folder(pack_id: str) -> str:
 def identifier(text: str) -> str:
     """Text as an Unreal name: letters, digits and ``_``."""
     return re.sub(r"_+", "_", re.sub(r"[^A-Za-z0-9]+", "_", text)).strip("_") or "Unnamed"
+
+
+def _colors(parts: list[SourcePart]) -> NDArray[np.float32] | None:
+    """Colours of the vertices of all parts, white where a part has none; ``None`` when none has."""
+    if all(part.colors is None for part in parts):
+        return None
+    return np.concatenate([np.ones((len(part.vertices), 3)) if part.colors is None else part.colors
+                           for part in parts]).astype(np.float32)
 
 
 class PackWriter:
@@ -51,18 +60,28 @@ class PackWriter:
 
     def material(self, surface: Surface) -> str:
         """Path of the material of a surface; surfaces that look alike share one."""
-        texture = f"textures/T_{digest_bytes(surface.texture)[:16]}.png" if surface.texture else None
         record = Material(path="", base_color=surface.color, roughness=surface.roughness, metallic=surface.metallic,
-                          emissive=surface.emissive, opacity=surface.opacity, texture=texture)
+                          emissive=surface.emissive, opacity=surface.opacity, texture=self._texture(surface.texture),
+                          alpha=surface.alpha, alpha_cutoff=surface.alpha_cutoff,
+                          normal_texture=self._texture(surface.normal_texture),
+                          roughness_metal_texture=self._texture(surface.roughness_metal_texture),
+                          emissive_texture=self._texture(surface.emissive_texture))
         key = digest([surface.name, record.plain()])
         if key not in self._by_surface:
-            if texture and surface.texture and not (self.folder / texture).is_file():
-                write_bytes(self.folder / texture, surface.texture)
             name = self._free(f"M_{identifier(surface.name)}")
             path = f"/Game/{self.folder_name}/Materials/{name}.{name}"
             self.materials[path] = record.model_copy(update={"path": path})
             self._by_surface[key] = path
         return self._by_surface[key]
+
+    def _texture(self, png: bytes | None) -> str | None:
+        """Name of a texture in the pack; equal ones are written once."""
+        if png is None:
+            return None
+        name = f"textures/T_{digest_bytes(png)[:16]}.png"
+        if not (self.folder / name).is_file():
+            write_bytes(self.folder / name, png)
+        return name
 
     def add(self, name: str, parts: list[SourcePart], collision: list[CollisionBody], *, category: str,
             description: str = "", tags: list[str] | None = None, authored: bool = False) -> Asset:
@@ -81,7 +100,7 @@ class PackWriter:
                     normals=np.concatenate([part.normals for part in parts]).round(5).astype(np.float32),
                     uvs=np.concatenate([part.uvs for part in parts]).round(6).astype(np.float32),
                     face_slots=np.concatenate([np.full(len(part.faces), order[self.material(part.surface)], np.int32)
-                                               for part in parts]))
+                                               for part in parts]), colors=_colors(parts))
         stem = self._free(f"SM_{identifier(name)}")
         identity = stem[3:].lower()
         colors = {slot.name: self.materials[slot.material].base_color for slot in slots}
