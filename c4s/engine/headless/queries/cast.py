@@ -125,15 +125,6 @@ def _ray_bodies(index: SpatialIndex, target: Target, start: Array, direction: Ar
     return best
 
 
-def _local_rows(triangles: Triangles, matrix: Array, start: Array, step: Array) -> Rows:
-    """Rows of the triangles that a segment may meet."""
-    linear = matrix[:3, :3]
-    if abs(np.linalg.det(linear)) < 1e-12:
-        return np.arange(len(triangles.faces))
-    inverse = np.linalg.inv(linear)
-    return triangles.along(inverse @ (start - matrix[:3, 3]), inverse @ step)
-
-
 def _world_corners(triangles: Triangles, rows: Rows, matrix: Array) -> Array:
     corners: Array = triangles.corners[rows] @ matrix[:3, :3].T + matrix[:3, 3]
     return corners
@@ -143,8 +134,9 @@ def _ray_triangles(index: SpatialIndex, target: Target, start: Array, direction:
     triangles = index.triangles(target)
     if triangles is None:
         return None
-    matrix = target.matrix()
-    rows = _local_rows(triangles, matrix, start, direction * length)
+    matrix, inverse = target.matrices()
+    rows = np.arange(len(triangles.faces)) if inverse is None else triangles.along(
+        inverse @ (start - matrix[:3, 3]), inverse @ (direction * length))
     corners = _world_corners(triangles, rows, matrix)
     found = first_on_segment(corners, start, direction * length) if len(rows) else None
     if found is None:
@@ -174,9 +166,10 @@ def _sweep_triangles(index: SpatialIndex, target: Target, moving: Body, directio
     triangles = index.triangles(target)
     if triangles is None:
         return None
-    matrix, reach = target.matrix(), direction * length
+    (matrix, inverse), reach = target.matrices(), direction * length
     low, high = np.minimum(moving.low, moving.low + reach), np.maximum(moving.high, moving.high + reach)
-    rows = triangles.within(*_local_box(matrix, low, high))
+    rows = np.arange(len(triangles.faces)) if inverse is None else triangles.within(
+        *_local_box(matrix, inverse, low, high))
     if not len(rows):
         return None
     corners = _world_corners(triangles, rows, matrix)
@@ -193,12 +186,8 @@ def _not_flattened(corners: Array, rows: Rows) -> tuple[Array, Rows]:
     return corners[solid], rows[solid]
 
 
-def _local_box(matrix: Array, low: Array, high: Array) -> tuple[Array, Array]:
-    """Local box that holds a world box; everything where the matrix has no inverse."""
-    linear = matrix[:3, :3]
-    if abs(np.linalg.det(linear)) < 1e-12:
-        return np.full(3, -np.inf), np.full(3, np.inf)
-    inverse = np.linalg.inv(linear)
+def _local_box(matrix: Array, inverse: Array, low: Array, high: Array) -> tuple[Array, Array]:
+    """Local box that holds a world box."""
     middle = inverse @ ((low + high) / 2 - matrix[:3, 3])
     half = np.abs(inverse) @ ((high - low) / 2) + 1e-3
     return middle - half, middle + half

@@ -13,7 +13,7 @@ from c4s.engine.headless import state
 from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.queries import changes
 from c4s.engine.headless.queries.solids import Array
-from c4s.engine.headless.queries.triangles import Triangles, boxes_meet, segment_meets
+from c4s.engine.headless.queries.triangles import Rows, Triangles, segment_meets
 from c4s.packs.manifest import Asset, BoxBody, CapsuleBody, CollisionBody, HullBody
 
 if TYPE_CHECKING:
@@ -26,18 +26,22 @@ _Corners = tuple[tuple[float, float, float], tuple[float, float, float]]
 class Target:
     """One placed mesh (or volume) that queries can meet."""
 
-    __slots__ = ("_bodies", "actor", "asset", "component", "geometry", "high", "item", "low", "pose")
+    __slots__ = ("_bodies", "_matrix", "actor", "asset", "component", "geometry", "item", "pose")
 
     def __init__(self, actor: Any, component: Any, item: int, pose: Pose, asset: Asset | None, geometry: Any) -> None:
         self.actor, self.component, self.item, self.pose = actor, component, item, pose
         self.asset, self.geometry = asset, geometry
         self._bodies: list[Body] | None = None
-        self.low: Array | None = None
-        self.high: Array | None = None
+        self._matrix: tuple[Array, Array | None] | None = None
 
-    def matrix(self) -> Array:
-        """4x4 local to world."""
-        return self.pose.matrix()
+    def matrices(self) -> tuple[Array, Array | None]:
+        """4x4 local to world, and the inverse of its linear part (None where a scale is 0)."""
+        if self._matrix is None:
+            matrix = self.pose.matrix()
+            flat = min(abs(side) for side in self.pose.scale) < 1e-8
+            inverse: Array | None = None if flat else np.asarray(np.linalg.inv(matrix[:3, :3]), np.float64)
+            self._matrix = matrix, inverse
+        return self._matrix
 
 
 class SpatialIndex:
@@ -48,7 +52,7 @@ class SpatialIndex:
         self._map: Any = None
         self._rows: dict[Any, list[int]] = {}
         self._free: list[int] = []
-        self._low, self._high = np.full((_ROOM, 3), np.inf), np.full((_ROOM, 3), -np.inf)
+        self._low, self._high = np.full((3, _ROOM), np.inf), np.full((3, _ROOM), -np.inf)
         self._targets: list[Target | None] = []
         self._plain: dict[str, list[MeshBody]] = {}
         self._reach: dict[str, _Corners] = {}
@@ -68,12 +72,12 @@ class SpatialIndex:
         if self._map is not self._world.map:
             self._map = self._world.map
             self._rows, self._free, self._targets = {}, [], []
-            self._low, self._high = np.full((_ROOM, 3), np.inf), np.full((_ROOM, 3), -np.inf)
+            self._low, self._high = np.full((3, _ROOM), np.inf), np.full((3, _ROOM), -np.inf)
             changed = list(actors.values())
         for actor in changed:
             for row in self._rows.pop(actor, ()):
                 self._targets[row] = None
-                self._low[row], self._high[row] = np.inf, -np.inf
+                self._low[:, row], self._high[:, row] = np.inf, -np.inf
                 self._free.append(row)
             if actors.get(actor._name) is actor:
                 found = [self._add(target) for target in self._of(actor)]
@@ -103,10 +107,10 @@ class SpatialIndex:
         else:
             row = len(self._targets)
             self._targets.append(target)
-            if row == len(self._low):
-                self._low = np.concatenate([self._low, np.full_like(self._low, np.inf)])
-                self._high = np.concatenate([self._high, np.full_like(self._high, -np.inf)])
-        self._low[row], self._high[row] = low, high
+            if row == self._low.shape[1]:
+                self._low = np.concatenate([self._low, np.full_like(self._low, np.inf)], axis=1)
+                self._high = np.concatenate([self._high, np.full_like(self._high, -np.inf)], axis=1)
+        self._low[:, row], self._high[:, row] = low, high
         return row
 
     def _box(self, target: Target) -> tuple[Array, Array]:
@@ -137,18 +141,26 @@ class SpatialIndex:
 
     def crossing(self, start: Array, step: Array, half: Array) -> list[tuple[float, Target]]:
         """Targets whose box, widened by ``half`` (cm), meets a segment, with the fraction of the way; nearest first."""
-        used = len(self._targets)
-        meets, first = segment_meets(self._low[:used] - half, self._high[:used] + half, start, step)
-        rows = np.flatnonzero(meets)
-        found = [(float(first[row]), target) for row in rows[np.argsort(first[rows], kind="stable")].tolist()
-                 if (target := self._targets[row]) is not None]
-        return found
+        end = start + step
+        rows = self._near(np.minimum(start, end) - half, np.maximum(start, end) + half)
+        meets, first = segment_meets(self._low[:, rows].T - half, self._high[:, rows].T + half, start, step)
+        order = np.flatnonzero(meets)
+        order = order[np.argsort(first[order], kind="stable")]
+        return [(float(first[i]), target) for i in order.tolist() if (target := self._targets[rows[i]]) is not None]
 
     def meeting(self, low: Array, high: Array) -> list[Target]:
         """Targets whose box meets a box."""
+        return [target for row in self._near(low, high).tolist() if (target := self._targets[row]) is not None]
+
+    def _near(self, low: Array, high: Array) -> Rows:
+        """Rows whose box meets a box."""
         used = len(self._targets)
-        near = boxes_meet(self._low[:used], self._high[:used], low, high)
-        return [target for row in np.flatnonzero(near).tolist() if (target := self._targets[row]) is not None]
+        near = self._low[0, :used] <= high[0]
+        for axis in range(3):
+            if axis:
+                near &= self._low[axis, :used] <= high[axis]
+            near &= self._high[axis, :used] >= low[axis]
+        return np.flatnonzero(near)
 
     def bodies(self, target: Target) -> list[Body]:
         """Collision bodies of a target in the world."""
