@@ -13,8 +13,9 @@ from c4s.run.plan import DEFAULT_POLICY
 from c4s.run.records import Configuration, Plan, PlannedCase
 from c4s.score.case import case_score
 from c4s.score.detailed import detailed_score
+from c4s.score.overview import overview_score
 from c4s.score.physics import physics_from_report
-from c4s.score.policy import FAMILY_WEIGHTS
+from c4s.score.policy import FAMILY_WEIGHTS, OVERVIEW_WEIGHTS
 from c4s.verify.verdict import Verdict
 
 _FAMILIES = list(FAMILY_WEIGHTS)
@@ -53,6 +54,14 @@ def _detailed(rng: random.Random) -> Verdict:
                    measurements={"semantic_requirement_aggregation": rows, "known_coverage": made["known_coverage"]})
 
 
+def _overview(rng: random.Random) -> Verdict:
+    dimensions, structure = {name: rng.random() for name in OVERVIEW_WEIGHTS}, rng.random()
+    return Verdict(verifier="overview", status="measured", policy="made",
+                   score=overview_score(dimensions, structure, False)["score"],
+                   measurements={"dimensions": {name: {"score": value} for name, value in dimensions.items()},
+                                 "structural_integrity_score": structure, "severe_structural_cap_eligible": False})
+
+
 def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: str, rng: random.Random) -> None:
     valid = rng.random() < 0.95
     verdicts = {"integrity": Verdict(verifier="integrity", status="valid" if valid else "invalid", policy="made",
@@ -61,8 +70,7 @@ def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: s
         verdicts["physics"] = _physics(rng)
         if setting == "text-to-scene":
             verdicts |= {"detailed": _detailed(rng),
-                         "overview": Verdict(verifier="overview", status="measured", policy="made",
-                                             score=round(rng.random(), 4))}
+                         "overview": _overview(rng)}
         else:
             verdicts["repair"] = _repair(rng)
     made = case_score(case_id=case_id, setting=setting, configuration=configuration, repeat=1, judge="rule",

@@ -21,8 +21,14 @@ from c4s.score.policy import (
 
 
 def overview_score(dimension_scores: Mapping[str, Any], structural_score: Any,
-                   severe_cap_eligible: bool) -> dict[str, Any]:
+                   severe_cap_eligible: bool, weights: Mapping[str, float] = OVERVIEW_WEIGHTS) -> dict[str, Any]:
     """Score of one overview judgement, four decimals, with its parts.
+
+    Args:
+        dimension_scores: of the prompt-aware call, by dimension.
+        structural_score: of the prompt-free call.
+        severe_cap_eligible: whether a severe defect was told with enough certainty and evidence.
+        weights: of the dimensions.
 
     Raises ``BadInput`` when a dimension is missing or a score is no number in [0, 1]. Extra dimensions are ignored.
     """
@@ -34,12 +40,12 @@ def overview_score(dimension_scores: Mapping[str, Any], structural_score: Any,
     known = {name: value for name, value in values.items() if value is not None}
     if structure is None or len(known) < len(values):
         raise BadInput("overview dimension and structural scores must be numbers in [0, 1]")
-    alignment = math.fsum(weight * known[name] for name, weight in OVERVIEW_WEIGHTS.items())
+    alignment = math.fsum(weight * known[name] for name, weight in weights.items())
     multiplier = STRUCTURE_FLOOR + STRUCTURE_SHARE * structure
     before = alignment * multiplier
     score = min(before, SEVERE_CAP) if severe_cap_eligible else before
     return {"status": "measured", "score": round(score, 4), "prompt_alignment_score": round(alignment, 4),
-            "structural_integrity_score": structure, "structural_multiplier": round(multiplier, 4),
+            "structural_integrity_score": round(structure, 4), "structural_multiplier": round(multiplier, 4),
             "score_before_severe_cap": round(before, 4), "severe_cap_eligible": bool(severe_cap_eligible),
             "severe_cap_applied": bool(severe_cap_eligible and before > SEVERE_CAP)}
 

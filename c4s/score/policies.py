@@ -19,11 +19,19 @@ from c4s.case.package import Setting
 from c4s.errors import BadInput
 from c4s.model import Record
 from c4s.run.plan import DEFAULT_POLICY
-from c4s.score.policy import FAMILY_WEIGHTS, I2S_WEIGHTS, PHYSICS_LEAF_WEIGHTS, T2S_WEIGHTS, Family
+from c4s.score.policy import (
+    FAMILY_WEIGHTS,
+    I2S_WEIGHTS,
+    OVERVIEW_WEIGHTS,
+    PHYSICS_LEAF_WEIGHTS,
+    T2S_WEIGHTS,
+    Family,
+)
 from c4s.verify.repair.policy import NOMINAL, ProfileName
 
 _NAMES: dict[str, Mapping[str, float]] = {"text_to_scene": T2S_WEIGHTS, "image_to_scene": I2S_WEIGHTS,
-                                          "physics_leaves": PHYSICS_LEAF_WEIGHTS}
+                                          "overview": OVERVIEW_WEIGHTS, "physics_leaves": PHYSICS_LEAF_WEIGHTS,
+                                          "text_physics_leaves": PHYSICS_LEAF_WEIGHTS}
 _SUM_GUARD = 1e-9
 
 
@@ -39,18 +47,24 @@ class ScorePolicy(Record):
     """Weights of ``repair_f1`` and ``physics``; they sum to 1."""
     families: dict[Family, float] = Field(default_factory=lambda: dict(FAMILY_WEIGHTS))
     """Weights of the requirement families; renormalised over those that a prompt asks for, so all are positive."""
+    overview: dict[str, float] = Field(default_factory=lambda: dict(OVERVIEW_WEIGHTS))
+    """Weights of the four prompt dimensions; they sum to 1."""
     physics_leaves: dict[str, float] = Field(default_factory=lambda: dict(PHYSICS_LEAF_WEIGHTS))
     """Weights of ``floating`` and ``solid_penetration``; they sum to 1."""
+    text_physics_leaves: dict[str, float] | None = None
+    """The same for text-to-scene, where they differ there."""
     repair_tolerances: ProfileName = NOMINAL.name
     """Acceptance limits of Repair F1 (``c4s/verify/repair/policy.py``)."""
 
-    @field_validator("text_to_scene", "image_to_scene", "physics_leaves")
+    @field_validator("text_to_scene", "image_to_scene", "overview", "physics_leaves", "text_physics_leaves")
     @classmethod
-    def _complete(cls, value: dict[str, float], info: Any) -> dict[str, float]:
+    def _complete(cls, value: dict[str, float] | None, info: Any) -> dict[str, float] | None:
+        if value is None:
+            return None
         names = _NAMES[info.field_name]
         if set(value) != set(names):
             raise ValueError(f"needs exactly the weights {', '.join(names)}")
-        if min(value.values()) < 0 or not math.isclose(math.fsum(value.values()), 1.0, abs_tol=_SUM_GUARD):
+        if not min(value.values()) >= 0 or not math.isclose(math.fsum(value.values()), 1.0, abs_tol=_SUM_GUARD):
             raise ValueError("weights must not be negative and must sum to 1")
         return {name: value[name] for name in names}
 
@@ -67,6 +81,22 @@ class ScorePolicy(Record):
         """Component weights of a setting's case score."""
         return self.text_to_scene if setting == "text-to-scene" else self.image_to_scene
 
+    def leaves(self, setting: Setting) -> dict[str, float]:
+        """Weights of the physics leaves in a setting."""
+        own = self.text_physics_leaves if setting == "text-to-scene" else None
+        return own or self.physics_leaves
+
+
+def _fitted(policy_id: str, labels: str, families: tuple[float, ...], overview: tuple[float, ...],
+            detailed: float) -> ScorePolicy:
+    """Weights that the paper's human study fits; for comparison, and for text-to-scene only."""
+    return ScorePolicy(
+        policy_id=policy_id, description=f"Text-to-scene weights fitted to {labels} (paper, human alignment).",
+        text_to_scene={"detailed": detailed, "physics": 0.20, "overview": 0.80 - detailed},
+        families=dict(zip(FAMILY_WEIGHTS, families, strict=True)),
+        overview=dict(zip(OVERVIEW_WEIGHTS, overview, strict=True)),
+        text_physics_leaves={"floating": 0.0, "solid_penetration": 1.0})
+
 
 PUBLISHED = ScorePolicy(policy_id=DEFAULT_POLICY, description="The benchmark's published protocol.")
 POLICIES: dict[str, ScorePolicy] = {policy.policy_id: policy for policy in (
@@ -78,7 +108,10 @@ POLICIES: dict[str, ScorePolicy] = {policy.policy_id: policy for policy in (
     ScorePolicy(policy_id="repair-only", image_to_scene={"repair_f1": 1.0, "physics": 0.0},
                 description="Image-to-scene is Repair F1 alone; text-to-scene as published."),
     ScorePolicy(policy_id="equal-families", families=dict.fromkeys(FAMILY_WEIGHTS, 0.25),
-                description="Published weights; the four requirement families count the same."))}
+                description="Published weights; the four requirement families count the same."),
+    _fitted("human-fit-individual", "individual preferences", (0.18, 0.30, 0.13, 0.39), (0.0, 0.0, 1.0, 0.0), 0.25),
+    _fitted("human-fit-consensus", "the Plackett-Luce consensus", (0.08, 0.20, 0.17, 0.55), (0.10, 0.0, 0.90, 0.0),
+            0.30))}
 """Policies that ship, by id."""
 
 

@@ -12,12 +12,14 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
+from c4s.case.package import Setting
 from c4s.errors import BadInput
 from c4s.run.folder import RunFolder, TrialFolder
 from c4s.run.records import Plan, TrialScore
 from c4s.score.case import case_score
 from c4s.score.detailed import detailed_score
 from c4s.score.numbers import mean
+from c4s.score.overview import overview_score
 from c4s.score.physics import physics_from_report
 from c4s.score.policies import ScorePolicy
 from c4s.verify.verdict import Verdict
@@ -45,29 +47,37 @@ class Delta:
                 "to": self.after}
 
 
-def under(verdict: Verdict, policy: ScorePolicy) -> Verdict:
+def under(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> Verdict:
     """A measured verdict with the score that its stored measurements have under a policy.
 
     Raises ``BadInput`` when the measurements are not there.
     """
-    stored = verdict.measurements
-    if verdict.status != "measured" or verdict.verifier == "overview":
+    if verdict.status != "measured":
         return verdict
     try:
-        if verdict.verifier == "physics":
-            report = {"status": "measured", "metrics": {key: stored[key] for key in ("leaf_results",
-                                                                                     "leaf_score_directions")}}
-            return verdict.model_copy(update={
-                "score": physics_from_report(report, weights=policy.physics_leaves)["score"]})
-        if verdict.verifier == "detailed":
-            made = detailed_score(stored["semantic_requirement_aggregation"], policy.families)
-            return verdict.model_copy(update={
-                "score": made["score"], "measurements": {"known_coverage": made.get("known_coverage")}})
-        counts = stored["profiles"][policy.repair_tolerances]
-        return verdict.model_copy(update={"score": counts["f1"], "measurements": counts})
+        score, measurements = _again(verdict, policy, setting)
     except (KeyError, TypeError) as error:
         raise BadInput(f"{verdict.verifier} verdict has no {error} among its measurements",
                        todo="verify the trial again") from None
+    return verdict.model_copy(update={"score": score, "measurements": measurements})
+
+
+def _again(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> tuple[float | None, dict[str, Any]]:
+    stored = verdict.measurements
+    if verdict.verifier == "physics":
+        report = {"status": "measured", "metrics": {key: stored[key] for key in ("leaf_results",
+                                                                                 "leaf_score_directions")}}
+        return physics_from_report(report, weights=policy.leaves(setting))["score"], {}
+    if verdict.verifier == "detailed":
+        made = detailed_score(stored["semantic_requirement_aggregation"], policy.families)
+        return made["score"], {"known_coverage": made.get("known_coverage")}
+    if verdict.verifier == "overview":
+        dimensions = {name: row["score"] for name, row in stored["dimensions"].items()}
+        made = overview_score(dimensions, stored["structural_integrity_score"],
+                              stored["severe_structural_cap_eligible"], policy.overview)
+        return made["score"], {}
+    counts = stored["profiles"][policy.repair_tolerances]
+    return counts["f1"], counts
 
 
 def rescored(stored: TrialScore, verdicts: Mapping[str, Verdict], policy: ScorePolicy) -> TrialScore:
@@ -77,7 +87,8 @@ def rescored(stored: TrialScore, verdicts: Mapping[str, Verdict], policy: ScoreP
     return case_score(
         case_id=stored.case_id, setting=stored.setting, configuration=stored.configuration, repeat=stored.repeat,
         judge=stored.judge, engine=stored.engine, submitted=True, retained_attempt=stored.retained_attempt,
-        verdicts={name: under(verdict, policy) for name, verdict in verdicts.items()}, policy=policy.policy_id,
+        verdicts={name: verdict if name == "integrity" else under(verdict, policy, stored.setting)
+                  for name, verdict in verdicts.items()}, policy=policy.policy_id,
         weights=policy.weights(stored.setting))
 
 
