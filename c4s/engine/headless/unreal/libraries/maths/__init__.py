@@ -1,0 +1,1 @@
+"""Mathematics: every function of a file here is one of ``unreal.MathLibrary``."""
