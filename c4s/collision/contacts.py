@@ -1,38 +1,32 @@
 """Contacts between the actors of a scene, with their exact minimum-translation depth.
 
 Broad phase: an STR tree over plan boxes, then height, then the push-out of the two boxes, which bounds the depth from
-above. Narrow phase: coal's signed distance is the depth, python-fcl's collision test confirms the touch; a contact on
-which they disagree is reported as not trusted. The depth of two actors is the largest depth of their convex bodies,
-which is what an engine with separate shapes reports.
+above. Narrow phase: ``c4s.collision.depth``. The depth of two actors is the largest depth of their convex bodies, which
+is what an engine with separate shapes reports.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
-import coal
-import fcl
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from c4s.collision.depth import BodyTable, DepthMeter, Pairs
+from c4s.collision.mesh_body import Array
 from c4s.collision.scene import SceneBodies, scene_bodies
-from c4s.collision.shapes import Body
+
+__all__ = ["Contact", "DepthMeter", "contacts", "scene_contacts"]
 
 CHUNK = 1024
 """Bodies that are searched for partners at a time: bounds the memory of a crowded scene."""
-CONFIRM_CM = 1e-3
-"""Below this depth python-fcl's touch test is within its own rounding and cannot contradict coal."""
-NUDGE_CM = 1e-5
-"""How far a degenerate pair is moved before it is measured again; its depth is wrong by at most this."""
-NUDGES_CM = tuple(NUDGE_CM * np.array(step) for step in ((0.36, 0.48, 0.8), (-0.8, 0.36, 0.48), (0.48, -0.8, 0.36)))
+MOST_PAIRS = 100_000
+"""Pairs from which on those found so far are measured: bounds the memory too."""
 
 
-@dataclass(frozen=True)
-class Contact:
+class Contact(NamedTuple):
     """Two actors that overlap. ``depth_cm`` is the minimum translation (cm) that separates their deepest bodies."""
 
     a: str
@@ -49,80 +43,81 @@ class Contact:
 def contacts(snapshot: Mapping[str, Any], *, minimum_depth_cm: float = 0.0,
              actors: Collection[str] | None = None) -> list[Contact]:
     """Contacts deeper than ``minimum_depth_cm``, in snapshot order; ``actors``: only those of these object names."""
-    return scene_contacts(snapshot, scene_bodies(snapshot), minimum_depth_cm=minimum_depth_cm, actors=actors)
+    chosen = None if actors is None else {i for i, name in enumerate(_names(snapshot)) if name in actors}
+    return scene_contacts(snapshot, scene_bodies(snapshot), minimum_depth_cm=minimum_depth_cm, actors=chosen)
 
 
 def scene_contacts(snapshot: Mapping[str, Any], scene: SceneBodies, *, minimum_depth_cm: float = 0.0,
-                   actors: Collection[str] | None = None) -> list[Contact]:
-    """``contacts`` for bodies that are already placed."""
-    names = [str(actor.get("name") or actor.get("label") or f"#{i}")
-             for i, actor in enumerate(snapshot.get("actors") or [])]
-    chosen = None if actors is None else np.array([names[owner] in actors for owner in scene.owners], dtype=bool)
-    deepest: dict[tuple[int, int], tuple[float, bool]] = {}
-    measure = DepthMeter()
-    for i, j, push_out in _candidates(scene, minimum_depth_cm, chosen):
-        depth, trusted = measure(scene.bodies[i], scene.bodies[j], push_out)
-        if depth > minimum_depth_cm:
-            first, second = scene.owners[i], scene.owners[j]
-            pair = (first, second) if first < second else (second, first)
-            before = deepest.get(pair)
-            if before is None or (trusted, depth) > (before[1], before[0]):
-                deepest[pair] = depth, trusted
-    return [Contact(names[a], names[b], depth, trusted, a, b)
-            for (a, b), (depth, trusted) in sorted(deepest.items())]
+                   actors: Collection[int] | None = None) -> list[Contact]:
+    """``contacts`` for bodies that are already placed; ``actors``: only those at these positions.
+
+    Two actors have one contact, of their deepest trusted pair of bodies; and a second one when a pair that is not
+    trusted may be deeper.
+    """
+    names = _names(snapshot)
+    table = BodyTable(scene.bodies)
+    owners = np.array(scene.owners, dtype=np.int64)
+    parts = []
+    for i, j, push_out in _candidates(table, owners, minimum_depth_cm, actors):
+        depth, trusted = table.depths(i, j, push_out, minimum_depth_cm)
+        hit = np.flatnonzero(depth > 0)
+        parts.append(_deepest(np.minimum(owners[i[hit]], owners[j[hit]]), np.maximum(owners[i[hit]], owners[j[hit]]),
+                              depth[hit], trusted[hit]))
+    if not parts:
+        return []
+    a, b, depth, trusted = _deepest(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+    return [Contact(names[one], names[other], cm, sure, one, other) for one, other, cm, sure in
+            zip(a.tolist(), b.tolist(), depth.tolist(), trusted.tolist(), strict=True)]
 
 
-def _candidates(scene: SceneBodies, minimum_depth_cm: float, chosen: NDArray[np.bool_] | None
-                ) -> Iterator[tuple[int, int, float]]:
+def _deepest(a: Pairs, b: Pairs, depth: Array, trusted: NDArray[np.bool_]
+             ) -> tuple[Pairs, Pairs, Array, NDArray[np.bool_]]:
+    """Of each pair (a, b): the deepest trusted row, then the deepest other row if that is deeper; sorted by pair."""
+    order = np.lexsort((-depth, ~trusted, b, a))
+    a, b, depth, trusted = a[order], b[order], depth[order], trusted[order]
+    same = np.concatenate([[False], (a[1:] == a[:-1]) & (b[1:] == b[:-1])]) if len(a) else np.zeros(0, dtype=bool)
+    again = same & np.concatenate([[False], trusted[1:] == trusted[:-1]]) if len(a) else same
+    keep = np.flatnonzero(~again)
+    a, b, depth, trusted, same = a[keep], b[keep], depth[keep], trusted[keep], same[keep]
+    shallow = same.copy()
+    shallow[1:] &= depth[1:] <= depth[:-1]
+    keep = np.flatnonzero(~shallow)
+    return a[keep], b[keep], depth[keep], trusted[keep]
+
+
+def _names(snapshot: Mapping[str, Any]) -> list[str]:
+    return [str(actor.get("name") or actor.get("label") or f"#{i}")
+            for i, actor in enumerate(snapshot.get("actors") or [])]
+
+
+def _candidates(table: BodyTable, owners: Pairs, minimum_depth_cm: float, actors: Collection[int] | None
+                ) -> Iterator[tuple[Pairs, Pairs, Array]]:
     """Body pairs of different actors whose boxes overlap by more than ``minimum_depth_cm``, with that push-out."""
-    if len(scene.bodies) < 2:
+    if len(owners) < 2:
         return
-    low = np.array([body.low for body in scene.bodies])
-    high = np.array([body.high for body in scene.bodies])
-    owners = np.array(scene.owners)
+    low, high = table.low, table.high
+    chosen = None if actors is None else np.isin(owners, np.fromiter(actors, dtype=np.int64, count=len(actors)))
     boxes = shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1])
     tree = shapely.STRtree(boxes)
     searching = np.arange(len(boxes)) if chosen is None else np.flatnonzero(chosen)
+    found: list[tuple[Pairs, Pairs, Array]] = []
     for start in range(0, len(searching), CHUNK):
         part = searching[start:start + CHUNK]
-        found, j = tree.query(boxes[part])
-        i = part[found]
+        hit, j = tree.query(boxes[part])
+        i = part[hit]
         keep = owners[i] != owners[j]
         keep &= (i < j) if chosen is None else ((i < j) | ~chosen[j])
         i, j = i[keep], j[keep]
         push_out = np.minimum(high[i] - low[j], high[j] - low[i]).min(axis=1)
         keep = push_out > minimum_depth_cm
-        yield from zip(i[keep].tolist(), j[keep].tolist(), push_out[keep].tolist(), strict=True)
+        found.append((i[keep], j[keep], push_out[keep]))
+        if sum(len(pairs) for pairs, _, _ in found) > MOST_PAIRS:
+            yield _joined(found)
+            found = []
+    if found:
+        yield _joined(found)
 
 
-class DepthMeter:
-    """Measures ``(depth in cm, trusted)`` of two bodies; the depth is 0 when they do not overlap.
-
-    The push-out of the two world boxes bounds the true depth from above. coal's expanding polytope has no volume to
-    start from when a round body's core lies exactly in a flat one; a depth above the bound shows that, and the pair is
-    measured again a hair's breadth (``NUDGE_CM``) apart.
-    """
-
-    def __init__(self) -> None:
-        self._distance_request, self._distance = coal.DistanceRequest(), coal.DistanceResult()
-        self._collision_request = fcl.CollisionRequest(num_max_contacts=1, enable_contact=False)
-
-    def __call__(self, a: Body, b: Body, push_out: float | None = None) -> tuple[float, bool]:
-        bound = float(np.minimum(a.high - b.low, b.high - a.low).min()) if push_out is None else push_out
-        for nudge in (None, *NUDGES_CM):
-            depth = self._depth(a, b if nudge is None else b.moved(nudge))
-            if depth <= bound * (1 + 1e-6) + CONFIRM_CM:
-                break
-        else:
-            return bound, False
-        if depth <= 0:
-            return 0.0, True
-        return depth, depth <= CONFIRM_CM or bool(
-            fcl.collide(a.fcl_object, b.fcl_object, self._collision_request, fcl.CollisionResult()))
-
-    def _depth(self, a: Body, b: Body) -> float:
-        """coal's signed distance, turned; infinite when it is no number."""
-        self._distance.clear()
-        depth = -float(coal.distance(a.shape, a.coal_pose, b.shape, b.coal_pose,
-                                     self._distance_request, self._distance))
-        return depth if math.isfinite(depth) else math.inf
+def _joined(found: list[tuple[Pairs, Pairs, Array]]) -> tuple[Pairs, Pairs, Array]:
+    i, j, push_out = (np.concatenate(column) for column in zip(*found, strict=True))
+    return i, j, push_out

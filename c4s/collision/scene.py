@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from itertools import compress
+from typing import Any, NamedTuple
 
-from c4s.collision.shapes import Body, BodyFactory
+import numpy as np
+
+from c4s.collision.mesh_body import Array, MeshBody, Triple, number, read_body, triple
+from c4s.collision.shape_cache import SHAPES
+from c4s.collision.shapes import Body, Shape
+from c4s.scene.transform import quat_from_rotator
+
+MOST_CORNERS_AT_ONCE = 200_000
+"""Hull corners that are placed in one step: bounds the memory of a scene with many instances."""
 
 
 @dataclass(frozen=True)
@@ -19,43 +28,145 @@ class SceneBodies:
     """Actor index to the reason why its bodies are not (all) known."""
 
 
+class _Placed(NamedTuple):
+    """A shape of an actor (an index) and the pose of its component."""
+
+    owner: int
+    shape: Shape
+    location: Triple
+    quaternion: tuple[float, float, float, float]
+
+
 def scene_bodies(snapshot: Mapping[str, Any]) -> SceneBodies:
     """World bodies of every actor of a snapshot that carries c4s's keys.
 
     Components with collision off have none; a body without area (scale zero) has no collision, as in Unreal.
     An actor without the keys, with an unknown mesh or with unusable numbers is unresolved, never guessed.
     """
-    scene = SceneBodies()
     extra = snapshot.get("c4s")
     meshes = extra.get("meshes") if isinstance(extra, Mapping) else None
-    factory = BodyFactory(meshes if isinstance(meshes, Mapping) else {})
+    library = _Meshes(meshes) if isinstance(meshes, Mapping) else None
+    placed: list[_Placed] = []
+    unresolved: dict[int, str] = {}
     for index, actor in enumerate(snapshot.get("actors") or []):
         own = actor.get("c4s")
-        if not isinstance(meshes, Mapping) or not isinstance(own, Mapping) \
-                or not isinstance(own.get("components"), list):
-            if (actor.get("collision") or {}).get("collision_enabled") is not False:
-                scene.unresolved[index] = "the snapshot holds no collision bodies of this actor"
+        components = own.get("components") if isinstance(own, Mapping) else None
+        if library is None or not isinstance(components, list):
+            collision = actor.get("collision")
+            if not (isinstance(collision, Mapping) and collision.get("collision_enabled") is False):
+                unresolved[index] = "the snapshot holds no collision bodies of this actor"
             continue
-        for component in own["components"]:
-            reason = _add_component(scene, index, component, factory)
-            if reason:
-                scene.unresolved[index] = reason
-    return scene
+        for component in components:
+            try:
+                placed += [_Placed(index, *part) for part in library.place(component)]
+            except ValueError as error:
+                unresolved.setdefault(index, str(error))
+    bodies, finite = _place(placed)
+    for part, usable in zip(placed, finite, strict=True):
+        if not usable:
+            unresolved.setdefault(part.owner, "a body outside the range of numbers")
+    return SceneBodies(list(compress(bodies, finite)), list(compress((part.owner for part in placed), finite)),
+                       unresolved)
 
 
-def _add_component(scene: SceneBodies, index: int, component: Mapping[str, Any], factory: BodyFactory) -> str:
-    """Add a component's bodies; the reason when that is not possible."""
-    mesh = component.get("mesh")
-    if not mesh or not component.get("collision_enabled"):
-        return ""
-    if not factory.knows(mesh):
-        return f"no collision data of mesh {mesh}"
-    instances = component.get("instances")
-    placements = instances if isinstance(instances, list) else [component.get("transform") or {}]
-    try:
-        bodies = [body for placement in placements for body in factory.place(mesh, placement)]
-    except (TypeError, ValueError, KeyError) as error:
-        return f"component {component.get('name')}: {error}"
-    scene.bodies.extend(bodies)
-    scene.owners.extend([index] * len(bodies))
-    return ""
+class _Meshes:
+    """The meshes of a snapshot; each is read once."""
+
+    def __init__(self, meshes: Mapping[str, Any]) -> None:
+        self._meshes = meshes
+        self._bodies: dict[str, list[MeshBody]] = {}
+        self._shapes: dict[tuple[str, Triple], list[Shape]] = {}
+
+    def place(self, component: Any) -> Iterator[tuple[Shape, Triple, tuple[float, float, float, float]]]:
+        """Shapes of a component with their poses. ``ValueError`` says why they are not known."""
+        if not isinstance(component, Mapping):
+            raise ValueError("a component is not an object")
+        mesh = component.get("mesh")
+        if not mesh or not component.get("collision_enabled"):
+            return
+        instances = component.get("instances")
+        transforms = instances if isinstance(instances, list) else [component.get("transform")]
+        try:
+            for transform in transforms:
+                if not isinstance(transform, Mapping):
+                    raise ValueError("no transform")
+                location, scale = triple(transform.get("location_cm")), triple(transform.get("scale"))
+                rotation = _quaternion(transform)
+                for shape in self._scaled(str(mesh), scale):
+                    yield shape, location, rotation
+        except ValueError as error:
+            raise ValueError(f"component {component.get('name')}: {error}") from error
+
+    def _scaled(self, mesh: str, scale: Triple) -> list[Shape]:
+        known = self._shapes.get((mesh, scale))
+        if known is None:
+            shapes = [SHAPES.shape(body, scale) for body in self._read(mesh)]
+            known = self._shapes[mesh, scale] = [shape for shape in shapes if shape is not None]
+        return known
+
+    def _read(self, mesh: str) -> list[MeshBody]:
+        if mesh not in self._bodies:
+            facts = self._meshes.get(mesh)
+            stored = facts.get("collision") if isinstance(facts, Mapping) else None
+            if not isinstance(stored, list):
+                raise ValueError(f"no collision data of mesh {mesh}")
+            try:
+                self._bodies[mesh] = [read_body(body) for body in stored]
+            except ValueError as error:
+                raise ValueError(f"mesh {mesh}: {error}") from error
+        return self._bodies[mesh]
+
+
+def _quaternion(transform: Mapping[str, Any]) -> tuple[float, float, float, float]:
+    """Rotation of a transform (x, y, z, w), not normalised; from ``rotation_deg`` when it stores no quaternion."""
+    stored = transform.get("quaternion_xyzw")
+    if stored is None:
+        return quat_from_rotator(triple(transform.get("rotation_deg")))
+    if not isinstance(stored, list | tuple) or len(stored) != 4:
+        raise ValueError("not a rotation quaternion")
+    x, y, z, w = (number(part) for part in stored)
+    if not 1e-12 <= (x * x + y * y + z * z + w * w) ** 0.5 < 1e150:
+        raise ValueError("not a rotation quaternion")
+    return x, y, z, w
+
+
+def _matrices(quaternions: Array) -> Array:
+    """Rotation matrices (n, 3, 3) of quaternions (n, 4) of any length but zero."""
+    x, y, z, w = (quaternions / np.linalg.norm(quaternions, axis=1)[:, None]).T
+    rows = [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),
+            2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
+            2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]
+    return np.stack(rows, axis=1).reshape(-1, 3, 3)
+
+
+def _place(placed: list[_Placed]) -> tuple[list[Body], list[bool]]:
+    """The bodies in the world, all poses at once; and which of them have finite boxes."""
+    if not placed:
+        return [], []
+    rotation = _matrices(np.array([part.quaternion for part in placed]))
+    pose = rotation @ np.array([part.shape.frame for part in placed])
+    offset = np.array([part.shape.offset for part in placed])
+    half = np.array([part.shape.half for part in placed])
+    with np.errstate(over="ignore", invalid="ignore"):
+        centre = np.array([part.location for part in placed]) + np.einsum("nij,nj->ni", rotation, offset)
+        reach = np.einsum("nij,nj->ni", np.abs(pose), half) + np.array([[part.shape.radius] for part in placed])
+        low, high = centre - reach, centre + reach
+        for some, corners in _hull_groups(placed):
+            world = corners @ pose[some].transpose(0, 2, 1)
+            low[some], high[some] = centre[some] + world.min(axis=1), centre[some] + world.max(axis=1)
+        finite = np.isfinite(low + high).all(axis=1)
+    return [Body(part.shape, *row) for part, *row in zip(placed, pose, centre, low, high, strict=True)], finite.tolist()
+
+
+def _hull_groups(placed: list[_Placed]) -> Iterator[tuple[list[int], Array]]:
+    """Positions that share a hull, with its corners; at most ``MOST_CORNERS_AT_ONCE`` corners a group."""
+    groups: dict[int, list[int]] = {}
+    for index, part in enumerate(placed):
+        if part.shape.corners is not None:
+            groups.setdefault(id(part.shape), []).append(index)
+    for members in groups.values():
+        corners = placed[members[0]].shape.corners
+        assert corners is not None
+        step = max(1, MOST_CORNERS_AT_ONCE // len(corners))
+        for start in range(0, len(members), step):
+            yield members[start:start + step], corners

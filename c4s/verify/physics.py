@@ -15,7 +15,7 @@ from c4s.score.physics import physics_from_report
 from c4s.score.policy import PHYSICS_POLICY
 from c4s.verify.edited import edited_actors
 from c4s.verify.penetration import FIXED_TOLERANCE_CM, Penetration, penetration
-from c4s.verify.roles import Role, bounds_of, roles
+from c4s.verify.roles import ROLE_POLICY, Role, bounds_of, needs_no_support, roles
 from c4s.verify.support import GAP_CM, Support, edited_support, excluded_by_label, text_to_scene_support
 from c4s.verify.verdict import Verdict
 
@@ -51,9 +51,8 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
         floating = _edited_floating(actors, role, scene, chosen)
     if contacts is not None:
         scene = SceneBodies(scene.bodies, scene.owners, {})
-    names = {str(actors[i].get("name")) for i in chosen}
     found = list(contacts) if contacts is not None else scene_contacts(
-        snapshot, scene, minimum_depth_cm=FIXED_TOLERANCE_CM, actors=None if whole else names)
+        snapshot, scene, minimum_depth_cm=FIXED_TOLERANCE_CM, actors=None if whole else chosen)
     judged = penetration(actors, role, found, scene, scored=chosen, adaptive=whole)
     solid = _penetration_leaf(actors, chosen, judged)
     leaves = {"leaf_results": [floating, solid],
@@ -62,7 +61,7 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
     scored = [i for i in chosen if role[i] == "scored_solid"]
     return Verdict(
         verifier="physics", status="measured", score=total["score"], policy=PHYSICS_POLICY,
-        measurements={**leaves, "leaves": total["leaves"], "roles": {_name(actors[i]): role[i] for i in chosen}},
+        measurements={**leaves, "leaves": total["leaves"], "role_policy": ROLE_POLICY, "roles": {_name(actors[i]): role[i] for i in chosen}},
         population={"actors": len(actors), "selected": len(chosen), **_leaf_population("floating", floating),
                     **_leaf_population("solid_penetration", solid),
                     **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())}},
@@ -104,8 +103,11 @@ def _scene_floating(snapshot: Mapping[str, Any]) -> Leaf:
 
 def _edited_floating(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], scene: SceneBodies,
                      chosen: Sequence[int]) -> Leaf:
-    """Image-to-scene: support of the edited actors, without non-solid ones and broad thin ground surfaces."""
-    tested = [i for i in chosen if role[i] not in ("non_solid", "support_surface")]
+    """Image-to-scene: support of the edited actors, without non-solid ones and broad thin ground surfaces.
+
+    When none is left the leaf is neutral; the penetration leaf is then not applicable (both as published).
+    """
+    tested = [i for i in chosen if not needs_no_support(actors[i])]
     solid = {i for i in range(len(actors)) if role[i] != "non_solid"}
     unknown = [(box[0] - box[1], box[0] + box[1]) if (box := bounds_of(actors[i])) is not None
                else (np.full(3, -math.inf), np.full(3, math.inf)) for i in scene.unresolved if i in solid]
@@ -115,7 +117,7 @@ def _edited_floating(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], 
     unresolved = [_name(actors[i]) for i, state in states.items() if state == "unresolved"]
     evaluated = len(states) - len(unresolved)
     if not tested:
-        status, score = _empty(len(chosen), 0.0)
+        status, score = "measured", 0.0
     elif not evaluated or (unresolved and not failed):
         status, score = "not_evaluated", None
     else:
@@ -168,7 +170,8 @@ def _advisories(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int], scor
         notes.append({"code": "empty_population", "text": "no actor was selected: both leaves are neutral",
                       "actors": []})
     elif any(leaf["status"] == "not_applicable" for leaf in leaves):
-        notes.append({"code": "all_excluded", "text": "every selected actor is excluded from a leaf, which counts 0",
+        notes.append({"code": "all_excluded", "text": "every selected actor is excluded from a leaf, which is not "
+                      "applicable and counts 0",
                       "actors": [_name(actors[i]) for i in chosen]})
     if judged.unresolved and judged.violators:
         notes.append({"code": "violation_lifts_unresolved",
