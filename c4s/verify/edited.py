@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from c4s.verify.repair.actors import Record, identity
+from c4s.verify.repair.entries import Record, identity
 from c4s.verify.repair.difference import changed_fields
 
 

@@ -16,7 +16,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Literal, TypeAlias
 
 from c4s.model import Record
-from c4s.verify.repair.actors import is_semantic, short_class
+from c4s.verify.repair.kinds import is_semantic, short_class
 from c4s.verify.snapshot_schema import scene_fault
 from c4s.verify.verdict import Verdict
 

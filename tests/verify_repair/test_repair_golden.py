@@ -5,13 +5,14 @@ from __future__ import annotations
 import gzip
 import json
 from collections import Counter
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from c4s.errors import BadInput
 from c4s.verify.batch import repair_batch
-from c4s.verify.repair import repair
+from c4s.verify.repair import repair, verify_repair
 from tests.shared import SHARED
 
 GOLDEN = SHARED / "golden" / "repair_f1.jsonl.gz"
@@ -47,3 +48,18 @@ def test_intermediate_results_agree(rows: list[dict[str, Any]]) -> None:
         assert {"m": len(result.accepted), "d": len(result.removed_targets), "C": len(case.pool),
                 "o": len(result.losses), "repurposed": len(result.repurposed), "rebinds": result.rebound} == \
             {key: detail[key] for key in ("m", "d", "C", "o", "repurposed", "rebinds")}, row["name"]
+
+
+def test_files_give_what_plain_data_gives(rows: list[dict[str, Any]], tmp_path: Path) -> None:
+    paths = {name: tmp_path / f"{name}.json" for name in ("input", "ground_truth", "candidate")}
+    for row in rows:
+        for name, path in paths.items():
+            path.write_text(json.dumps(row[name]))
+        try:
+            verdict = verify_repair(*paths.values())
+        except BadInput:
+            assert "expected_error" in row, row["name"]
+            continue
+        assert (verdict.score is None) == ("expected_error" in row), row["name"]
+        if verdict.score is not None:
+            assert {key: verdict.measurements[key] for key in row["expected"]} == row["expected"], row["name"]

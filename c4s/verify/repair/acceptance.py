@@ -8,31 +8,42 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, TypeAlias
 
-from c4s.verify.repair.actors import Record, descriptor
+from c4s.verify.repair.entries import Record
+from c4s.verify.repair.kinds import descriptor
 from c4s.verify.repair.materials import material_set, slot_map
 from c4s.verify.repair.policy import GUARD, Tolerances
 from c4s.verify.repair.vectors import Vector3, angle_deg, valid_vector
+
+Quantity: TypeAlias = Literal["distance", "angle", "ratio"]
 
 
 @dataclass(frozen=True, slots=True)
 class Errors:
     """Measured errors of a candidate actor against a target; None where the evidence does not allow a number."""
 
-    descriptor_equal: bool
     position_cm: float | None
     rotation_deg: float | None
     scale_pct: float | None
     bounds_center_cm: float | None
     bounds_extent_pct: float | None
-    failed: tuple[str, ...]
-    """Names of the tests that fail; empty means accepted."""
+    descriptor_equal: bool
+    unequal: tuple[str, ...]
+    """Names of the attributes that must be equal and are not."""
+    numbers: tuple[tuple[str, Quantity, float | None], ...]
+    """Test, quantity and unrounded value of each applicable test that has a tolerance, in the order of the paper."""
 
-    @property
-    def accepted(self) -> bool:
+    def failed(self, limits: Tolerances) -> tuple[str, ...]:
+        """Names of the tests that fail; empty means accepted."""
+        limit = {"distance": limits.position_cm, "angle": limits.rotation_deg, "ratio": limits.ratio}
+        far = tuple(name for name, quantity, value in self.numbers
+                    if value is None or not value <= limit[quantity] + GUARD)
+        return (() if self.descriptor_equal else ("descriptor",)) + far + self.unequal
+
+    def accepted(self, limits: Tolerances) -> bool:
         """Whether every applicable test passes."""
-        return not self.failed
+        return not self.failed(limits)
 
 
 def _ratio(candidate: Vector3, truth: Vector3) -> float | None:
@@ -79,29 +90,24 @@ def _attribute_failures(truth: Record, candidate: Record) -> list[str]:
     return failed
 
 
-def measure(truth: Record, candidate: Record, limits: Tolerances) -> Errors:
-    """Measure a candidate actor against a target's state and name the tests that it fails."""
+def measure(truth: Record, candidate: Record) -> Errors:
+    """Measure a candidate actor against a target's state."""
     mine, theirs = _members(truth, "transform"), _members(candidate, "transform")
     same_kind = bool(descriptor(truth)[0]) and descriptor(truth) == descriptor(candidate)
     position = _measure(math.dist, theirs.get("location_cm"), mine.get("location_cm"))
     rotation = _measure(angle_deg, theirs.get("rotation_deg"), mine.get("rotation_deg"))
     scale = _measure(_ratio, theirs.get("scale"), mine.get("scale"))
-    failed = [] if same_kind else ["descriptor"]
-    for name, value, limit in (("position", position, limits.position_cm), ("rotation", rotation, limits.rotation_deg),
-                               ("scale", scale, limits.ratio)):
-        if value is None or not value <= limit + GUARD:
-            failed.append(name)
+    numbers: list[tuple[str, Quantity, float | None]] = [
+        ("position", "distance", position), ("rotation", "angle", rotation), ("scale", "ratio", scale)]
     center = extent = None
     if truth.get("bounds") is not None:
         wanted, found = _members(truth, "bounds"), _members(candidate, "bounds")
         if "origin_cm" in wanted:
             center = _measure(math.dist, found.get("origin_cm"), wanted["origin_cm"])
-            if center is None or not center <= limits.position_cm + GUARD:
-                failed.append("bounds_center")
+            numbers.append(("bounds_center", "distance", center))
         if "extent_cm" in wanted:
             extent = _measure(_extent_ratio, found.get("extent_cm"), wanted["extent_cm"])
-            if extent is None or not extent <= limits.ratio + GUARD:
-                failed.append("bounds_extent")
-    failed += _attribute_failures(truth, candidate)
-    return Errors(same_kind, position, rotation, None if scale is None else 100 * scale, center,
-                  None if extent is None else 100 * extent, tuple(failed))
+            numbers.append(("bounds_extent", "ratio", extent))
+    return Errors(position, rotation, None if scale is None else 100 * scale, center,
+                  None if extent is None else 100 * extent, same_kind,
+                  tuple(_attribute_failures(truth, candidate)), tuple(numbers))

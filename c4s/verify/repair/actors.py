@@ -1,111 +1,43 @@
-"""Reading actors of a snapshot: scene checks, structural descriptor, identity, and who counts as a semantic actor."""
+"""The actors of a scene, checked and prepared for matching."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any, Literal, TypeAlias
 
 from c4s.errors import BadInput
+from c4s.verify.repair.entries import Entry, PlainEntry, Record, posed_locations
+from c4s.verify.repair.kinds import Descriptor, Kind
 from c4s.verify.repair.vectors import Vector3, valid_vector
 
-Record: TypeAlias = dict[str, Any]
-Descriptor: TypeAlias = tuple[str, str, str, tuple[str, ...]]
-"""Class path, static mesh, Blueprint class, sorted component assets; all normalised."""
 Role: TypeAlias = Literal["input", "truth", "candidate"]
 
-_HELPERS = frozenset({"cameraactor", "cinecameraactor", "scenecapture2d", "scenecapturecube"})
 _CONTENT_FIELDS = ("class", "asset_path", "component_asset_paths", "transform", "bounds", "properties",
                    "material_paths", "component_material_slots")
-_LEVEL_MARK = ":PersistentLevel."
 
 
-@lru_cache(maxsize=65536)
-def _normalized_text(text: str) -> str:
-    text = text.strip()
-    if text.endswith("'") and "'" in text[:-1]:
-        text = text[text.index("'") + 1:-1]
-    return text.casefold()
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """A snapshot that was read from a file: its actors as text, and how its export went."""
+
+    actors: list[Entry]
+    export_metadata: Any
 
 
-def normalized_path(value: Any) -> str:
-    """An asset or class path without export quotes, case-folded; empty for null."""
-    return "" if value is None else _normalized_text(str(value))
-
-
-def short_class(value: Any) -> str:
-    """Class name without its package: the part after the last ``.``, then after the last ``/``."""
-    return str(value or "").rpartition(".")[2].rpartition("/")[2]
-
-
-@lru_cache(maxsize=65536)
-def _descriptor(class_path: Any, asset: Any, components: tuple[Any, ...]) -> Descriptor:
-    kind = normalized_path(class_path)
-    blueprint = kind if kind.startswith("/game/") else ""
-    mesh = "" if blueprint else normalized_path(asset)
-    return kind, mesh, blueprint, tuple(sorted({normalized_path(part) for part in components}))
-
-
-def descriptor(record: Record) -> Descriptor:
-    """The normalised structural descriptor (scorer fact 1): what the actor is, not where or how it is called."""
-    parts = record.get("component_asset_paths")
-    raw = record.get("class"), record.get("asset_path"), tuple(parts) if isinstance(parts, list) else ()
-    try:
-        return _descriptor(*raw)
-    except TypeError:
-        return _descriptor(str(raw[0] or ""), str(raw[1] or ""), tuple(map(str, raw[2])))
-
-
-@lru_cache(maxsize=65536)
-def _helper(class_path: str, asset: str) -> bool:
-    name = short_class(class_path).casefold()
-    return (name in _HELPERS or name.endswith("cameraactor") or name.startswith("scenecapture")
-            or short_class(_normalized_text(asset)) == "matineecam_sm")
-
-
-def is_semantic(record: Record) -> bool:
-    """False for capture helpers (cameras, scene captures); everything else counts, lights and volumes included."""
-    kind, asset = record.get("class") or "", record.get("asset_path") or ""
-    return not _helper(kind if type(kind) is str else str(kind), asset if type(asset) is str else str(asset))
-
-
-def identity(record: Record) -> str:
-    """The actor's identity key: stable id, else GUID, else label, else its path inside the level.
-
-    Raises ``BadInput`` when the record has none of them.
-    """
-    stable = record.get("stable_actor_id")
-    if type(stable) is str and (stable := stable.strip()):
-        return f"stable:{stable}"
-    for field, name in (("stable_actor_id", "stable"), ("actor_guid", "guid"), ("label", "label")):
-        value = record.get(field)
-        if value is not None:
-            text = str(value).strip()
-            if text:
-                return f"{name}:{text}"
-    path = str(record.get("actor_path") or "").strip()
-    if not path:
-        raise BadInput("an actor has no id, GUID, label or path", todo="export the scene again")
-    return f"path:{path.rpartition(_LEVEL_MARK)[2]}"
-
-
-def by_identity(records: Sequence[Record], role: Role) -> dict[str, Record]:
+def by_identity(entries: Sequence[Entry], role: Role) -> dict[str, Entry]:
     """Actors by identity key; ``BadInput`` when two share one."""
-    found: dict[str, Record] = {}
-    for record in records:
-        key = identity(record)
-        if key in found:
-            raise BadInput(f"two actors have the identity {key}", where=f"{role} snapshot",
-                           todo="identities must be unique in a scene")
-        found[key] = record
+    found = {entry.identity(): entry for entry in entries}
+    if len(found) != len(entries):
+        key = next(key for key, count in Counter(entry.identity() for entry in entries).items() if count > 1)
+        raise BadInput(f"two actors have the identity {key}", where=f"{role} snapshot",
+                       todo="identities must be unique in a scene")
     return found
 
 
-def scene_actors(snapshot: Any, role: Role) -> list[Record]:
-    """The actor records of a snapshot after the scene checks (scorer fact 2.1); raises ``BadInput``."""
-    where = f"{role} snapshot"
+def _plain(snapshot: Any, where: str) -> Scene:
     if not isinstance(snapshot, dict):
         raise BadInput("a scene snapshot must be a JSON object", where=where)
     actors = snapshot.get("actors")
@@ -114,30 +46,54 @@ def scene_actors(snapshot: Any, role: Role) -> list[Record]:
     wrong = next((n for n, actor in enumerate(actors) if not isinstance(actor, dict)), None)
     if wrong is not None:
         raise BadInput(f"actor {wrong} is not a JSON object", where=where)
-    metadata = snapshot.get("export_metadata")
+    return Scene(list(map(PlainEntry, actors)), snapshot.get("export_metadata"))
+
+
+def scene_actors(snapshot: Any, role: Role) -> list[Entry]:
+    """The actors of a snapshot after the scene checks (scorer fact 2.1); raises ``BadInput``.
+
+    Args:
+        snapshot: a ``Scene``, or plain data.
+        role: which scene of the case it is.
+    """
+    where = f"{role} snapshot"
+    scene = snapshot if isinstance(snapshot, Scene) else _plain(snapshot, where)
+    metadata = scene.export_metadata
     if metadata is None or (role == "candidate" and metadata == {}):
-        return actors
+        return scene.actors
     status = metadata.get("status") if isinstance(metadata, dict) else None
     if status != "success":
         raise BadInput(f"the export of this scene did not succeed: status {status!r}", where=where,
                        todo="export it again")
-    return actors
+    return scene.actors
 
 
 @dataclass(slots=True, eq=False)
 class Actor:
-    """A semantic actor prepared for matching. Vectors are None when missing or invalid."""
+    """A semantic actor prepared for matching."""
 
-    record: Record
+    entry: Entry
     key: str
     index: int
-    descriptor: Descriptor
+    kind: Kind
     location: Vector3 | None
-    rotation: Vector3 | None
-    scale: Vector3 | None
-    posed: bool
-    """Whether location, rotation and scale are all valid."""
+    """Location in cm; None unless location, rotation and scale are all valid."""
     _order: str | None = None
+
+    @property
+    def record(self) -> Record:
+        """All that is recorded of the actor."""
+        return self.entry.record
+
+    @property
+    def descriptor(self) -> Descriptor:
+        """Structural descriptor."""
+        return self.kind.descriptor
+
+    def vector(self, member: str) -> Vector3 | None:
+        """A member of the transform (``location_cm``, ``rotation_deg``, ``scale``), or None when it is not valid."""
+        pose = self.record.get("transform")
+        return valid_vector(pose.get(member)) if isinstance(pose, dict) else None
 
     def order(self) -> tuple[str, int]:
         """Sort key that makes results independent of export order: canonical content, then position in the export."""
@@ -147,14 +103,9 @@ class Actor:
         return self._order, self.index
 
 
-def prepare(records: dict[str, Record]) -> list[Actor]:
-    """Actors ready for matching, in export order."""
-    actors = []
-    for index, (key, record) in enumerate(records.items()):
-        pose = record.get("transform")
-        pose = pose if isinstance(pose, dict) else {}
-        location, rotation = valid_vector(pose.get("location_cm")), valid_vector(pose.get("rotation_deg"))
-        scale = valid_vector(pose.get("scale"))
-        actors.append(Actor(record, key, index, descriptor(record), location, rotation, scale,
-                            location is not None and rotation is not None and scale is not None))
-    return actors
+def prepare(entries: Iterable[Entry], keys: Iterable[str], kinds: Iterable[Kind]) -> list[Actor]:
+    """The semantic ones of the actors, with their identities and kinds, ready for matching, in export order."""
+    known = [row for row in zip(entries, keys, kinds, strict=True) if row[2].semantic]
+    places = posed_locations([entry for entry, _, _ in known])
+    return [Actor(entry, key, index, kind, place)
+            for index, ((entry, key, kind), place) in enumerate(zip(known, places, strict=True))]

@@ -33,7 +33,7 @@ def advisories(result: RepairResult) -> list[dict[str, Any]]:
                                "the same rotation is written with other Euler angles; doing nothing satisfies it",
                                phantom))
     satisfied = [t.label for t in targets if t.operation == "repair" and t.label not in phantom
-                 and t.truth is not None and t.start is not None and measure(t.truth, t.start, NOMINAL).accepted]
+                 and t.truth is not None and t.start is not None and measure(t.truth, t.start).accepted(NOMINAL)]
     if satisfied:
         found.append(_advisory("target-within-tolerance",
                                "the input is already within the acceptance limits; doing nothing satisfies it",
@@ -45,7 +45,7 @@ def advisories(result: RepairResult) -> list[dict[str, Any]]:
                                "a dynamic, empty or doubled material slot in the truth: no candidate can pass",
                                slots))
     hopeless = [t.label for t in targets if t.truth is not None and t.label not in slots
-                and not measure(t.truth, t.truth, NOMINAL).accepted]
+                and not measure(t.truth, t.truth).accepted(NOMINAL)]
     if hopeless:
         found.append(_advisory("unreachable-target",
                                "the truth itself does not pass its acceptance tests: no candidate can pass", hopeless))

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from c4s.scene.transform import quat_from_rotator
 from c4s.verify.repair.actors import Actor
 from c4s.verify.repair.assignment import maximum_matching, minimum_cost
-from c4s.verify.repair.difference import changed_fields, property_differences, recorded_alike, transform_differences
+from c4s.verify.repair.difference import changed_fields, property_differences, transform_differences
 from c4s.verify.repair.policy import (
     ANGLE_COST,
     FIELD_COST,
@@ -31,11 +31,15 @@ from c4s.verify.repair.policy import (
 )
 
 Method: TypeAlias = Literal["unchanged_semantic", "changed_structural_assignment", "pose_anchored_asset_change"]
-_CELL_CM = 16.0
+_CELL_CM = 50.0
 """Edge of the hash cells: far above the 0.1 cm reach, so that nearly every lookup is in one cell."""
 _STACK = 8
 """Actors at one point from which verdicts on equal contents are remembered."""
 _REACH_CM = SAME_LOCATION_CM * (1 + 1e-9)
+_FAR_CELL = 2 ** 40
+_MIX = np.array([0x1F35_9A3B, 0x2545_F491_4F6C_DD1D, 0x0CE6_6D5B_97A1_2F33, 0x3C79_AC49_2BA7_B653])
+"""Odd factors that turn kind and cell into one number. Where two cells meet in a number their actors are many, which
+only means that they are looked at one by one."""
 _PROPERTY_FIELDS = ("class", "asset_path", "component_asset_paths", "material_paths", "component_material_slots",
                     "properties")
 
@@ -83,12 +87,44 @@ def _near(actors: Iterable[Actor], others: Iterable[Actor],
                 yield actor, close
 
 
+def _posed(actors: Iterable[Actor]) -> tuple[list[Actor], NDArray[np.float64]]:
+    """The posed actors and their locations (n, 3) in cm."""
+    posed = [actor for actor in actors if actor.location is not None]
+    return posed, np.array([actor.location for actor in posed], dtype=float).reshape(-1, 3)
+
+
 def _cells(actors: Iterable[Actor], shift_cm: float) -> tuple[list[Actor], list[list[float]]]:
     """The posed actors, and the hash cell of each one's location shifted along every axis."""
-    posed = [actor for actor in actors if actor.posed]
-    places = np.array([actor.location for actor in posed], dtype=float).reshape(-1, 3)
+    posed, places = _posed(actors)
     cells: list[list[float]] = np.floor((places + shift_cm) / _CELL_CM).tolist()
     return posed, cells
+
+
+def _lonely(start: list[Actor], candidate: list[Actor]) -> Iterator[tuple[Actor, Actor]]:
+    """Pairs of one kind within 0.1 cm on every axis that have no other actor of their kind within reach.
+
+    Nearly all of a large scene: told by counting the actors of each hash cell, without a look at single ones. An actor
+    whose reach crosses the border of its cell is left out, and so are all in a cell of more than two.
+    """
+    (left, left_places), (right, right_places) = _posed(start), _posed(candidate)
+    if not left or not right:
+        return
+    places = np.vstack([left_places, right_places])
+    cell = np.floor(places / _CELL_CM)
+    inner = ((np.floor((places - _REACH_CM) / _CELL_CM) == cell) & (np.floor((places + _REACH_CM) / _CELL_CM) == cell)
+             & (np.abs(cell) < _FAR_CELL)).all(axis=1)
+    kinds = np.array([actor.kind.number for side in (left, right) for actor in side], dtype=np.int64)
+    mixed = np.column_stack([kinds, np.clip(cell, -_FAR_CELL, _FAR_CELL).astype(np.int64)]) @ _MIX
+    _, bucket = np.unique(mixed, return_inverse=True)
+    here, there = bucket[:len(left)], bucket[len(left):]
+    sizes = [np.bincount(side, minlength=len(bucket)) for side in (here, there)]
+    owner = np.zeros(len(bucket), dtype=np.intp)
+    owner[there] = np.arange(len(right))
+    i = np.nonzero(inner[:len(left)] & (sizes[0][here] == 1) & (sizes[1][here] == 1))[0]
+    j = owner[here[i]]
+    near = inner[len(left) + j] & (np.abs(left_places[i] - right_places[j]) <= _REACH_CM).all(axis=1)
+    for s, c in zip(i[near].tolist(), j[near].tolist(), strict=True):
+        yield left[s], right[c]
 
 
 class _Matcher:
@@ -97,6 +133,13 @@ class _Matcher:
         self.open_start = dict.fromkeys(range(len(start)))
         self.open_candidate = dict.fromkeys(range(len(candidate)))
         self.pairs: list[Pair] = []
+
+    def take_lonely(self) -> None:
+        """The unchanged actors without a rival on either side: the only pair that each can be in."""
+        self.pairs = [Pair(actor.index, other.index, "unchanged_semantic", ())
+                      for actor, other in _lonely(self.start, self.candidate) if unchanged(actor, other)]
+        for pair in self.pairs:
+            del self.open_start[pair.start], self.open_candidate[pair.candidate]
 
     def take(self, start: int, candidate: int, method: Method, fields: tuple[str, ...]) -> None:
         self.pairs.append(Pair(start, candidate, method, fields))
@@ -150,9 +193,9 @@ class _Matcher:
         starts: dict[Hashable, list[Actor]] = defaultdict(list)
         candidates: dict[Hashable, list[Actor]] = defaultdict(list)
         for s in self.open_start:
-            starts[self.start[s].descriptor].append(self.start[s])
+            starts[self.start[s].kind.number].append(self.start[s])
         for c in self.open_candidate:
-            candidates[self.candidate[c].descriptor].append(self.candidate[c])
+            candidates[self.candidate[c].kind.number].append(self.candidate[c])
         for kind, left in starts.items():
             right = candidates.get(kind)
             if not right:
@@ -162,6 +205,11 @@ class _Matcher:
             method: Method = "changed_structural_assignment"
             for i, j in ([(0, 0)] if len(left) == len(right) == 1 else minimum_cost(_costs(left, right))):
                 self.take(left[i].index, right[j].index, method, self.fields(left[i].index, right[j].index, method))
+
+
+def unchanged(start: Actor, candidate: Actor) -> bool:
+    """Whether the candidate actor reproduces every recorded field of the input actor (scorer fact 2.3)."""
+    return start.entry.alike(candidate.entry) or not changed_fields(start.record, candidate.record)
 
 
 def _changed_property_counts(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
@@ -187,13 +235,14 @@ def _changed_property_counts(left: list[Actor], right: list[Actor]) -> NDArray[n
 
 def _costs(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
     """Cost of every pair: ``d/(1+d) + 0.2*angle/180 + 0.05*changed fields``; unknown place 1, unknown turn 0.2."""
-    def vectors(actors: list[Actor], name: str) -> NDArray[np.float64]:
-        return np.array([getattr(a, name) or (np.nan,) * 3 for a in actors], dtype=float)
+    def vectors(actors: list[Actor], member: str) -> NDArray[np.float64]:
+        return np.array([a.vector(member) or (np.nan,) * 3 for a in actors], dtype=float)
 
     def turns(actors: list[Actor]) -> NDArray[np.float64]:
-        return np.array([quat_from_rotator(a.rotation) if a.rotation is not None else (np.nan,) * 4 for a in actors])
+        return np.array([quat_from_rotator(turn) if (turn := a.vector("rotation_deg")) is not None else (np.nan,) * 4
+                         for a in actors])
 
-    place_a, place_b = vectors(left, "location"), vectors(right, "location")
+    place_a, place_b = vectors(left, "location_cm"), vectors(right, "location_cm")
     offset = np.abs(place_a[:, None, :] - place_b[None, :, :])
     distance = np.sqrt((offset ** 2).sum(axis=2))
     angle = np.degrees(2 * np.arccos(np.minimum(1.0, np.abs(turns(left) @ turns(right).T))))
@@ -205,7 +254,7 @@ def _costs(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
         changed += (stretch > SAME_SCALE).any(axis=2)
         cost = np.where(np.isnan(distance), 1.0, distance / (1 + distance))
     cost = cost + np.where(np.isnan(angle), ANGLE_COST, ANGLE_COST * angle / 180)
-    odd = [[not a.posed for a in left], [not b.posed for b in right]]
+    odd = [[actor.location is None for actor in side] for side in (left, right)]
     for i, j in zip(*np.nonzero(np.logical_or.outer(*odd)), strict=True):
         changed[i, j] = len(changed_fields(left[i].record, right[j].record))
     result: NDArray[np.float64] = cost + FIELD_COST * changed
@@ -215,9 +264,8 @@ def _costs(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
 def correspond(start: list[Actor], candidate: list[Actor], target_starts: set[int]) -> Correspondence:
     """Match input and candidate actors. ``target_starts`` are the input actors that are repair or removal targets."""
     matcher = _Matcher(start, candidate, target_starts)
-    matcher.match(matcher.near_edges(lambda a: a.descriptor,
-                                     lambda a, b: recorded_alike(a.record, b.record)
-                                     or not changed_fields(a.record, b.record)), "unchanged_semantic")
+    matcher.take_lonely()
+    matcher.match(matcher.near_edges(lambda actor: actor.kind.number, unchanged), "unchanged_semantic")
     matcher.assign_leftovers()
     if matcher.open_start and matcher.open_candidate:
         matcher.match(matcher.near_edges(lambda a: a.descriptor[0],

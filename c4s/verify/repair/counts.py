@@ -3,15 +3,17 @@ repair counts; scorer facts 2.6 and 2.7)."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from c4s.verify.repair.acceptance import Errors, measure
-from c4s.verify.repair.actors import Actor, by_identity, is_semantic, prepare, scene_actors
+from c4s.verify.repair.actors import Actor, by_identity, prepare, scene_actors
 from c4s.verify.repair.assignment import minimum_cost
 from c4s.verify.repair.correspondence import Correspondence, Pair, correspond
+from c4s.verify.repair.kinds import Kinds
 from c4s.verify.repair.policy import NOMINAL, Tolerances
 from c4s.verify.repair.targets import Target, find_targets
 
@@ -28,11 +30,31 @@ class Repair:
     """C: candidate actors that are new, changed, or stand for an actor to be restored; in canonical order."""
     start_of: dict[int, Pair]
     """Pair of each matched candidate actor."""
+    output_of: dict[int, int]
+    """Candidate actor of each matched input actor."""
     target_of_start: dict[int, Target]
     start_index: dict[str, int]
     """Index of an input actor by identity."""
     replaced: set[int]
     """Input actors whose candidate actor is of another kind."""
+    measured: dict[tuple[int, int], Errors] = field(default_factory=dict)
+    solved: dict[bytes, list[tuple[int, int]]] = field(default_factory=dict)
+    """Measurements and assignments that the tolerance profiles share."""
+
+    def errors(self, target: int, candidate: int) -> Errors:
+        """Measured errors of a candidate actor against a desired-present target, both by index."""
+        if (target, candidate) not in self.measured:
+            truth = self.targets[target].truth
+            assert truth is not None
+            self.measured[target, candidate] = measure(truth, self.candidate[candidate].record)
+        return self.measured[target, candidate]
+
+    def assignment(self, cost: NDArray[np.float64]) -> list[tuple[int, int]]:
+        """Minimum-cost pairs of a table of targets and candidate pool."""
+        table = cost.tobytes()
+        if table not in self.solved:
+            self.solved[table] = minimum_cost(cost)
+        return self.solved[table]
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,21 +94,19 @@ class RepairResult:
         """2 TP / (2 TP + FP + FN)."""
         return 2 * self.tp / (2 * self.tp + self.fp + self.fn)
 
-    def errors(self, target: int, candidate: int) -> Errors:
-        """Measured errors of a candidate actor against a desired-present target."""
-        truth = self.case.targets[target].truth
-        assert truth is not None
-        return measure(truth, self.case.candidate[candidate].record, self.tolerances)
-
 
 def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     """Targets, correspondence and candidate pool of a case. Raises ``BadInput`` for scenes that cannot be scored."""
-    start_records, truth_records = scene_actors(start, "input"), scene_actors(truth, "truth")
-    candidate_records = scene_actors(candidate, "candidate")
-    start_by_key = by_identity(start_records, "input")
-    before = prepare({key: record for key, record in start_by_key.items() if is_semantic(record)})
-    targets = find_targets(start_by_key, by_identity(truth_records, "truth"), {a.key for a in before if a.posed})
-    after = prepare(by_identity([r for r in candidate_records if is_semantic(r)], "candidate"))
+    start_entries, truth_entries = scene_actors(start, "input"), scene_actors(truth, "truth")
+    candidate_entries = scene_actors(candidate, "candidate")
+    kinds = Kinds()
+    start_by_key = by_identity(start_entries, "input")
+    before = prepare(start_entries, start_by_key, list(map(kinds.of, start_entries)))
+    targets = find_targets(start_by_key, by_identity(truth_entries, "truth"),
+                           {actor.key for actor in before if actor.location is not None})
+    candidate_kinds = list(map(kinds.of, candidate_entries))
+    outputs = [entry for entry, kind in zip(candidate_entries, candidate_kinds, strict=True) if kind.semantic]
+    after = prepare(outputs, by_identity(outputs, "candidate"), [kind for kind in candidate_kinds if kind.semantic])
     index_of = {actor.key: actor.index for actor in before}
     target_of_start = {index_of[t.key]: t for t in targets if t.operation != "add" and t.key in index_of}
     matched = correspond(before, after, set(target_of_start))
@@ -96,7 +116,8 @@ def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     pool.sort(key=lambda c: after[c].order())
     replaced = {p.start for p in matched.pairs if p.method == "pose_anchored_asset_change"
                 and before[p.start].descriptor != after[p.candidate].descriptor}
-    return Repair(targets, before, after, matched, pool, start_of, target_of_start, index_of, replaced)
+    return Repair(targets, before, after, matched, pool, start_of,
+                  {pair.start: pair.candidate for pair in matched.pairs}, target_of_start, index_of, replaced)
 
 
 def _accepted(case: Repair, limits: Tolerances) -> dict[int, int]:
@@ -109,12 +130,10 @@ def _accepted(case: Repair, limits: Tolerances) -> dict[int, int]:
         kinds.setdefault(case.candidate[c].descriptor, []).append(column)
     cost = np.ones((len(present), len(case.pool)))
     for row, i in enumerate(present):
-        truth = case.targets[i].truth
-        if truth is not None:
-            for column in kinds.get(case.targets[i].descriptor, ()):
-                if measure(truth, case.candidate[case.pool[column]].record, limits).accepted:
-                    cost[row, column] = 0.0
-    return {present[row]: case.pool[column] for row, column in minimum_cost(cost) if cost[row, column] == 0.0}
+        for column in kinds.get(case.targets[i].descriptor, ()):
+            if case.errors(i, case.pool[column]).accepted(limits):
+                cost[row, column] = 0.0
+    return {present[row]: case.pool[column] for row, column in case.assignment(cost) if cost[row, column] == 0.0}
 
 
 def count(case: Repair, limits: Tolerances = NOMINAL) -> RepairResult:

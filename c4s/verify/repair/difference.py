@@ -7,10 +7,10 @@ but for their identity, and what makes an actor changed (input against candidate
 from __future__ import annotations
 
 from math import isfinite
-from operator import itemgetter
 from typing import Any
 
-from c4s.verify.repair.actors import Record, short_class
+from c4s.verify.repair.entries import Record
+from c4s.verify.repair.kinds import short_class
 from c4s.verify.repair.materials import comparable_materials, comparable_slots
 from c4s.verify.repair.policy import GUARD, SAME_LOCATION_CM, SAME_ROTATION_DEG, SAME_SCALE, VISIBLE_PROPERTIES
 from c4s.verify.repair.vectors import angle_deg, same_within, valid_vector
@@ -53,21 +53,6 @@ def surely_finite(transform: Any) -> bool:
     try:
         return isfinite(sum(map(sum, transform.values())))
     except (TypeError, AttributeError, OverflowError):
-        return False
-
-
-_COMPARED = itemgetter("transform", "class", "asset_path", "component_asset_paths", "material_paths",
-                       "component_material_slots", "properties")
-
-
-def recorded_alike(a: Record, b: Record) -> bool:
-    """A fast yes: all fields that are ever compared are in both records and equal as recorded.
-
-    Equal is not yet the same where a transform holds NaN: see ``surely_finite``.
-    """
-    try:
-        return bool(_COMPARED(a) == _COMPARED(b))
-    except KeyError:
         return False
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.verify.repair.acceptance import Errors, measure
+from c4s.verify.repair.acceptance import Errors
 from c4s.verify.repair.actors import Actor
 from c4s.verify.repair.counts import RepairResult
 
@@ -34,16 +34,16 @@ def _best_attempt(result: RepairResult, target: int) -> tuple[int, Errors] | Non
     wanted = case.targets[target]
     if wanted.truth is None:
         return None
-    own = next((p.candidate for p in case.matched.pairs
-                if wanted.start is not None and case.start[p.start].key == wanted.key), None)
+    start = case.start_index.get(wanted.key) if wanted.operation == "repair" else None
+    own = None if start is None else case.output_of.get(start)
     if own is not None:
-        return own, result.errors(target, own)
+        return own, case.errors(target, own)
     alike = [c for c in case.pool if case.candidate[c].descriptor == wanted.descriptor]
     ranked = []
     for c in alike:
-        errors = measure(wanted.truth, case.candidate[c].record, result.tolerances)
+        errors = case.errors(target, c)
         far = float("inf") if errors.position_cm is None else errors.position_cm
-        ranked.append((len(errors.failed), far, c, errors))
+        ranked.append((len(errors.failed(result.tolerances)), far, c, errors))
     if not ranked:
         return None
     _, _, nearest, errors = min(ranked, key=lambda row: row[:3])
@@ -56,22 +56,23 @@ def _missed(result: RepairResult, target: int) -> dict[str, Any]:
         return {"reason": "no actor of this kind was added or changed"}
     candidate, errors = attempt
     pair = result.case.start_of.get(candidate)
+    failed = errors.failed(result.tolerances)
     reason = ("left as it was" if pair is not None and not pair.fields else
-              "taken by another target" if errors.accepted else "fails: " + ", ".join(errors.failed))
-    return {"reason": reason, "candidate": _label(result.case.candidate[candidate]), "failed": list(errors.failed),
+              "taken by another target" if not failed else "fails: " + ", ".join(failed))
+    return {"reason": reason, "candidate": _label(result.case.candidate[candidate]), "failed": list(failed),
             "errors": _numbers(errors)}
 
 
 def target_rows(result: RepairResult) -> list[dict[str, Any]]:
     """One row a target: operation, the fields that were wrong, outcome TP or FN, reason and errors."""
-    rows = []
-    for i, target in enumerate(result.case.targets):
+    rows, case = [], result.case
+    for i, target in enumerate(case.targets):
         row: dict[str, Any] = {"actor": target.label, "identity": target.key, "operation": target.operation,
                                "fields": list(target.fields)}
         if i in result.accepted:
             found = result.accepted[i]
             row |= {"outcome": "TP", "reason": "restored" if target.operation == "repair" else "added",
-                    "candidate": _label(result.case.candidate[found]), "errors": _numbers(result.errors(i, found))}
+                    "candidate": _label(case.candidate[found]), "errors": _numbers(case.errors(i, found))}
         elif target.operation == "remove":
             gone = i in result.removed_targets
             row |= {"outcome": "TP" if gone else "FN", "reason": "removed" if gone else "still there"}

@@ -1,4 +1,7 @@
-"""Loading scene snapshots fast: the parser accepts the NaN and Infinity tokens that exporters write."""
+"""Loading scene snapshots fast: actors stay text until they are needed (``entries``).
+
+Files that hold the NaN and Infinity tokens that exporters write, or anything else beyond strict JSON, are parsed whole.
+"""
 
 from __future__ import annotations
 
@@ -9,13 +12,25 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from c4s.errors import BadInput
 from c4s.files import digest_bytes, parse_json
+from c4s.verify.repair.actors import Scene
+from c4s.verify.repair.entries import TextEntry
+
+
+class _Document(msgspec.Struct):
+    actors: list[msgspec.Raw]
+    export_metadata: Any = None
+
+
+_DOCUMENT = msgspec.json.Decoder(_Document)
 
 
 @contextmanager
 def without_cycle_search() -> Iterator[None]:
-    """Millions of new containers and no garbage: searching for cycles meanwhile only costs time."""
+    """Many new containers and no garbage: searching for cycles meanwhile only costs time."""
     enabled = gc.isenabled()
     gc.disable()
     try:
@@ -34,7 +49,20 @@ def _read(path: Path) -> bytes:
         raise BadInput(f"cannot read this snapshot: {error}", where=str(path)) from None
 
 
+def _as_text(data: bytes) -> Scene | None:
+    """The scene with its actors as text, or None when the file must be parsed whole."""
+    try:
+        data.decode()
+        document = _DOCUMENT.decode(data)
+        return Scene(list(map(TextEntry.read, document.actors)), document.export_metadata)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        return None
+
+
 def _parse(data: bytes, path: Path) -> Any:
+    scene = _as_text(data)
+    if scene is not None:
+        return scene
     try:
         return parse_json(data)
     except (ValueError, RecursionError) as error:
@@ -42,9 +70,10 @@ def _parse(data: bytes, path: Path) -> Any:
 
 
 def read_snapshots(paths: dict[str, Path]) -> tuple[dict[str, Any], dict[str, str]]:
-    """The JSON values of named snapshots, and the SHA-256 of each file as ``<name>_snapshot``.
+    """Named snapshots, and the SHA-256 of each file as ``<name>_snapshot``.
 
-    Digests are made in a second thread while the first one parses. Raises ``BadInput`` with one clear line.
+    A snapshot is a ``Scene``, or the plain JSON value of a file that is no scene or no strict JSON. Digests are made in
+    a second thread while the first one parses. Raises ``BadInput`` with one clear line.
     """
     with ThreadPoolExecutor(max_workers=1) as hashing:
         data = {name: _read(path) for name, path in paths.items()}

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from c4s.errors import BadInput
-from c4s.verify.repair.actors import Descriptor, Record, descriptor, is_semantic, short_class
-from c4s.verify.repair.difference import recorded_alike, same_but_for_identity, target_differences
+from c4s.verify.repair.difference import same_but_for_identity, target_differences
+from c4s.verify.repair.entries import Entry, Record
+from c4s.verify.repair.kinds import Descriptor, descriptor, is_semantic, short_class
 
 Operation: TypeAlias = Literal["add", "remove", "repair"]
 
@@ -57,7 +58,7 @@ def _without_identity_pairs(added: dict[str, Record], removed: dict[str, Record]
             same_class.pop(partner, None)
 
 
-def find_targets(before: dict[str, Record], after: dict[str, Record], finite: set[str]) -> list[Target]:
+def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[str]) -> list[Target]:
     """All targets, in their fixed order.
 
     Args:
@@ -69,21 +70,21 @@ def find_targets(before: dict[str, Record], after: dict[str, Record], finite: se
     Raises:
         BadInput: there is no target.
     """
-    added = {key: record for key, record in after.items() if key not in before}
-    removed = {key: record for key, record in before.items() if key not in after}
+    added = {key: entry.record for key, entry in after.items() if key not in before}
+    removed = {key: entry.record for key, entry in before.items() if key not in after}
     if added and removed:
         _without_identity_pairs(added, removed)
     found = [Target(key, "add", ("existence",), record, None) for key, record in added.items() if is_semantic(record)]
     found += [Target(key, "remove", ("existence",), None, record) for key, record in removed.items()
               if is_semantic(record)]
-    for key, record in after.items():
+    for key, entry in after.items():
         old = before.get(key)
-        if old is None or (recorded_alike(record, old) and key in finite):
+        if old is None or (entry.alike(old) and key in finite):
             continue
-        cut = _shared_evidence(record, old)
-        fields = target_differences(cut, old)
-        if fields and (is_semantic(record) or is_semantic(old)):
-            found.append(Target(key, "repair", tuple(fields), cut, old))
+        cut = _shared_evidence(entry.record, old.record)
+        fields = target_differences(cut, old.record)
+        if fields and (is_semantic(entry.record) or is_semantic(old.record)):
+            found.append(Target(key, "repair", tuple(fields), cut, old.record))
     if not found:
         raise BadInput("input and truth define no repair target", where="truth snapshot",
                        todo="a case needs at least one difference")

@@ -1,0 +1,176 @@
+"""An actor as a scene holds it: as plain data, or as the text of a snapshot file that is only read where it is needed.
+
+Two actors whose compared fields are the same text are the same, which settles nearly all of a large scene. The text of
+an actor is parsed only when a closer look is due.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from operator import itemgetter
+from typing import Any, Protocol, TypeAlias
+
+import msgspec
+
+from c4s.errors import BadInput
+from c4s.files import parse_json
+from c4s.verify.repair.vectors import Vector3, all_valid, valid_vector
+
+Record: TypeAlias = dict[str, Any]
+_LEVEL_MARK = ":PersistentLevel."
+_POSE = ("location_cm", "rotation_deg", "scale")
+_COMPARED = itemgetter("transform", "class", "asset_path", "component_asset_paths", "material_paths",
+                       "component_material_slots", "properties")
+
+
+def identity(record: Record) -> str:
+    """The actor's identity key: stable id, else GUID, else label, else its path inside the level.
+
+    Raises ``BadInput`` when the record has none of them.
+    """
+    stable = record.get("stable_actor_id")
+    if type(stable) is str and (stable := stable.strip()):
+        return f"stable:{stable}"
+    for field, name in (("stable_actor_id", "stable"), ("actor_guid", "guid"), ("label", "label")):
+        value = record.get(field)
+        if value is not None:
+            text = str(value).strip()
+            if text:
+                return f"{name}:{text}"
+    path = str(record.get("actor_path") or "").strip()
+    if not path:
+        raise BadInput("an actor has no id, GUID, label or path", todo="export the scene again")
+    return f"path:{path.rpartition(_LEVEL_MARK)[2]}"
+
+
+class Entry(Protocol):
+    """One actor of a scene."""
+
+    @property
+    def record(self) -> Record:
+        """All that is recorded of the actor."""
+
+    def identity(self) -> str:
+        """Its identity key: see ``identity``."""
+
+    def kind_texts(self) -> tuple[Any, ...] | None:
+        """What its descriptor is made of, as a key; None when it cannot be one."""
+
+    def alike(self, other: Entry) -> bool:
+        """A fast yes: all fields that are ever compared are equal as recorded.
+
+        Equal is not yet the same where a transform holds NaN, which equals nothing.
+        """
+
+
+class PlainEntry:
+    """An actor as plain data."""
+
+    __slots__ = ("record",)
+
+    def __init__(self, record: Record) -> None:
+        self.record = record
+
+    def identity(self) -> str:
+        """See ``Entry``."""
+        return identity(self.record)
+
+    def kind_texts(self) -> tuple[Any, ...] | None:
+        """See ``Entry``."""
+        read = self.record.get
+        parts = read("component_asset_paths")
+        texts = (read("class"), read("asset_path"), *(parts if type(parts) is list else ()))
+        return texts if all(text is None or type(text) is str for text in texts) else None
+
+    def alike(self, other: Entry) -> bool:
+        """See ``Entry``."""
+        try:
+            return bool(_COMPARED(self.record) == _COMPARED(other.record))
+        except KeyError:
+            return False
+
+
+class TextEntry(msgspec.Struct, gc=False, eq=False):
+    """An actor as text. Fields that the text lacks are empty."""
+
+    stable_actor_id: Any = None
+    class_path: msgspec.Raw = msgspec.field(name="class", default=msgspec.Raw())
+    asset_path: msgspec.Raw = msgspec.Raw()
+    component_asset_paths: msgspec.Raw = msgspec.Raw()
+    transform: msgspec.Raw = msgspec.Raw()
+    material_paths: msgspec.Raw = msgspec.Raw()
+    component_material_slots: msgspec.Raw = msgspec.Raw()
+    properties: msgspec.Raw = msgspec.Raw()
+    text: Any = None
+    parsed: Any = None
+
+    @classmethod
+    def read(cls, text: msgspec.Raw) -> TextEntry:
+        """Raises ``msgspec.DecodeError`` when the text is no JSON object."""
+        entry = _ENTRY.decode(text)
+        entry.text, entry.parsed = text, None
+        return entry
+
+    @property
+    def record(self) -> Record:
+        """See ``Entry``."""
+        if self.parsed is None:
+            self.parsed = parse_json(bytes(self.text))
+        record: Record = self.parsed
+        return record
+
+    def identity(self) -> str:
+        """See ``Entry``."""
+        stable = self.stable_actor_id
+        if type(stable) is str and (stable := stable.strip()):
+            return f"stable:{stable}"
+        return identity(self.record)
+
+    def kind_texts(self) -> tuple[Any, ...] | None:
+        """See ``Entry``."""
+        return bytes(self.class_path), bytes(self.asset_path), bytes(self.component_asset_paths)
+
+    def alike(self, other: Entry) -> bool:
+        """See ``Entry``."""
+        return (type(other) is TextEntry and self.transform == other.transform and self.class_path == other.class_path
+                and self.asset_path == other.asset_path and self.material_paths == other.material_paths
+                and self.component_asset_paths == other.component_asset_paths
+                and self.component_material_slots == other.component_material_slots
+                and self.properties == other.properties)
+
+
+class _Pose(msgspec.Struct, gc=False):
+    location_cm: tuple[float, float, float]
+    rotation_deg: tuple[float, float, float]
+    scale: tuple[float, float, float]
+
+
+_ENTRY = msgspec.json.Decoder(TextEntry)
+_POSE_TEXT = msgspec.json.Decoder(_Pose)
+
+
+def _location(entry: Entry) -> Vector3 | None:
+    pose = entry.record.get("transform")
+    if isinstance(pose, dict) and all(valid_vector(pose.get(name)) is not None for name in _POSE):
+        return valid_vector(pose["location_cm"])
+    return None
+
+
+def _text_locations(entries: Sequence[TextEntry]) -> list[Vector3]:
+    return [_POSE_TEXT.decode(entry.transform).location_cm for entry in entries]
+
+
+def _plain_locations(entries: Sequence[Entry]) -> list[Vector3] | None:
+    members = [[entry.record["transform"][name] for entry in entries] for name in _POSE]
+    return members[0] if all(map(all_valid, members)) else None
+
+
+def posed_locations(entries: Sequence[Entry]) -> Sequence[Vector3 | None]:
+    """The location in cm of each actor whose location, rotation and scale are all valid vectors, else None."""
+    regular: Sequence[Vector3] | None
+    texts = [entry for entry in entries if isinstance(entry, TextEntry)]
+    try:
+        regular = _text_locations(texts) if len(texts) == len(entries) else _plain_locations(entries)
+    except (TypeError, KeyError, msgspec.DecodeError):
+        regular = None
+    return list(map(_location, entries)) if regular is None else regular

@@ -1,0 +1,86 @@
+"""What an actor is, apart from where it stands and how it is called: its structural descriptor, and who is semantic."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, TypeAlias
+
+from c4s.verify.repair.entries import Entry, Record
+
+Descriptor: TypeAlias = tuple[str, str, str, tuple[str, ...]]
+"""Class path, static mesh, Blueprint class, sorted component assets; all normalised."""
+
+_HELPERS = frozenset({"cameraactor", "cinecameraactor", "scenecapture2d", "scenecapturecube"})
+
+
+@lru_cache(maxsize=65536)
+def _normalized_text(text: str) -> str:
+    text = text.strip()
+    if text.endswith("'") and "'" in text[:-1]:
+        text = text[text.index("'") + 1:-1]
+    return text.casefold()
+
+
+def normalized_path(value: Any) -> str:
+    """An asset or class path without export quotes, case-folded; empty for null."""
+    return "" if value is None else _normalized_text(str(value))
+
+
+def short_class(value: Any) -> str:
+    """Class name without its package: the part after the last ``.``, then after the last ``/``."""
+    return str(value or "").rpartition(".")[2].rpartition("/")[2]
+
+
+@lru_cache(maxsize=65536)
+def _descriptor(class_path: Any, asset: Any, components: tuple[Any, ...]) -> Descriptor:
+    kind = normalized_path(class_path)
+    blueprint = kind if kind.startswith("/game/") else ""
+    mesh = "" if blueprint else normalized_path(asset)
+    return kind, mesh, blueprint, tuple(sorted({normalized_path(part) for part in components}))
+
+
+def descriptor(record: Record) -> Descriptor:
+    """The normalised structural descriptor (scorer fact 1): what the actor is, not where or how it is called."""
+    parts = record.get("component_asset_paths")
+    raw = record.get("class"), record.get("asset_path"), tuple(parts) if isinstance(parts, list) else ()
+    try:
+        return _descriptor(*raw)
+    except TypeError:
+        return _descriptor(str(raw[0] or ""), str(raw[1] or ""), tuple(map(str, raw[2])))
+
+
+def is_semantic(record: Record) -> bool:
+    """False for capture helpers (cameras, scene captures); everything else counts, lights and volumes included."""
+    name = short_class(record.get("class")).casefold()
+    return not (name in _HELPERS or name.endswith("cameraactor") or name.startswith("scenecapture")
+                or short_class(_normalized_text(str(record.get("asset_path") or ""))) == "matineecam_sm")
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """What an actor is: its descriptor, a number that stands for it within one case, and whether it is semantic."""
+
+    descriptor: Descriptor
+    number: int
+    semantic: bool
+
+
+class Kinds:
+    """The kinds of a case's actors, worked out once for each combination of recorded texts."""
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[Any, ...], Kind] = {}
+        self._numbers: dict[Descriptor, int] = {}
+
+    def of(self, entry: Entry) -> Kind:
+        """The kind of an actor."""
+        texts = entry.kind_texts()
+        known = None if texts is None else self._known.get(texts)
+        if known is None:
+            record = entry.record
+            kind = descriptor(record)
+            known = Kind(kind, self._numbers.setdefault(kind, len(self._numbers)), is_semantic(record))
+            if texts is not None:
+                self._known[texts] = known
+        return known
