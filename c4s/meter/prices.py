@@ -1,0 +1,116 @@
+"""List prices with dates, and the cost of a request.
+
+The table is data: ``prices.yaml`` beside this file, and the operator's own ``C4S_HOME/prices.yaml``, whose rows win for
+a model and day that both name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+
+import yaml
+from pydantic import Field
+
+from c4s.errors import BadInput
+from c4s.home import home
+from c4s.meter.usage import Usage
+from c4s.model import Record
+
+MILLION = 1_000_000
+SHIPPED = Path(__file__).with_name("prices.yaml")
+
+
+class Price(Record):
+    """What a model costs from a day on, in US dollars per million tokens, standard tier, base context length.
+
+    A cache price that is absent means that the provider sells no such class: its tokens are billed as fresh input.
+    """
+
+    model: str
+    also: list[str] = Field(default_factory=list)
+    """Other ids of the same model (dated snapshots, a router's prefix)."""
+    valid_from: date = Field(alias="from")
+    input: float = Field(ge=0)
+    output: float = Field(ge=0)
+    cache_read: float | None = Field(default=None, ge=0)
+    cache_write: float | None = Field(default=None, ge=0)
+    """Cache writes; with ``cache_write_1h``, those that are kept for five minutes."""
+    cache_write_1h: float | None = Field(default=None, ge=0)
+    source: str
+    """Where the rates were read, and when."""
+
+
+class PriceFile(Record):
+    """The YAML file: ``prices``, a list of rows."""
+
+    prices: list[Price]
+
+
+@dataclass(frozen=True)
+class Cost:
+    """US dollars; None is unknown, and ``reason`` says why."""
+
+    usd: float | None
+    reason: str = ""
+
+
+class PriceTable:
+    """Prices by model and day."""
+
+    def __init__(self, rows: Iterable[Price]) -> None:
+        self._rows: dict[str, list[Price]] = {}
+        for row in rows:
+            for name in (row.model, *row.also):
+                self._rows.setdefault(name, []).append(row)
+
+    @staticmethod
+    def load(*files: Path) -> PriceTable:
+        """The shipped table and the operator's; later files win. ``BadInput`` for a row that cannot be used."""
+        chosen = files or tuple(path for path in (SHIPPED, home() / "prices.yaml") if path.is_file())
+        rows: list[Price] = []
+        for path in chosen:
+            try:
+                value = yaml.safe_load(path.read_text())
+            except yaml.YAMLError as error:
+                raise BadInput(f"this price table is not YAML: {error}", where=str(path)) from None
+            rows += PriceFile.parse(value, where=str(path)).prices
+        return PriceTable(rows)
+
+    def price(self, model: str | None, day: date) -> Price | None:
+        """The row in force on that day; None where there is none."""
+        found = [row for row in self._rows.get(model or "", []) if row.valid_from <= day]
+        newest = max((row.valid_from for row in found), default=None)
+        return next((row for row in reversed(found) if row.valid_from == newest), None)
+
+
+def cost_of(usage: Usage, price: Price | None) -> Cost:
+    """The cost of a request. Unknown where a class that matters is unknown; a class with 0 tokens never matters."""
+    if price is None:
+        return Cost(None, "no price for this model")
+    if usage.output_tokens is None:
+        return Cost(None, "output tokens are unknown")
+    total = usage.output_tokens * price.output
+    one_price = price.cache_read is None and price.cache_write is None and price.cache_write_1h is None
+    if one_price and usage.input_tokens is not None:
+        return Cost((total + usage.input_tokens * price.input) / MILLION)
+    if usage.fresh_input_tokens is None:
+        return Cost(None, "fresh input is unknown")
+    total += usage.fresh_input_tokens * price.input
+    if usage.cache_read_tokens is None:
+        return Cost(None, "cache reads are unknown")
+    total += usage.cache_read_tokens * _or(price.cache_read, price.input)
+    if usage.cache_write_tokens is None:
+        return Cost(None, "cache writes are unknown")
+    short = _or(price.cache_write, price.input)
+    hour = _or(price.cache_write_1h, short)
+    kept = usage.cache_write_1h_tokens
+    if kept is None and hour != short:
+        return Cost(None, "the lifetime of cache writes is unknown")
+    return Cost((total + (usage.cache_write_tokens - (kept or 0)) * short + (kept or 0) * hour) / MILLION)
+
+
+def _or(price: float | None, other: float) -> float:
+    return other if price is None else price

@@ -1,0 +1,107 @@
+"""What a run has spent, shared by all processes that work on it: an append-only file under a lock.
+
+A request is entered before it is sent, with an estimate (a hold), and settled when its cost is known. A request whose
+cost stays unknown, and one whose process died, keep their hold as their cost: the limit errs towards stopping early.
+A run is stopped when settled costs and open holds reach the limit, so it can pass the limit by one request of each
+process that was admitted below it. The file is part of the run folder: a resumed run goes on from what was spent.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+from c4s.errors import MachineryFault
+
+
+class SpendingLimitReached(MachineryFault):
+    """The run may spend no more on models. The trial stays pending."""
+
+
+@dataclass(frozen=True)
+class Spent:
+    """US dollars spent by a run: settled, held for open or unsettled requests, and how many have no known cost."""
+
+    settled_usd: float
+    held_usd: float
+    unknown: int
+
+    @property
+    def total_usd(self) -> float:
+        """What counts against the limit."""
+        return self.settled_usd + self.held_usd
+
+
+class Ledger:
+    """The spending file of a run. Safe for threads and processes."""
+
+    def __init__(self, path: Path, limit_usd: float | None) -> None:
+        self.path, self.limit_usd = path, limit_usd
+        self._offset = 0
+        self._held: dict[str, float] = {}
+        self._settled, self._unknown = 0.0, 0
+
+    def hold(self, estimate_usd: float | None) -> str | None:
+        """Enter a request: its entry, or None when the limit is reached or the estimate is unknown under a limit."""
+        with self._opened() as lines:
+            if self.limit_usd is not None and (estimate_usd is None or self._sums().total_usd >= self.limit_usd):
+                return None
+            entry = uuid.uuid4().hex
+            _append(lines, {"hold": entry, "usd": estimate_usd})
+            return entry
+
+    def settle(self, entry: str, cost_usd: float | None) -> None:
+        """Enter what the request cost; None keeps the hold as its cost."""
+        with self._opened() as lines:
+            _append(lines, {"settle": entry, "usd": cost_usd})
+
+    def spent(self) -> Spent:
+        """The sums over the file."""
+        with self._opened():
+            return self._sums()
+
+    def _sums(self) -> Spent:
+        return Spent(self._settled, sum(self._held.values()), self._unknown)
+
+    @contextmanager
+    def _opened(self) -> Iterator[BinaryIO]:
+        """The file under its lock, with the sums up to date."""
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        with self.path.open("ab+") as lines:
+            fcntl.flock(lines, fcntl.LOCK_EX)
+            lines.seek(self._offset)
+            added = lines.read()
+            whole = added[: added.rfind(b"\n") + 1]
+            self._offset += len(whole)
+            for line in whole.splitlines():
+                self._take(line)
+            yield lines
+
+    def _take(self, line: bytes) -> None:
+        """One entry. A line that a crash cut short says nothing; what it would have settled stays held."""
+        try:
+            entry = json.loads(line)
+        except ValueError:
+            return
+        if "hold" in entry:
+            self._held[entry["hold"]] = entry["usd"] or 0.0
+        elif entry["usd"] is None:
+            self._unknown += 1
+        else:
+            self._settled += entry["usd"]
+            self._held.pop(entry["settle"], None)
+
+
+def _append(lines: BinaryIO, value: dict[str, object]) -> None:
+    """One line at the end, on a line of its own even after a line that was cut short."""
+    cut = False
+    if lines.seek(0, 2) > 0:
+        lines.seek(-1, 2)
+        cut = lines.read(1) != b"\n"
+    lines.write((b"\n" if cut else b"") + json.dumps(value).encode() + b"\n")
