@@ -1,11 +1,12 @@
 """Physics roles of actors (scorer facts 4): who is scored for penetration, and who only limits others.
 
-Words are read from an actor's own names (label, object name, class, last part of its asset paths), never from folders,
-and are split at capitals, digits and punctuation.
+An actor is told by names: its label, class, tags and the last parts of its asset paths; folders count only where a
+rule says so. Words are split at capitals and punctuation. What a name says must agree with the size.
 """
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal
@@ -16,15 +17,24 @@ from numpy.typing import NDArray
 from c4s.verify.support import measured_vector
 
 Role = Literal["non_solid", "unresolved", "support_surface", "environment_proxy", "scored_solid"]
+ROLE_POLICY = "deterministic_scene_relative_physics_roles_v1"
 
 EFFECT_WORDS = frozenset({"emitter", "fire", "flame", "fxsystem", "niagara", "particle", "particles", "vfx"})
-CLASS_WORDS = ("atmosphere", "camera", "fog", "light", "navmesh", "postprocess", "reflection", "sky", "volume")
-GROUND_WORDS = frozenset({"ground", "floor", "flooring", "road", "street", "pavement", "sidewalk", "walkway", "path",
-                          "plaza", "tile", "tiles", "grass", "lawn", "terrain", "plate"})
-TERRAIN_WORDS = frozenset({"terrain", "landscape", "heightfield"})
-BACKDROP_WORDS = TERRAIN_WORDS | {"environment", "backdrop", "background", "mountain", "mountains", "horizon", "dome"}
+"""As a whole word in any of an actor's strings, folders and materials included."""
+CLASS_WORDS = EFFECT_WORDS | {"atmosphere", "camera", "fog", "light", "navmesh", "postprocess", "reflection", "sky",
+                              "volume"}
+"""As a whole word in the class of an actor or of one of its components."""
+GROUND_WORDS = frozenset({"baseplate", "cobblestone", "floor", "ground", "landscape", "pavement", "plaza", "road",
+                          "sidewalk", "street", "terrain"})
+WATER = re.compile(r"(?<![a-z])(?:water(?:body|surface|plane)?\d*|ocean|sea|lake|river|canal|pond|pool)(?![a-z])", re.I)
+ROUGH = re.compile(r"(?<![a-z0-9])(?:landscape|terrain|mountain|cliff|cave|island|bedrock|rockface|rock_?formation)"
+                   r"(?![a-z0-9])", re.I)
+"""Ground whose box says nothing about its surface: a support surface of any shape."""
+BACKDROP = re.compile(r"(?<![a-z0-9])(?:background|bedrock|cliff|hill|landscape|mountain|rockface|rock_?formation"
+                      r"|terrain)(?![a-z0-9])", re.I)
+BASIC_SHAPE = re.compile(r"(?:^|/)engine/basicshapes/(?:cone|cube|cylinder|plane|sphere)(?:[./]|$)", re.I)
 GROUND_SPAN_CM = 200.0
-"""A ground surface spans at least this much and is at most this high."""
+"""A ground surface spans at least this much both ways and is at most this high."""
 PROXY_SPAN_CM = 3000.0
 PROXY_HUGE_CM = 30_000.0
 PROXY_RATIO = 10.0
@@ -32,31 +42,51 @@ PROXY_ORIGINS, PROXY_SHARE = 3, 0.05
 """A proxy holds the origins of at least three other solids, and of at least 5 % of them."""
 
 Boxes = NDArray[np.float64]
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+_HUMP = re.compile(r"([a-z0-9])([A-Z])")
 
 
-def words(text: str) -> set[str]:
-    """Lower-case words of a name, split at capitals, digits and punctuation."""
-    return {part.lower() for part in _WORD.findall(text)}
+def words(text: object) -> list[str]:
+    """Lower-case words of a name, split at capitals and punctuation; digits stay with their word."""
+    return re.findall(r"[a-z0-9]+", _HUMP.sub(r"\1 \2", str(text)).lower())
 
 
-def _leaf(path: object) -> str:
-    return re.split(r"[./:]", str(path).rstrip("'"))[-1] if path else ""
+def _variants(texts: Iterable[str]) -> set[str]:
+    """Words of names, also without their digits: ``Floor01`` is a floor."""
+    return {part for text in texts for word in words(text) for part in (word, *re.findall(r"[a-z]+", word))}
 
 
-def own_words(actor: Mapping[str, Any]) -> set[str]:
-    """Words of an actor's own names."""
-    names = [actor.get("label"), actor.get("name"), _leaf(actor.get("class")), _leaf(actor.get("asset_path"))]
-    names += [_leaf(path) for path in actor.get("component_asset_paths") or []]
-    return words(" ".join(str(name) for name in names if name))
+def _texts(values: Iterable[Any]) -> list[str]:
+    return [str(value) for value in values if value is not None]
 
 
-def _class_names(actor: Mapping[str, Any]) -> list[str]:
-    diagnostics = actor.get("export_diagnostics") or {}
-    own = actor.get("c4s") or {}
-    classes = [actor.get("class"), *(diagnostics.get("component_classes") or []),
-               *(component.get("class") for component in own.get("components") or [])]
-    return [_leaf(path).lower() for path in classes if path]
+def _leaf(path: Any) -> str | None:
+    return None if path is None else str(path).replace("\\", "/").rpartition("/")[2]
+
+
+def _many(actor: Mapping[str, Any], field: str) -> list[Any]:
+    found = actor.get(field)
+    return found if isinstance(found, list) else []
+
+
+def _component_classes(actor: Mapping[str, Any]) -> list[Any]:
+    diagnostics, own = actor.get("export_diagnostics"), actor.get("c4s")
+    exported = _many(diagnostics, "component_classes") if isinstance(diagnostics, Mapping) else []
+    components = _many(own, "components") if isinstance(own, Mapping) else []
+    return [*exported, *(part.get("class") for part in components if isinstance(part, Mapping))]
+
+
+def _titles(actor: Mapping[str, Any]) -> list[Any]:
+    return [actor.get("label"), actor.get("asset_category"), actor.get("semantic_category"),
+            *_many(actor, "actor_tags")]
+
+
+def _paths(actor: Mapping[str, Any]) -> list[Any]:
+    return [actor.get("asset_path"), *_many(actor, "component_asset_paths")]
+
+
+def own_names(actor: Mapping[str, Any]) -> list[str]:
+    """An actor's own names: of its assets only the last part counts."""
+    return _texts([*_titles(actor), actor.get("class"), *map(_leaf, _paths(actor))])
 
 
 def bounds_of(actor: Mapping[str, Any]) -> tuple[Boxes, Boxes] | None:
@@ -66,62 +96,110 @@ def bounds_of(actor: Mapping[str, Any]) -> tuple[Boxes, Boxes] | None:
         extent = np.array(measured_vector(actor.get("bounds"), "extent_cm"))
     except ValueError:
         return None
-    return (origin, extent) if (extent >= 0).all() else None
+    return origin, np.abs(extent)
+
+
+def _no_body(actor: Mapping[str, Any]) -> bool:
+    """Collision off, an effect, a group, or a class of light, sky, camera or volume."""
+    collision = actor.get("collision")
+    if any(actor.get(field) is False for field in ("collision_enabled", "has_collision", "collidable")) \
+            or (isinstance(collision, Mapping) and collision.get("collision_enabled") is False):
+        return True
+    classes = _texts([actor.get("class"), *_component_classes(actor)])
+    texts = _texts([*_titles(actor), *_paths(actor), *_many(actor, "material_paths")]) + classes
+    return (any(not EFFECT_WORDS.isdisjoint(words(text)) or "groupactor" in re.sub(r"[^a-z0-9]+", "", text.lower())
+                for text in texts)
+            or any(not CLASS_WORDS.isdisjoint(words(name)) for name in classes))
+
+
+def _is_water(actor: Mapping[str, Any], box: tuple[Boxes, Boxes] | None) -> bool:
+    """Named like water; by its materials and components only where it is thin enough to be the surface itself."""
+    named = _texts([*_titles(actor), actor.get("class"), actor.get("asset_path")])
+    parts = _texts([*_many(actor, "material_paths"), *_many(actor, "component_asset_paths"),
+                    *_component_classes(actor)])
+    thin = box is not None and float(box[1][2]) <= GROUND_SPAN_CM / 2
+    return any(map(WATER.search, named)) or (thin and any(map(WATER.search, parts)))
 
 
 def is_non_solid(actor: Mapping[str, Any]) -> bool:
-    """Collision off, water, effects, lights, cameras, volumes and groups."""
-    if (actor.get("collision") or {}).get("collision_enabled") is False:
-        return True
-    names, classes = own_words(actor), _class_names(actor)
-    return bool("water" in names or names & EFFECT_WORDS or "groupactor" in classes
-                or any(word in name for name in classes for word in CLASS_WORDS)
-                or any(word in name for name in classes for word in EFFECT_WORDS - {"fire"}))
+    """Nothing to bump into: collision off, effects, lights, cameras, volumes, groups, water."""
+    return _no_body(actor) or _is_water(actor, bounds_of(actor))
+
+
+def _broad_and_thin(extent: Boxes) -> bool:
+    return 2 * float(extent[:2].min()) >= GROUND_SPAN_CM and 2 * float(extent[2]) <= GROUND_SPAN_CM
 
 
 def is_ground(actor: Mapping[str, Any], extent: Boxes) -> bool:
-    """A broad thin ground surface, or a terrain."""
-    names = own_words(actor)
-    broad = 2 * float(extent[:2].max()) >= GROUND_SPAN_CM and 2 * float(extent[2]) <= GROUND_SPAN_CM
-    return bool(names & TERRAIN_WORDS) or (broad and bool(names & GROUND_WORDS))
+    """A broad thin surface named like ground (its materials may tell), or rough terrain of any shape."""
+    names = own_names(actor)
+    if any(map(ROUGH.search, names)):
+        return True
+    told = _variants([*names, *_texts([actor.get("actor_role"), *map(_leaf, _many(actor, "material_paths"))])])
+    return not GROUND_WORDS.isdisjoint(told) and _broad_and_thin(extent)
 
 
-def _may_be_backdrop(actor: Mapping[str, Any]) -> bool:
-    paths = [actor.get("asset_path"), *(actor.get("component_asset_paths") or [])]
-    return bool(own_words(actor) & BACKDROP_WORDS) or any(
-        str(path).lower().startswith("/engine/basicshapes/") for path in paths if path)
+def needs_no_support(actor: Mapping[str, Any]) -> bool:
+    """Whether an edited actor is left out of the support test in image-to-scene: no body, water surface, or ground.
+
+    Narrower than the roles: the folder of a class says nothing, thick water and rough terrain are tested, and a
+    material tells ground only on an engine's basic shape.
+    """
+    if _no_body(actor):
+        return True
+    box = bounds_of(actor)
+    if box is None:
+        return False
+    extent = box[1]
+    if float(extent[2]) <= GROUND_SPAN_CM / 2 and 2 * float(extent[:2].min()) >= GROUND_SPAN_CM \
+            and _is_water(actor, box):
+        return True
+    told = _variants(_texts([*_titles(actor), _leaf(actor.get("class")), *map(_leaf, _paths(actor))]))
+    if GROUND_WORDS.isdisjoint(told) and any(map(BASIC_SHAPE.search, _texts([actor.get("class"), *_paths(actor)]))):
+        told = _variants(_texts(map(_leaf, _many(actor, "material_paths"))))
+    return not GROUND_WORDS.isdisjoint(told) and _broad_and_thin(extent)
 
 
 def roles(actors: Sequence[Mapping[str, Any]]) -> list[Role]:
     """The role of every actor of a scene, in scene order."""
     result: list[Role] = ["scored_solid"] * len(actors)
-    boxes: dict[int, tuple[Boxes, Boxes]] = {}
+    solids: dict[int, tuple[Boxes, Boxes] | None] = {}
+    grounds: set[int] = set()
     for index, actor in enumerate(actors):
         box = bounds_of(actor)
         if is_non_solid(actor):
             result[index] = "non_solid"
-        elif box is None:
+            continue
+        solids[index] = box
+        if box is None:
             result[index] = "unresolved"
+        elif any("landscape" in name.lower() for name in own_names(actor)):
+            result[index] = "support_surface"
         elif is_ground(actor, box[1]):
             result[index] = "support_surface"
-        else:
-            boxes[index] = box
-    for index in _proxies(actors, boxes):
+            if 2 * float(box[1][2]) > GROUND_SPAN_CM:
+                grounds.add(index)
+    candidates = [index for index in solids if result[index] == "scored_solid" or index in grounds]
+    for index in _proxies(actors, solids, candidates):
         result[index] = "environment_proxy"
     return result
 
 
-def _proxies(actors: Sequence[Mapping[str, Any]], boxes: Mapping[int, tuple[Boxes, Boxes]]) -> Iterable[int]:
+def _proxies(actors: Sequence[Mapping[str, Any]], solids: Mapping[int, tuple[Boxes, Boxes] | None],
+             candidates: Sequence[int]) -> Iterable[int]:
     """Solids that are a scene's shell: far larger than the rest, backdrop-like, and around many others."""
+    boxes = {index: box for index, box in solids.items() if box is not None}
     if not boxes:
         return
     origins = np.array([origin for origin, _ in boxes.values()])
-    spans = np.array([2 * float(extent.max()) for _, extent in boxes.values()])
-    median = float(np.median(spans))
-    needed = max(PROXY_ORIGINS, PROXY_SHARE * (len(boxes) - 1))
-    for (index, (origin, extent)), span in zip(boxes.items(), spans.tolist(), strict=True):
-        if span <= PROXY_SPAN_CM or (span < PROXY_HUGE_CM and span < PROXY_RATIO * median):
+    median = float(np.median([2 * float(extent.max()) for _, extent in boxes.values()]))
+    needed = max(PROXY_ORIGINS, math.ceil(PROXY_SHARE * (len(solids) - 1)))
+    for index in candidates:
+        origin, extent = boxes[index]
+        span = 2 * float(extent.max())
+        if span <= PROXY_SPAN_CM or (span < PROXY_HUGE_CM and not 0 < PROXY_RATIO * median <= span):
             continue
-        inside = int((np.abs(origins - origin) <= extent).all(axis=1).sum()) - 1
-        if _may_be_backdrop(actors[index]) and inside >= needed:
+        inside = int(((origins >= origin - extent) & (origins <= origin + extent)).all(axis=1).sum()) - 1
+        if inside >= needed and (any(map(BACKDROP.search, own_names(actors[index])))
+                                 or any(map(BASIC_SHAPE.search, _texts(_paths(actors[index]))))):
             yield index
