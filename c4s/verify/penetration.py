@@ -1,7 +1,7 @@
 """Solid penetration: the share of scored solids without a contact deeper than their tolerance (paper, Physical Safety).
 
 A contact counts for each of its two actors against that actor's own tolerance, once an actor. Contacts inside one
-logical object and with non-solid colliders do not count. An actor whose own bodies or neighbours are not known, or
+logical object and with non-solid colliders do not count. An actor whose own bodies, box or neighbours are not known, or
 whose deep contact is not trusted, is unresolved unless another contact proves a violation.
 """
 
@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from c4s.collision import Contact, SceneBodies
+from c4s.collision import NOISE_CM, Contact, SceneBodies
 from c4s.verify.roles import Role, bounds_of
 
 FIXED_TOLERANCE_CM = 5.0
@@ -28,10 +28,15 @@ class Penetration:
 
     violators: list[int]
     clean: list[int]
-    unresolved: list[int]
+    unresolved: dict[int, str]
+    """Actor to the reason why it can be neither."""
     tolerances_cm: dict[int, float]
     contacts: dict[int, list[tuple[int, float, bool]]]
     """Per scored actor: (other actor, depth in cm, trusted) of each counted contact, deepest first."""
+
+    def deep(self, actor: int) -> list[tuple[int, float, bool]]:
+        """The actor's counted contacts beyond its tolerance."""
+        return [contact for contact in self.contacts[actor] if contact[1] > self.tolerances_cm[actor] + NOISE_CM]
 
     @property
     def score(self) -> float | None:
@@ -57,7 +62,8 @@ def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found
         role: their roles.
         found: contacts of the scene (at least those deeper than 5 cm).
         scene: bodies, for which actors are unresolved.
-        scored: positions of the population; only its ``scored_solid`` members are judged.
+        scored: positions of the population. Its ``scored_solid`` members are judged; those whose role is not known are
+            unresolved.
         adaptive: tolerance by size (text-to-scene) or 5 cm for all.
     """
     targets = [i for i in scored if role[i] == "scored_solid"]
@@ -73,15 +79,24 @@ def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found
         for mine, other in ((a, b), (b, a)):
             if mine in touching:
                 touching[mine].append((other, contact.depth_cm, contact.trusted))
-    doubtful = _near_unknown(targets, boxes, [i for i in scene.unresolved if role[i] != "non_solid"])
-    result = Penetration([], [], [], tolerances, touching)
+    result = Penetration([], [], {i: "no valid world box" for i in scored if role[i] == "unresolved"}, tolerances,
+                         touching)
+    held: list[int] = []
     for index in targets:
-        touching[index].sort(key=lambda contact: -contact[1])
-        deep = [trusted for _, depth, trusted in touching[index] if depth > tolerances[index]]
-        if any(deep):
+        touching[index].sort(key=lambda contact: (-contact[1], not contact[2]))
+        deep = result.deep(index)
+        if any(trusted for _, _, trusted in deep):
             result.violators.append(index)
-        elif deep or index in scene.unresolved or index in doubtful:
-            result.unresolved.append(index)
+        elif deep:
+            result.unresolved[index] = "the depth of a contact could not be confirmed"
+        elif index in scene.unresolved:
+            result.unresolved[index] = scene.unresolved[index]
+        else:
+            held.append(index)
+    doubtful = _near_unknown(held, boxes, [i for i in scene.unresolved if role[i] != "non_solid"])
+    for index in held:
+        if index in doubtful:
+            result.unresolved[index] = "meets the box of an actor without known collision bodies"
         else:
             result.clean.append(index)
     return result

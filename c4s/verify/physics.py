@@ -61,7 +61,8 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
     scored = [i for i in chosen if role[i] == "scored_solid"]
     return Verdict(
         verifier="physics", status="measured", score=total["score"], policy=PHYSICS_POLICY,
-        measurements={**leaves, "leaves": total["leaves"], "role_policy": ROLE_POLICY, "roles": {_name(actors[i]): role[i] for i in chosen}},
+        measurements={**leaves, "leaves": total["leaves"], "role_policy": ROLE_POLICY,
+                      "roles": {_name(actors[i]): role[i] for i in chosen}},
         population={"actors": len(actors), "selected": len(chosen), **_leaf_population("floating", floating),
                     **_leaf_population("solid_penetration", solid),
                     **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())}},
@@ -144,16 +145,23 @@ def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int]
         status, score = _empty(len(chosen), 1.0)
     else:
         status, score = ("measured", judged.score) if judged.score is not None else ("not_evaluated", None)
-    violating = {i: [contact for contact in judged.contacts[i] if contact[1] > judged.tolerances_cm[i]]
-                 for i in [*judged.violators, *judged.unresolved]}
+    state = (dict.fromkeys(judged.violators, "violating") | dict.fromkeys(judged.clean, "clean")
+             | dict.fromkeys(judged.unresolved, "unresolved"))
     return _leaf(
         "solid_penetration", status, score, "higher_is_better", evaluated=evaluated,
         unresolved=len(judged.unresolved), failed=len(judged.violators),
         violations=[{"actor": _name(actors[i]), "tolerance_cm": judged.tolerances_cm[i],
-                     "contacts": [{"actor": _name(actors[other]), "depth_cm": round(depth, 4), "trusted": trusted}
-                                  for other, depth, trusted in deep]}
-                    for i, deep in violating.items() if deep],
-        unresolved_actors=[_name(actors[i]) for i in judged.unresolved])
+                     "contacts": _contact_rows(actors, deep)}
+                    for i in judged.tolerances_cm if (deep := judged.deep(i))],
+        unresolved_actors=[_name(actors[i]) for i in judged.unresolved], measured_beyond_cm=FIXED_TOLERANCE_CM,
+        actors=[{"actor": _name(actors[i]), "state": state[i], "tolerance_cm": judged.tolerances_cm.get(i),
+                 "contacts": _contact_rows(actors, judged.contacts.get(i, [])),
+                 **({"reason": judged.unresolved[i]} if i in judged.unresolved else {})} for i in sorted(state)])
+
+
+def _contact_rows(actors: Sequence[Mapping[str, Any]], rows: Sequence[tuple[int, float, bool]]) -> list[dict[str, Any]]:
+    return [{"actor": _name(actors[other]), "depth_cm": round(depth, 4), "trusted": trusted}
+            for other, depth, trusted in rows]
 
 
 def _unscored_labels(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> list[dict[str, Any]]:
