@@ -242,16 +242,23 @@ def _costs(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
         return np.array([quat_from_rotator(turn) if (turn := a.vector("rotation_deg")) is not None else (np.nan,) * 4
                          for a in actors])
 
-    place_a, place_b = vectors(left, "location_cm"), vectors(right, "location_cm")
-    offset = np.abs(place_a[:, None, :] - place_b[None, :, :])
-    distance = np.sqrt((offset ** 2).sum(axis=2))
-    angle = np.degrees(2 * np.arccos(np.minimum(1.0, np.abs(turns(left) @ turns(right).T))))
-    stretch = np.abs(vectors(left, "scale")[:, None, :] - vectors(right, "scale")[None, :, :])
+    def gaps(member: str) -> Iterator[NDArray[np.float64]]:
+        for a, b in zip(vectors(left, member).T, vectors(right, member).T, strict=True):
+            yield np.abs(a[:, None] - b[None, :])
+
     changed = _changed_property_counts(left, right)
+    squares, moved, stretched = np.zeros_like(changed), np.zeros(changed.shape, bool), np.zeros(changed.shape, bool)
     with np.errstate(invalid="ignore"):
-        changed += (offset > SAME_LOCATION_CM).any(axis=2)
+        for gap in gaps("location_cm"):
+            moved |= gap > SAME_LOCATION_CM
+            squares += gap * gap
+        for gap in gaps("scale"):
+            stretched |= gap > SAME_SCALE
+        distance = np.sqrt(squares, out=squares)
+        angle = np.degrees(2 * np.arccos(np.minimum(1.0, np.abs(turns(left) @ turns(right).T))))
+        changed += moved
         changed += angle > SAME_ROTATION_DEG + GUARD
-        changed += (stretch > SAME_SCALE).any(axis=2)
+        changed += stretched
         cost = np.where(np.isnan(distance), 1.0, distance / (1 + distance))
     cost = cost + np.where(np.isnan(angle), ANGLE_COST, ANGLE_COST * angle / 180)
     odd = [[actor.location is None for actor in side] for side in (left, right)]
