@@ -17,6 +17,7 @@ from c4s.verify.edited import edited_actors
 from c4s.verify.penetration import FIXED_TOLERANCE_CM, Penetration, penetration
 from c4s.verify.roles import ROLE_POLICY, Role, bounds_of, needs_no_support, roles
 from c4s.verify.support import GAP_CM, Support, edited_support, excluded_by_label, text_to_scene_support
+from c4s.verify.support_advisories import support_advisories
 from c4s.verify.verdict import Verdict
 
 Leaf = dict[str, Any]
@@ -67,7 +68,7 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
                     **_leaf_population("solid_penetration", solid),
                     **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())}},
         advisories=_advisories(actors, chosen, scored, judged, scene, (floating, solid))
-        + (_unscored_labels(actors, scored) if whole else []))
+        + (_support_oddities(snapshot, actors, scored) if whole else []))
 
 
 def report(verdict: Verdict) -> dict[str, Any]:
@@ -162,6 +163,15 @@ def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int]
 def _contact_rows(actors: Sequence[Mapping[str, Any]], rows: Sequence[tuple[int, float, bool]]) -> list[dict[str, Any]]:
     return [{"actor": _name(actors[other]), "depth_cm": round(depth, 4), "trusted": trusted}
             for other, depth, trusted in rows]
+
+
+def _support_oddities(snapshot: Mapping[str, Any], actors: Sequence[Mapping[str, Any]],
+                      scored: Sequence[int]) -> list[dict[str, Any]]:
+    try:
+        support = text_to_scene_support(snapshot)
+    except ValueError:
+        return []
+    return _unscored_labels(actors, scored) + support_advisories(snapshot, support)
 
 
 def _unscored_labels(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> list[dict[str, Any]]:

@@ -103,8 +103,20 @@ def test_edited_actors_are_held_from_below_or_the_side(place, floats):
 def test_edited_lights_only_leave_nothing_to_evaluate():
     light = actor("L", (0, 0, 300)) | {"class": "/Script/Engine.PointLight"}
     verdict = verify_physics(I2S, snapshot(light), snapshot())
-    assert verdict.score == 0.0
-    assert {leaf["status"] for leaf in leaves(verdict).values()} == {"not_applicable"}
+    found = leaves(verdict)
+    assert (found["floating"]["status"], found["floating"]["score"]) == ("measured", 0.0)
+    assert (found["solid_penetration"]["status"], found["solid_penetration"]["score"]) == ("not_applicable", None)
+    assert verdict.score == 0.5
+    assert [note["code"] for note in verdict.advisories] == ["all_excluded"]
+
+
+def test_ground_tiles_alone_are_supported_but_have_no_penetration_to_measure():
+    tiles = snapshot(*(actor(f"Ground_{n}", (400.0 * n, 0, -10), (400, 400, 20)) for n in range(3)))
+    verdict = verify_physics("text-to-scene", tiles)
+    found = leaves(verdict)
+    assert (found["floating"]["status"], found["floating"]["score"]) == ("measured", 0.0)
+    assert (found["solid_penetration"]["status"], verdict.score) == ("not_applicable", 0.5)
+    assert "all_excluded" in [note["code"] for note in verdict.advisories]
 
 
 def test_published_snapshots_without_bodies_are_not_guessed():
@@ -137,7 +149,7 @@ def test_roles():
              actor("River_Water", (0, 0, 0)), actor("Smoke", (0, 0, 0)) | {"class": "/Script/Niagara.NiagaraActor"},
              actor("A", (0, 0, 0), collision={"collision_enabled": False}), actor("B", (0, 0, 0), bounds=None),
              *(actor(f"C{i}", (i * 200, 0, 50)) for i in range(5)),
-             actor("SkyDome", (0, 0, 0), (40000, 40000, 20000)), actor("Tower", (0, 0, 0), (40000, 40000, 20000))]
+             actor("Mountain_Ring", (0, 0, 0), (40000, 40000, 20000)), actor("Tower", (0, 0, 0), (40000, 40000, 20000))]
     assert roles(scene) == ["support_surface", "scored_solid", "non_solid", "non_solid", "non_solid", "unresolved",
                             *["scored_solid"] * 5, "environment_proxy", "scored_solid"]
 
