@@ -109,8 +109,7 @@ class _Scene:
 
     def _texture(self, component: StaticMeshComponent, slot: int) -> Path | None:
         material = component.get_material(slot) if slot < component.get_num_materials() else None
-        base = material.get_base_material() if material is not None else None
-        packed = self._store.material(base.get_path_name()) if base is not None else None
+        packed = self._store.material(material._origin_path()) if material is not None else None
         return self._store.texture_file(packed) if packed is not None else None
 
     def _material(self, surface: Material, texture: Path | None) -> tuple[str, PBRMaterial]:

@@ -41,7 +41,9 @@ class AssetDocument(Record):
     """``/Game/.../M_X.M_X``."""
     class_path: str
     parent: str | None = None
-    """Parent material of an instance, or the static mesh that this one is a copy of."""
+    """Parent material of an instance, or the asset of a pack that this one is a copy of."""
+    slots: dict[int, str] = Field(default_factory=dict)
+    """Default materials of slots, where they differ from the copied mesh."""
     material: manifest.Material | None = None
     vectors: dict[str, tuple[float, float, float, float]] = Field(default_factory=dict)
     scalars: dict[str, float] = Field(default_factory=dict)
@@ -147,11 +149,52 @@ class AssetLibrary(ABC):
             return False
         full = asset._path()
         self.created.pop(full)
-        file = self.content_file(full.rsplit(".", 1)[0], ".asset.json")
-        if file is not None:
-            file.unlink(missing_ok=True)
+        self._unlink(full)
+        self.replace_asset(asset, None)
         asset._dead = True
         return True
+
+    def _unlink(self, path: str) -> None:
+        file = self.content_file(path.rsplit(".", 1)[0], ".asset.json")
+        if file is not None:
+            file.unlink(missing_ok=True)
+
+    def move(self, asset: AssetObject, target: str) -> bool:
+        """Give a created asset another object path, on disk too when it was saved; packs are read-only (False)."""
+        old = asset._path()
+        if self.created.get(old) is not asset:
+            self.log.error(f"RenameAsset: '{old}' is read-only")
+            return False
+        saved = self._is_saved(old.rsplit(".", 1)[0])
+        del self.created[old]
+        asset._object_path, asset._name = target, target.rsplit(".", 1)[-1]
+        self.created[target] = asset
+        if saved:
+            self._unlink(old)
+            self.save(asset)
+        for user in [a for a in self.created.values() if a._path() != target and target in a._references()]:
+            user._dirty = True
+            if self._is_saved(user._path().rsplit(".", 1)[0]):
+                self.save(user)
+        return True
+
+    def replace_asset(self, old: AssetObject, new: AssetObject | None) -> None:
+        """Let whatever uses an asset use another one, or none."""
+        for user in self.created.values():
+            if user._values.get("parent") is old:
+                user._values["parent"] = new
+                user._dirty = True
+            overrides: dict[int, Any] = getattr(user, "_slot_overrides", {})
+            for slot in [slot for slot, used in overrides.items() if used is old]:
+                if new is None:
+                    del overrides[slot]
+                else:
+                    overrides[slot] = new
+                user._dirty = True
+
+    @abstractmethod
+    def references(self) -> list[str]:
+        """Object paths that the open level names."""
 
     def assets(self) -> list[AssetObject]:
         """All assets that resolve: the engine's, the packs', then created ones, each group in path order."""
@@ -188,8 +231,10 @@ class AssetLibrary(ABC):
             return AssetDocument(**common, parent=parent._path() if parent is not None else None,
                                  vectors=asset._vectors, scalars=asset._scalars)
         if isinstance(asset, Material):
-            return AssetDocument(**common, material=asset._surface())
-        return AssetDocument(**common, parent=asset._asset.path)
+            origin = asset._origin if asset._origin != asset._path() else None
+            return AssetDocument(**common, material=asset._surface(), parent=origin)
+        return AssetDocument(**common, parent=asset._asset.path,
+                             slots={i: m._path() for i, m in asset._slot_overrides.items()})
 
     def _from_document(self, document: AssetDocument) -> AssetObject:
         if document.class_path == MaterialInstanceConstant._class_path():
@@ -202,13 +247,21 @@ class AssetLibrary(ABC):
             instance._values["parent"] = parent
             return instance
         if document.material is not None:
-            return Material._at(document.path, created=True)._bind(document.material)  # type: ignore[no-any-return]
+            record = document.material.model_copy(update={"path": document.path})
+            return Material._at(document.path, created=True)._bind(record, document.parent)  # type: ignore[no-any-return]
         source = self.store.asset(document.parent or "")
         if source is None:
             self.log.warning(f"{document.path}: the mesh '{document.parent}' that it copies is missing")
             source = manifest.Asset(id="missing", name="missing", path=document.parent or "", category="",
                                     bounds_min_cm=(0, 0, 0), bounds_max_cm=(0, 0, 0))
-        return StaticMesh._at(document.path, created=True)._bind(source)  # type: ignore[no-any-return]
+        mesh: StaticMesh = StaticMesh._at(document.path, created=True)._bind(source)
+        for slot, path in document.slots.items():
+            material = self.find(path)
+            if isinstance(material, MaterialInterface):
+                mesh._slot_overrides[slot] = material
+            else:
+                self.log.warning(f"{document.path}: failed to find material '{path}'")
+        return mesh
 
 
 class _PackInstance(MaterialInstanceConstant):

@@ -140,8 +140,7 @@ class _Surfaces:
         if material is None:
             return self._missing
         look = material._surface()
-        base = material.get_base_material()
-        packed = self._store.material(base.get_path_name()) if base is not None else None
+        packed = self._store.material(material._origin_path())
         file = self._store.texture_file(packed) if packed is not None else None
         key = (look.base_color, look.roughness, look.metallic, look.emissive, look.opacity, file)
         if key not in self._known:

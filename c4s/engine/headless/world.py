@@ -16,7 +16,13 @@ from c4s.engine.headless.log import EngineLog
 from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal import lights
 from c4s.engine.headless.unreal.actors import Actor
-from c4s.engine.headless.unreal.components import InstancedStaticMeshComponent, SceneComponent, StaticMeshComponent
+from c4s.engine.headless.unreal.assets import AssetObject, MaterialInterface, StaticMesh
+from c4s.engine.headless.unreal.components import (
+    InstancedStaticMeshComponent,
+    MeshComponent,
+    SceneComponent,
+    StaticMeshComponent,
+)
 from c4s.engine.headless.unreal.core import TYPES, Class, Object
 from c4s.engine.headless.unreal.levels import World as MapObject
 from c4s.errors import BadInput
@@ -24,7 +30,7 @@ from c4s.files import append_json_line
 from c4s.packs import basic_shapes
 from c4s.packs.manifest import Material
 from c4s.packs.store import PackStore
-from c4s.scene.level import Level
+from c4s.scene.level import Level, LevelActor
 from c4s.scene.transform import Array
 
 UNTITLED = "/Temp/Untitled_1"
@@ -256,6 +262,22 @@ class World(AssetLibrary):
     def actor_list(self) -> list[Actor]:
         """All actors in level order."""
         return list(self.actors.values())
+
+    def replace_asset(self, old: AssetObject, new: AssetObject | None) -> None:
+        """Let whatever uses an asset, in the open level too, use another one, or none."""
+        super().replace_asset(old, new)
+        for component in [c for a in self.actors.values() for c in a._components]:
+            if isinstance(component, StaticMeshComponent) and component._mesh is old:
+                component._mesh = new if isinstance(new, StaticMesh) else None
+                component._changed("static_mesh")
+            for slot, material in list(component._materials.items()) if isinstance(component, MeshComponent) else []:
+                if material is old or material._values.get("parent") is old:
+                    component._swap_material(slot, old, new if isinstance(new, MaterialInterface) else None)
+
+    def references(self) -> list[str]:
+        """Object paths that the open level names."""
+        rows = [level_io.actor_plain(actor) for actor in self.actors.values()]
+        return level_io.references(Level(package=self.package, actors=[LevelActor.model_validate(r) for r in rows]))
 
     # what a renderer reads
 

@@ -21,12 +21,14 @@ def load(path: str) -> Any:
 
 
 def in_folder(path: str, folder: str, recursive: bool) -> bool:
+    """Whether an asset lies in a folder, or in one below it."""
     folder = folder.rstrip("/")
     parent = package_of(path).rsplit("/", 1)[0]
     return parent == folder or (recursive and parent.startswith(folder + "/"))
 
 
 def new_object_path(path: str) -> str | None:
+    """Object path for a new asset, or None, with the reason logged, where none can be made."""
     package = package_of(path)
     if world().content_file(package, "") is None:
         world().log.error(f"'{path}' is not a package path under /Game/")

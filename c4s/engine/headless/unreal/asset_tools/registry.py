@@ -13,7 +13,7 @@ from c4s.engine.headless.unreal.assets import (
     AssetObject,
 )
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import Object, Prop, api, public
+from c4s.engine.headless.unreal.core import Object, Prop, api, deprecated, public
 from c4s.engine.headless.unreal.structs import StructBase
 
 
@@ -155,12 +155,16 @@ class AssetRegistry(Object):
         """Assets of a package."""
         return self._list(lambda a: package_of(a._path()) == str(package_name))
 
+    def _entry(self, path: str) -> AssetData:
+        found = world().find(path)
+        return data_of(found) if isinstance(found, AssetObject) else AssetData()
+
+    @deprecated("Use other version that takes a SoftObjectPath")
     @api
     def get_asset_by_object_path(self, object_path: Name | str,
                                  include_only_on_disk_assets: bool = False) -> AssetData:
         """Registry entry of a path, invalid when there is none."""
-        found = world().find(str(object_path))
-        return data_of(found) if isinstance(found, AssetObject) else AssetData()
+        return self._entry(str(object_path))
 
     @api
     def get_dependencies(self, package_name: Name | str,

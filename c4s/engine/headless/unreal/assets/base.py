@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Object
 
 
@@ -29,6 +30,11 @@ class AssetObject(Object):
     @classmethod
     def _at(cls, path: str, *, created: bool = False) -> Any:
         return cls._make(path.rsplit(".", 1)[-1], None)._place(path, created)
+
+    def _metadata(self) -> dict[Name, str]:
+        """Metadata tags, kept in memory."""
+        found: dict[Name, str] = self.__dict__.setdefault("_tags_in_memory", {})
+        return found
 
     def _references(self) -> list[str]:
         return []

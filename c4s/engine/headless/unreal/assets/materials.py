@@ -32,6 +32,10 @@ class MaterialInterface(AssetObject):
     def _surface(self) -> manifest.Material:
         raise Exception(f"{self._name}: this material has no surface")
 
+    def _origin_path(self) -> str:
+        """Path of the pack's material whose textures this one shows."""
+        return self._path()
+
     @api
     def get_base_material(self) -> Any:
         """The material behind all instances."""
@@ -45,14 +49,18 @@ class Material(MaterialInterface):
     _declares = {"two_sided": Prop("bool", False, attribute=False),
                  "blend_mode": Prop("BlendMode", BlendMode.BLEND_OPAQUE)}
 
-    def _bind(self, record: manifest.Material) -> Any:
+    def _bind(self, record: manifest.Material, origin: str | None = None) -> Any:
         self._material = record
+        self._origin = origin or record.path
         self._expressions: list[Any] = []
         return self
 
     def _surface(self) -> manifest.Material:
         record: manifest.Material = self._material
         return record
+
+    def _origin_path(self) -> str:
+        return str(self._origin)
 
 
 @public
@@ -99,6 +107,10 @@ class _Overriding(MaterialInterface):
             if field:
                 update[field] = value
         return base.model_copy(update=update)
+
+    def _origin_path(self) -> str:
+        parent = self._parent()
+        return parent._origin_path() if parent is not None else self._path()
 
     def _set_vector(self, name: object, value: LinearColor) -> bool:
         if parameter_field(name, True) is None:

@@ -11,7 +11,7 @@ from c4s.engine.headless.unreal.assets.base import AssetObject
 from c4s.engine.headless.unreal.assets.collision import BodySetup, aggregate
 from c4s.engine.headless.unreal.assets.materials import MaterialInterface
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import Prop, api, public
+from c4s.engine.headless.unreal.core import Object, Prop, api, public
 from c4s.engine.headless.unreal.structs import Box, BoxSphereBounds, ClosedStruct, Vector
 from c4s.packs.manifest import Asset
 from c4s.packs.meshes import Mesh
@@ -34,6 +34,10 @@ class StaticMesh(AssetObject):
     _declares = {"static_materials": Prop("Sequence[StaticMaterial]", get="_static_materials", writable=False),
                  "body_setup": Prop("BodySetup", get="_body_setup", attribute=False, writable=False)}
 
+    def _start(self, name: str, outer: Object | None) -> None:
+        super()._start(name, outer)
+        self._slot_overrides: dict[int, MaterialInterface] = {}
+
     def _bind(self, asset: Asset) -> Any:
         self._asset = asset
         return self
@@ -51,6 +55,8 @@ class StaticMesh(AssetObject):
         slots = self._asset.slots
         if not 0 <= index < len(slots):
             return None
+        if index in self._slot_overrides:
+            return self._slot_overrides[index]
         found = world().find(slots[index].material)
         return found if isinstance(found, MaterialInterface) else None
 
@@ -65,12 +71,30 @@ class StaticMesh(AssetObject):
         return made
 
     def _references(self) -> list[str]:
-        return [slot.material for slot in self._asset.slots]
+        return [self._slot_overrides[i]._path() if i in self._slot_overrides else slot.material
+                for i, slot in enumerate(self._asset.slots)]
 
     @api
     def get_material(self, material_index: int) -> MaterialInterface | None:
         """Default material of a slot."""
         return self._slot_material(material_index)
+
+    @api
+    def set_material(self, material_index: int, new_material: MaterialInterface | None) -> None:
+        """Set the default material of a slot of a created mesh; meshes of packs are read-only."""
+        if not self._created:
+            from c4s.engine.headless.state import world
+
+            world().log.error(f"'{self._path()}' is read-only")
+        elif new_material is not None and 0 <= material_index < len(self._asset.slots):
+            self._slot_overrides[material_index] = new_material
+            self._dirty = True
+
+    @api
+    def get_num_vertices(self, lod_index: int) -> int:
+        """Vertices of the mesh."""
+        mesh = self._geometry()
+        return len(mesh.vertices) if mesh is not None and lod_index == 0 else 0
 
     @api
     def get_material_index(self, material_slot_name: Name | str) -> int:

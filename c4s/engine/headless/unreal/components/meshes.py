@@ -35,6 +35,17 @@ class MeshComponent(PrimitiveComponent):
             return override
         return self._default_material(index) if 0 <= index < self._slot_count() else None
 
+    def _swap_material(self, slot: int, old: object, new: MaterialInterface | None) -> None:
+        """Use ``new`` where a slot, or the dynamic instance on it, used ``old``."""
+        used = self._materials[slot]
+        if used is not old:
+            used._values["parent"] = new
+        elif new is None:
+            del self._materials[slot]
+        else:
+            self._materials[slot] = new
+        self._changed("override_materials")
+
     def _override_array(self) -> Array:
         size = max(self._materials, default=-1) + 1
         return Array._of("MaterialInterface | None", [self._materials.get(i) for i in range(size)])

@@ -6,12 +6,12 @@ property an ``Exception``: as in Unreal's own Python.
 
 from __future__ import annotations
 
-from c4s.engine.headless.unreal.core.checks import TYPES, api, camel, fits, need, public
+from c4s.engine.headless.unreal.core.checks import TYPES, api, camel, deprecated, fits, need, public
 from c4s.engine.headless.unreal.core.enumeration import EnumBase
 from c4s.engine.headless.unreal.core.objects import Class, Object, Package, as_class, subclass_of
 from c4s.engine.headless.unreal.core.properties import ObjectBase, Prop, converted, copied
 
 __all__ = [
     "TYPES", "Class", "EnumBase", "Object", "ObjectBase", "Package", "Prop", "api", "as_class", "camel", "converted",
-    "copied", "fits", "need", "public", "subclass_of",
+    "copied", "deprecated", "fits", "need", "public", "subclass_of",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import inspect
+import warnings
 from collections.abc import Callable, Mapping
 from typing import Any, ParamSpec, TypeVar
 
@@ -211,3 +212,19 @@ def _without(title: str, name: str, result: str) -> Any:
         return Array._of("Any", [])
     found = TYPES.get(result)
     return found() if found is not None and hasattr(found, "_from_parts") else None
+
+
+def deprecated(reason: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """A function that works and warns its caller, in Unreal's words."""
+    def mark(function: Callable[P, R]) -> Callable[P, R]:
+        owner = function.__qualname__.split(".")[0]
+
+        @functools.wraps(function)
+        def call(*args: P.args, **kwargs: P.kwargs) -> R:
+            warnings.warn(f"Function '{function.__name__}' on '{owner}' is deprecated: {reason}", DeprecationWarning,
+                          stacklevel=2)
+            return function(*args, **kwargs)
+
+        return call
+
+    return mark
