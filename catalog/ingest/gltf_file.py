@@ -20,7 +20,8 @@ WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MA
 MAX_ELEMENTS = 50_000_000
 READ = ("KHR_draco_mesh_compression", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu",
         "EXT_texture_webp", "EXT_texture_avif", "EXT_mesh_gpu_instancing", "KHR_lights_punctual", "KHR_node_visibility",
-        "KHR_animation_pointer", "KHR_xmp_json_ld", "MSFT_lod")
+        "KHR_animation_pointer", "KHR_xmp_json_ld", "MSFT_lod", "KHR_physics_rigid_bodies", "KHR_implicit_shapes",
+        "OMI_physics_body", "OMI_physics_shape")
 """Extensions that a file may require; those of materials (``KHR_materials_*``) may be required too."""
 MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 

@@ -65,14 +65,14 @@ def pieces(vertices: Points, faces: NDArray[np.int64]) -> list[Points]:
     _, same = np.unique(np.round(vertices, 2), axis=0, return_inverse=True)
     welded = same.reshape(-1)[faces]
     found = []
-    for part in _connected(welded, np.zeros(len(faces), np.int64)):
+    for part in connected(welded, np.zeros(len(faces), np.int64)):
         points = vertices[np.unique(faces[part])]
         found += _sides(vertices, faces[part], welded[part]) if _hollow(vertices[faces[part]], points) else [points]
     found.sort(key=lambda points: -float(np.linalg.norm(np.ptp(points, axis=0))))
     return found if len(found) <= MAX_PIECES else [*found[:MAX_PIECES - 1], np.concatenate(found[MAX_PIECES - 1:])]
 
 
-def _connected(welded: NDArray[np.int64], group: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+def connected(welded: NDArray[np.int64], group: NDArray[np.int64]) -> list[NDArray[np.int64]]:
     """Indices of the faces of each set that hangs together by corners of the same group."""
     keys = welded.astype(np.int64) * (int(group.max()) + 1) + group[:, None]
     _, corner = np.unique(keys, return_inverse=True)
@@ -103,7 +103,7 @@ def _sides(vertices: Points, faces: NDArray[np.int64], welded: NDArray[np.int64]
     normals = normals / (2 * areas[:, None])
     planes = np.column_stack([np.round(normals, 2), np.round(np.einsum("ij,ij->i", normals, triangles[:, 0]), 0)])
     found: list[Points] = []
-    for side in _connected(welded, np.unique(planes + 0.0, axis=0, return_inverse=True)[1].reshape(-1)):
+    for side in connected(welded, np.unique(planes + 0.0, axis=0, return_inverse=True)[1].reshape(-1)):
         corners = np.unique(triangles[side].reshape(-1, 3), axis=0)
         axes = np.linalg.svd(normals[side[:1]])[2][1:]
         outline = float(ConvexHull(corners @ axes.T, qhull_options="QJ Pp").volume)

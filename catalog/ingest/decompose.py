@@ -1,0 +1,149 @@
+"""Convex decomposition of a mesh: what is convex already stays whole, the rest is cut by coacd and remembered."""
+
+from __future__ import annotations
+
+import io
+import json
+import subprocess
+import sys
+from functools import cache
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+
+from c4s.errors import BadInput
+from c4s.files import digest, digest_bytes, write_bytes
+from c4s.home import cache_root
+from catalog.ingest.hulls import Points, connected
+
+Faces = NDArray[np.int64]
+PARAMETERS: dict[str, Any] = {"threshold": 0.05, "max_convex_hull": 32, "preprocess_mode": "auto", "seed": 0,
+                              "preprocess_resolution": 30, "resolution": 1000, "mcts_iterations": 60, "mcts_nodes": 20,
+                              "mcts_max_depth": 3, "merge": True}
+"""coacd's, with fewer search steps than its defaults: a quarter of the time, and about as many parts."""
+MOST_SECONDS = 300.0
+MOST_PIECES = 64
+"""A mesh of more pieces is cut as a whole: the many little ones of a decoration are no bodies of their own."""
+BULGE = 0.01
+"""A piece is convex when no point lies further outside the plane of a face than this share of its size."""
+HIDDEN_CM = 1.0
+"""A piece that lies in another's hull, within this much, adds no body."""
+
+
+def decompose(vertices: Points, faces: Faces, cache_folder: Path | None = None) -> tuple[list[Points], list[str]]:
+    """Points (cm) of the convex parts of a surface, and notes on what could not be cut.
+
+    Raises:
+        BadInput: coacd is needed and not installed.
+    """
+    corners, welded = _weld(vertices, faces)
+    pieces = [_piece(corners, welded[rows]) for rows in connected(welded, np.zeros(len(welded), np.int64))] \
+        if len(welded) else []
+    if not pieces:
+        return [vertices], ["it has no triangles with an area: one hull"]
+    if len(pieces) > MOST_PIECES:
+        pieces = [(corners, welded)]
+    pieces.sort(key=lambda piece: -float(np.linalg.norm(np.ptp(piece[0], axis=0))))
+    found: list[Points] = []
+    notes: list[str] = []
+    for points, triangles in pieces:
+        if any(_holds(other, points) for other in found):
+            continue
+        if is_convex(points, triangles):
+            found.append(points)
+            continue
+        parts, note = _cut(points, triangles, cache_folder or cache_root() / "convex")
+        found += parts
+        notes += [note] if note else []
+    return found, notes
+
+
+def is_convex(points: Points, faces: Faces) -> bool:
+    """Whether no part of a surface (open ones too) bulges inwards by more than ``BULGE`` of its size."""
+    a, b, c = (points[faces[:, i]] for i in range(3))
+    normals = np.cross(b - a, c - a)
+    areas = np.linalg.norm(normals, axis=1)
+    normals, a = normals[areas > 0] / areas[areas > 0, None], a[areas > 0]
+    allowed = BULGE * float(np.linalg.norm(np.ptp(points, axis=0)))
+    for start in range(0, len(a), 512):
+        heights = (points[None] - a[start:start + 512, None]) @ normals[start:start + 512, :, None]
+        if (np.minimum(heights.max(axis=1), -heights.min(axis=1)) > allowed).any():
+            return False
+    return True
+
+
+def _weld(vertices: Points, faces: Faces) -> tuple[Points, Faces]:
+    """One corner a place; triangles that have no area are left out."""
+    corners, same = np.unique(np.round(vertices, 2) + 0.0, axis=0, return_inverse=True)
+    welded = same.reshape(-1)[faces].astype(np.int64)
+    across = np.cross(corners[welded[:, 1]] - corners[welded[:, 0]], corners[welded[:, 2]] - corners[welded[:, 0]])
+    return corners, welded[np.linalg.norm(across, axis=1) > 1e-9]
+
+
+def _piece(corners: Points, faces: Faces) -> tuple[Points, Faces]:
+    used, renamed = np.unique(faces, return_inverse=True)
+    return corners[used], renamed.reshape(faces.shape).astype(np.int64)
+
+
+def _holds(hull: Points, points: Points) -> bool:
+    """Whether the hull of some points holds all of others."""
+    try:
+        planes = ConvexHull(hull).equations
+    except QhullError:
+        return False
+    return bool((points @ planes[:, :3].T + planes[:, 3] <= HIDDEN_CM).all())
+
+
+def _cut(points: Points, faces: Faces, folder: Path) -> tuple[list[Points], str]:
+    """The parts that coacd makes of a piece, from the cache when it was cut before; one part and why when it fails."""
+    centre = points.mean(axis=0).round(2)
+    centred = (points - centre).round(3) + 0.0
+    key = digest([digest_bytes(centred.tobytes()), digest_bytes(faces.astype("<i8").tobytes()), PARAMETERS, _version()])
+    file = folder / f"{key}.npz"
+    data = file.read_bytes() if file.is_file() else None
+    parts = _read(data) if data is not None else None
+    if parts is None:
+        data, problem = _run(centred, faces)
+        parts = _read(data) if data is not None else None
+        if data is None or parts is None:
+            return [points], f"a piece of {len(faces)} triangles could not be cut ({problem}): one hull"
+        write_bytes(file, data)
+    return [part + centre for part in parts], ""
+
+
+def _run(points: Points, faces: Faces) -> tuple[bytes | None, str]:
+    sent = io.BytesIO()
+    np.savez(sent, vertices=points, faces=faces.astype(np.int32), parameters=np.array(json.dumps(PARAMETERS)))
+    try:
+        done = subprocess.run([sys.executable, "-m", "catalog.ingest.coacd_run"], input=sent.getvalue(),
+                              capture_output=True, timeout=MOST_SECONDS, check=False)
+    except subprocess.TimeoutExpired:
+        return None, f"coacd took more than {MOST_SECONDS:.0f} s"
+    if done.returncode:
+        lines = done.stderr.decode(errors="replace").strip().splitlines()
+        return None, f"coacd ended with {done.returncode}{': ' + lines[-1] if lines else ''}"
+    return done.stdout, "coacd gave no parts"
+
+
+def _read(data: bytes) -> list[Points] | None:
+    """The parts of an npz file; None when it holds none or is damaged."""
+    try:
+        with np.load(io.BytesIO(data), allow_pickle=False) as kept:
+            parts = [np.asarray(kept[name], np.float64) for name in kept.files]
+    except (ValueError, OSError, EOFError, KeyError, BadZipFile):
+        return None
+    return [part for part in parts if part.ndim == 2 and part.shape[1] == 3 and len(part) >= 3] or None
+
+
+@cache
+def _version() -> str:
+    try:
+        return metadata.version("coacd")
+    except metadata.PackageNotFoundError:
+        raise BadInput("cutting a mesh into convex parts needs coacd", where="--hulls decompose",
+                       todo="pip install coacd, or choose another --hulls") from None
