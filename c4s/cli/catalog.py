@@ -7,13 +7,14 @@ from typing import Annotated, Literal
 
 import typer
 
-from c4s.cli.output import print_json, print_table
+from c4s.cli.output import grouped, print_json, print_table
 from c4s.cli.progress import bars
 from c4s.errors import BadInput
 from c4s.home import packs_root
 from c4s.packs.manifest import Pack
 
-app = typer.Typer(help="Asset packs: build, list and show.", no_args_is_help=True)
+NAMES_SHOWN = 5
+app = typer.Typer(help="Asset packs: build, list, show, search.", no_args_is_help=True)
 
 
 @app.command("list")
@@ -32,10 +33,7 @@ def list_packs(json_output: Annotated[bool, typer.Option("--json")] = False) -> 
 def show(pack_id: Annotated[str, typer.Argument(help="id of a pack")],
          json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
     """The assets of a pack."""
-    path = packs_root() / pack_id / "pack.json"
-    if not path.is_file():
-        raise BadInput(f"no pack {pack_id!r}", where=str(packs_root()), todo="see `c4s catalog list`")
-    pack = Pack.read(path)
+    pack = Pack.read(_manifest(pack_id))
     if json_output:
         print_json(pack.plain())
         return
@@ -45,13 +43,44 @@ def show(pack_id: Annotated[str, typer.Argument(help="id of a pack")],
 
 
 @app.command()
+def search(query: Annotated[str, typer.Argument(help="words: `red chair`")],
+           pack: Annotated[list[str] | None, typer.Option(help="id of a pack, repeatable; all when left out")] = None,
+           limit: Annotated[int, typer.Option(help="how many assets at most", min=1)] = 10,
+           json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    """Find assets of the packs built here, as an agent's search tool finds them."""
+    from c4s.toolbox.catalog import CaseCatalog, Entry
+
+    folders = [_manifest(name).parent for name in pack] if pack else sorted(
+        path.parent for path in packs_root().glob("*/pack.json"))
+    packs = [(folder, Pack.read(folder / "pack.json")) for folder in folders]
+    catalog = CaseCatalog([Entry(asset, one, folder) for folder, one in packs for asset in one.assets])
+    found = catalog.search(query, limit=limit)
+    if json_output:
+        print_json(found)
+        return
+    print_table(["name", "category", "W x D x H (m)", "description", "path"],
+                [[row["name"], row["category"], " x ".join(f"{side:.2f}" for side in row["size_m"]),
+                  row["description"], row["spawn_path"]] for row in found])
+
+
+def _manifest(pack_id: str) -> Path:
+    path = packs_root() / pack_id / "pack.json"
+    if not path.is_file():
+        raise BadInput(f"no pack {pack_id!r}", where=str(packs_root()), todo="see `c4s catalog list`")
+    return path
+
+
+@app.command()
 def build(folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ and DAE files")],
           out: Annotated[str, typer.Option(help="id of the pack to write")],
           scale: Annotated[float, typer.Option(help="metres per unit of the files")] = 1.0,
           title: Annotated[str | None, typer.Option(help="title of the pack; the folder's name when left out")] = None,
           up: Annotated[Literal["y", "z"], typer.Option(help="axis that points up in OBJ files")] = "y",
-          hulls: Annotated[Literal["asset", "node", "piece"], typer.Option(
-              help="one convex hull for collision an asset, a node of its file, or a connected piece")] = "asset",
+          hulls: Annotated[Literal["asset", "node", "piece", "decompose", "none"], typer.Option(
+              help="collision where a file brings none: one convex hull an asset, a node of its file or a connected "
+                   "piece, or convex parts (coacd; slow once)")] = "asset",
+          hulls_of: Annotated[list[str] | None, typer.Option(
+              help="another choice for some files, once for each: 'bench*=decompose'")] = None,
           json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
     """Turn a folder of mesh files into a pack. Files that cannot be used are named and skipped."""
     from catalog.ingest.folder import ingest
@@ -62,17 +91,18 @@ def build(folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ 
         def step(done: int, total: int, name: str) -> None:
             progress.update(task, completed=done, total=total, description=f"reading {name:43.43}")
 
-        report = ingest(folder, out, packs_root(), scale=scale, title=title, up=up, hulls=hulls, progress=step)
+        report = ingest(folder, out, packs_root(), scale=scale, title=title, up=up, hulls=hulls,
+                        hulls_of=hulls_of or (), progress=step)
         progress.update(task, completed=report["files"], total=report["files"], description=f"{'pack written':51}")
     if json_output:
         print_json(report)
         return
     print(f"{report['pack']}: {report['assets']} assets of {report['files']} files, {report['materials']} materials, "
-          f"licence {report['license']}, in {report['folder']}")
-    for row in report["skipped"]:
-        print(f"skipped {row['file']}: {row['reason']}")
-    for row in report["notes"]:
-        print(f"note {row['file']}: {row['note']}" if row["file"] else f"note: {row['note']}")
+          f"licence {report['license']}, in {report['folder']}{' (unchanged)' if report['cached'] else ''}")
+    for word, rows, key in (("skipped", report["skipped"], "reason"), ("note", report["notes"], "note")):
+        for text, names in grouped(rows, key, "file").items():
+            more = f" and {len(names) - NAMES_SHOWN} more (see --json)" if len(names) > NAMES_SHOWN else ""
+            print(f"{word}: {text}" + (f": {', '.join(names[:NAMES_SHOWN])}{more}" if names[0] else ""))
     units = report["units"]
     if units["proposed_scale"]:
         print(f"sizes look wrong: {units['reason']}. An estimate: --scale {units['proposed_scale']}")

@@ -37,3 +37,11 @@ def print_table(columns: Sequence[str], rows: Sequence[Sequence[Any]], *, title:
     for row in rows:
         table.add_row(*(cell(value) for value in row))
     console.print(table)
+
+
+def grouped(rows: Sequence[dict[str, str]], key: str, name: str) -> dict[str, list[str]]:
+    """The names of rows by what they have in common."""
+    found: dict[str, list[str]] = {}
+    for row in rows:
+        found.setdefault(row[key], []).append(row[name])
+    return found

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from c4s.case.package import Suite, SuiteFolder
-from c4s.cli.output import print_json, print_table
+from c4s.cli.output import grouped, print_json, print_table
 from c4s.cli.progress import bars, step_line
 from c4s.errors import BadInput
 from c4s.home import packs_root, suites_root
@@ -112,20 +112,12 @@ def import_scene_file(
         return
     print(f"{report['actors']} actors, {report['lights']} lights, {report['assets']} assets (pack {report['pack']}, "
           f"licence {report['license']}): {report['level']}")
-    for reason, names in grouped(report["skipped"], "reason").items():
+    for reason, names in grouped(report["skipped"], "reason", "name").items():
         print(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
-    for text, names in grouped(report["notes"], "note").items():
+    for text, names in grouped(report["notes"], "note", "name").items():
         print(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
     if report["proposed_scale"]:
         print(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
-
-
-def grouped(rows: list[dict[str, str]], key: str) -> dict[str, list[str]]:
-    """Names of the rows by what they have in common."""
-    found: dict[str, list[str]] = {}
-    for row in rows:
-        found.setdefault(row[key], []).append(row["name"])
-    return found
 
 
 def _tell(suite: Suite, root: Path, json_output: bool) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatch
 from pathlib import Path
@@ -20,10 +20,12 @@ from c4s.packs.manifest import CollisionBody
 from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
 from c4s.scene.transform import rotator_from_quat
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
+from catalog.ingest.colours import colours_of
 from catalog.ingest.hulls import bodies
 from catalog.ingest.licence import licence
 from catalog.ingest.surface import SourcePart
 from catalog.ingest.units import check_units, words
+from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.ingest.writer import PackWriter, identifier
 
 Matrix = NDArray[np.float64]
@@ -119,6 +121,18 @@ def place(matrix: Matrix) -> tuple[Transform, bool]:
     return Transform(location_cm=place[0], rotation_deg=place[1], scale=place[2]), sheared
 
 
+def short_names(names: Iterable[str]) -> dict[str, str]:
+    """Names without the words that all begin with and without the numbers that all end with."""
+    every = sorted(set(names))
+    split = [name.split("_") for name in every]
+    shared = 0
+    while len(every) > 2 and all(len(parts) > shared + 1 and parts[shared] == split[0][shared] for parts in split):
+        shared += 1
+    numbered = all(len(parts) > shared + 1 and parts[-1].isdigit() for parts in split)
+    return {name: "_".join(parts[shared:-1] if numbered else parts[shared:])
+            for name, parts in zip(every, split, strict=True)}
+
+
 def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_folder: Path, suites: Path, packs: Path,
                 without: Sequence[str] = (), scale: float = 1.0) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
@@ -132,22 +146,23 @@ def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_fo
         reason = f"; {scene.skipped[0]['name']}: {scene.skipped[0]['reason']}" if scene.skipped else ""
         raise BadInput(f"no actor of this scene can be placed{reason}", where=str(source))
     count = Counter(actor.asset for actor in kept)
-    name, text = licence(license_folder)
-    if name == "unknown":
+    licence_id, text = licence(license_folder)
+    if licence_id == "unknown":
         scene.note("", "no file of the scene tells the licence")
     with PackWriter(suite_id, packs) as writer:
-        paths = {}
+        paths, shown = {}, short_names(scene.assets[key].name for key in count)
         for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
             asset = scene.assets[key]
             solid = asset.collision or list(bodies(
                 [(part.node, part.vertices, part.faces) for part in asset.parts], "piece"))
-            telling = words(asset.name) or ["prop"]
-            record = writer.add(asset.name, asset.parts, solid, category=telling[-1], tags=telling,
-                                authored=bool(asset.collision),
-                                description=f"{' '.join(telling).capitalize()}, {count[key]} in the scene")
+            name = shown[asset.name]
+            record = writer.add(name, asset.parts, solid, category=kind_of(name) or (words(name) or ["props"])[-1],
+                                readable=readable(name), tags=search_words(name), authored=bool(asset.collision),
+                                description=f"{readable(name)}; {', '.join(colours_of(asset.parts))}; "
+                                            f"{count[key]} in the scene")
             paths[key] = record.path
         sizes = [(asset.name, max(asset.size_m)) for asset in writer.assets]
-        pack = writer.finish(title=f"Meshes of {source.stem}", license_id=name, license_text=text,
+        pack = writer.finish(title=f"Meshes of {source.stem}", license_id=licence_id, license_text=text,
                              description=f"Imported from {source.name}")
     level = with_identities(Level(package=f"/Game/{pack.content_folder}/Maps/{identifier(suite_id)}",
                                   actors=[*_actors(scene, kept, paths, suite_id), *_cameras(scene, suite_id),

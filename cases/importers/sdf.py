@@ -30,6 +30,8 @@ POINT_INTENSITY = 8000.0
 """What a full white SDF light becomes; SDF's lights have no physical unit."""
 KINDS: dict[str, Literal["point", "spot", "directional"]] = {
     "point": "point", "spot": "spot", "directional": "directional"}
+PLAIN_LINKS = {"link", "base", "body", "base_link", "root"}
+"""Names of links that say nothing: the model's is taken."""
 LEFT_OUT = {"actor": "animated people are not part of a still scene",
             "population": "a population is placed by chance when it is simulated",
             "road": "roads drawn by a simulator are not supported"}
@@ -166,7 +168,9 @@ class _Reader:
                 continue
             path = f"{inner.prefix}{link.get('name', 'link')}"
             try:
-                self._actor(path, "", _stem(link, [link]), inner.frame @ inner.frames.of(link), [link], inner,
+                name = _stem(link, [link])
+                name = inner.prefix.rstrip("/").rpartition("/")[2] if name.lower() in PLAIN_LINKS else name
+                self._actor(path, "", name, inner.frame @ inner.frames.of(link), [link], inner,
                             alone=True)
             except BadInput as error:
                 self.scene.skip(path, error.line())

@@ -3,56 +3,76 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from c4s.errors import BadInput
-from catalog.ingest.hulls import HullPer, bodies
+from c4s.files import digest, read_json, write_json
+from c4s.packs.manifest import Pack
+from catalog.build import sources_digest
+from catalog.ingest.collision import How, HullChoice, collision_of
+from catalog.ingest.colours import colours_of
 from catalog.ingest.licence import UNKNOWN, licence
-from catalog.ingest.source import SUFFIXES, Up, read_source
-from catalog.ingest.surface import Source
+from catalog.ingest.listing import Row, inputs_digest, listing, table
+from catalog.ingest.source import Up, read_source
+from catalog.ingest.surface import SourcePart
 from catalog.ingest.units import check_units, words
+from catalog.ingest.vocabulary import is_compound, kind_of, readable, search_words, spoken
 from catalog.ingest.writer import PackWriter, identifier
+from catalog.starter import STARTER
 
-PLAIN_FOLDERS = {"assets", "gltf", "glb", "obj", "dae", "models", "meshes", "mesh", "source", "visual"}
+PLAIN_FOLDERS = {"assets", "gltf", "glb", "obj", "dae", "models", "model", "meshes", "mesh", "source", "visual",
+                 "format", "export", "exports", "fbx", "files", "textured", "untextured", "lowpoly"}
 """Folder names that say nothing about what is inside."""
-
-
-def mesh_files(folder: Path) -> list[Path]:
-    """The mesh files under a folder in the order of their names."""
-    root = folder.resolve()
-    return sorted(path for path in folder.rglob("*") if path.suffix.lower() in SUFFIXES and path.is_file()
-                  and path.resolve().is_relative_to(root))
+STAMP = "build.json"
+"""Beside the manifest: what the pack was built from, and the report."""
 
 
 def categories(files: list[Path], folder: Path) -> dict[Path, str]:
-    """Category of each file: the nearest telling folder, else the first word of the name if two files share it."""
-    first = {path: (words(path.stem) or ["prop"])[0] for path in files}
+    """Category of each file: the nearest telling folder, else the first word of the name if two files share it,
+    else the kind of thing that the name tells.
+    """
+    first = {path: _first(path.stem) for path in files}
     count = Counter(first.values())
     found = {}
     for path in files:
-        telling = [part for part in path.relative_to(folder).parts[:-1] if part.lower() not in PLAIN_FOLDERS]
-        shared = first[path] if count[first[path]] > 1 else "props"
+        telling = [part for part in path.relative_to(folder).parts[:-1] if _telling(part)]
+        shared = first[path] if count[first[path]] > 1 else kind_of(path.stem) or "props"
         found[path] = " ".join(words(telling[-1])) or shared if telling else shared
     return found
 
 
+def _first(stem: str) -> str:
+    """The first word of a name as it is spoken: ``kitchen counter`` of ``kitchencounter_sink``."""
+    written, said = words(stem), spoken(stem)
+    if not written:
+        return "props"
+    if is_compound(said[:2]):
+        return " ".join(said[:2]).lower()
+    return " ".join(spoken(written[0])).lower()
+
+
+def _telling(part: str) -> bool:
+    return bool(set(words(part)) - PLAIN_FOLDERS)
+
+
 def ingest(folder: Path, pack_id: str, root: Path, *, scale: float = 1.0, title: str | None = None,
-           up: Up | None = None, hulls: HullPer = "asset",
+           up: Up | None = None, hulls: How = "asset", hulls_of: Sequence[str] = (),
            progress: Callable[[int, int, str], None] | None = None) -> dict[str, Any]:
     """Build the pack ``root/<pack_id>`` of all mesh files under ``folder`` and return the report.
 
     Args:
         folder: source folder; nothing outside it is read.
-        pack_id: id of the pack; one that exists is replaced when all is done.
+        pack_id: id of the pack; one that exists is replaced when all is done, and left when nothing has changed.
         root: where packs lie.
         scale: factor from the files' units to metres.
         title: title of the pack; the folder's name when left out.
         up: axis that points up in OBJ files (and others, against what they say).
-        hulls: how many convex hulls stand for an asset.
+        hulls: how collision is made where a file brings none.
+        hulls_of: other choices for some files, as ``bench*=decompose``; the last that fits wins.
         progress: told (files done, files, name).
 
     The report names every file that was skipped and why, every note on the others, and what the sizes say.
@@ -60,14 +80,26 @@ def ingest(folder: Path, pack_id: str, root: Path, *, scale: float = 1.0, title:
     Raises:
         BadInput: no such folder, a bad id or scale, or no file that can be used.
     """
-    if not folder.is_dir():
-        raise BadInput("no such folder", where=str(folder))
     if not np.isfinite(scale) or not 1e-6 <= scale <= 1e6:
         raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
-    files = mesh_files(folder)
-    if not files:
-        raise BadInput(f"no mesh files here ({', '.join(SUFFIXES)})", where=str(folder))
-    kinds, skipped, notes, sizes = categories(files, folder), [], [], []
+    if pack_id in STARTER:
+        raise BadInput("a shipped pack has this id", where=pack_id, todo="choose another --out")
+    found, choice = listing(folder), HullChoice.parse(hulls, hulls_of)
+    wanted = digest([sources_digest(), inputs_digest(folder), scale, title, up, choice.plain(), folder.name])
+    stamp = root / pack_id / STAMP
+    known = read_json(stamp) if stamp.is_file() else {}
+    if known.get("inputs") == wanted and (root / pack_id / "pack.json").is_file() \
+            and Pack.read(root / pack_id / "pack.json").sha256() == known["report"]["sha256"]:
+        return {**known["report"], "folder": str(root / pack_id), "cached": True}
+    report = _built(found.files, found.skipped, folder, pack_id, root, scale, title, up, choice, progress)
+    write_json(stamp, {"inputs": wanted, "report": report})
+    return {**report, "folder": str(root / pack_id), "cached": False}
+
+
+def _built(files: list[Path], skipped: list[dict[str, str]], folder: Path, pack_id: str, root: Path, scale: float,
+           title: str | None, up: Up | None, hulls: HullChoice, progress: Callable[[int, int, str], None] | None
+           ) -> dict[str, Any]:
+    (rows, notes), kinds, sizes, described = table(folder), categories(files, folder), [], 0
     name, text = licence(folder)
     if name == UNKNOWN:
         notes.append({"file": "", "note": "no file here tells the licence"})
@@ -78,35 +110,52 @@ def ingest(folder: Path, pack_id: str, root: Path, *, scale: float = 1.0, title:
                 progress(number, len(files), relative)
             try:
                 source = read_source(path, folder, scale=scale, up=up if path.suffix.lower() == ".obj" else None)
+                collision = collision_of(path, folder, source.parts, hulls.how(relative), scale=scale)
             except BadInput as error:
                 skipped.append({"file": relative, "reason": error.what})
                 continue
-            notes += [{"file": relative, "note": note} for note in source.notes]
-            asset = writer.add(path.stem, source.parts, list(bodies(
-                [(part.node, part.vertices, part.faces) for part in source.parts], hulls)),
-                category=kinds[path], tags=_tags(path, folder), description=_description(path, source))
+            except OSError as error:
+                skipped.append({"file": relative, "reason": f"it cannot be opened: {error.strerror or error}"})
+                continue
+            notes += [{"file": relative, "note": note} for note in [*source.notes, *collision.notes]]
+            row = rows.get(relative) or rows.get(path.name) or rows.get(path.stem) or Row()
+            described += row != Row()
+            asset = writer.add(
+                path.stem, collision.shown, collision.bodies, source=collision.source,
+                readable=row.name or readable(path.stem), category=row.category or kinds[path],
+                tags=list(dict.fromkeys([*row.tags, *_tags(path, folder)])),
+                description=row.description or _description(path, kinds[path], collision.shown))
             sizes.append((path.stem, max(asset.size_m)))
         if not writer.assets:
             first = skipped[0]
             raise BadInput(f"none of {len(files)} mesh files can be used; {first['file']}: {first['reason']}",
                            where=str(folder))
-        pack = writer.finish(title=title or " ".join(word.capitalize() for word in words(folder.name)) or pack_id,
-                             license_id=name, license_text=text, description=f"{len(writer.assets)} assets")
+        pack = writer.finish(title=title or readable(folder.resolve().name), license_id=name, license_text=text,
+                             description=f"{len(writer.assets)} assets")
+    if any(row != Row() for row in rows.values()):
+        notes.append({"file": "", "note": f"{described} assets are described by a table of the folder"})
     check = check_units(sizes)
-    return {"pack": pack.pack_id, "title": pack.title, "license": pack.license, "folder": str(root / pack_id),
+    return {"pack": pack.pack_id, "title": pack.title, "license": pack.license,
             "sha256": pack.sha256(), "files": len(files), "assets": len(pack.assets), "materials": len(pack.materials),
-            "scale": scale, "skipped": skipped, "notes": notes,
+            "scale": scale, "skipped": sorted(skipped, key=lambda row: row["file"]), "notes": notes,
             "units": {"known": check.known, "implausible": check.implausible, "reason": check.reason,
                       "proposed_scale": float(f"{check.proposed * scale:.2g}") if check.proposed else None}}
 
 
 def _tags(path: Path, folder: Path) -> list[str]:
-    named = [word for part in (*path.relative_to(folder).parts[:-1], path.stem) for word in words(part)]
-    return list(dict.fromkeys(word for word in named if len(word) > 1 and word not in PLAIN_FOLDERS))
+    above = [word for part in path.relative_to(folder).parts[:-1] for word in words(part) if word not in PLAIN_FOLDERS]
+    return list(dict.fromkeys([*search_words(path.stem), *(word for word in above if len(word) > 1)]))
 
 
-def _description(path: Path, source: Source) -> str:
-    size = np.ptp(np.concatenate([part.vertices for part in source.parts]), axis=0) / 100
-    looks = sorted({identifier(part.surface.name).replace("_", " ") for part in source.parts})
-    return (f"{' '.join(words(path.stem)).capitalize() or path.stem}, {size[0]:.2f} x {size[1]:.2f} x {size[2]:.2f} m; "
-            f"{', '.join(looks[:6])}")
+def _description(path: Path, category: str, parts: list[SourcePart]) -> str:
+    """What a thing is, its colours, its size, and the materials whose names say something."""
+    low = np.min([part.vertices.min(axis=0) for part in parts], axis=0)
+    size = (np.max([part.vertices.max(axis=0) for part in parts], axis=0) - low) / 100
+    kind = kind_of(path.stem) or category
+    name = readable(path.stem)
+    what = name if kind in name.lower() else f"{name} ({kind})"
+    looks = sorted({identifier(part.surface.name).replace("_", " ") for part in parts if part.surface.texture is None})
+    telling = [look for look in looks if kind_of(look) is None and len(look) > 2 and not look.lower().startswith(
+        ("material", "default", "plain", "mat ", "lambert", "phong", "color", "vertex"))]
+    made = f"; materials {', '.join(telling[:5])}" if telling else ""
+    return f"{what}; {', '.join(colours_of(parts))}; {size[0]:.2f} x {size[1]:.2f} x {size[2]:.2f} m{made}"

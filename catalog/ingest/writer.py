@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 import shutil
 import tempfile
+import unicodedata
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +19,8 @@ from c4s.packs.meshes import Mesh
 from catalog.build import glb
 from catalog.ingest.surface import SourcePart, Surface
 
+MAX_NAME = 64
+NAMES_TOLD = 8
 PACK_ID = re.compile(r"[a-z0-9][a-z0-9._-]{0,62}")
 
 
@@ -28,8 +32,15 @@ def content_folder(pack_id: str) -> str:
 
 
 def identifier(text: str) -> str:
-    """Text as an Unreal name: letters, digits and ``_``."""
-    return re.sub(r"_+", "_", re.sub(r"[^A-Za-z0-9]+", "_", text)).strip("_") or "Unnamed"
+    """Text as an Unreal name: letters, digits and ``_``, at most ``MAX_NAME`` of them.
+
+    Accents fall away; a name in another script becomes a part of its digest, so that it stays the same name.
+    """
+    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode()
+    name = re.sub(r"_+", "_", re.sub(r"[^A-Za-z0-9]+", "_", plain)).strip("_")
+    if not name or (len(name) < 3 and not text.isascii()):
+        name = f"{name}_{digest(text)[:8]}".strip("_") if text.strip() else "Unnamed"
+    return name if len(name) <= MAX_NAME else f"{name[:MAX_NAME - 9]}_{digest(text)[:8]}"
 
 
 def _colors(parts: list[SourcePart]) -> NDArray[np.float32] | None:
@@ -84,8 +95,12 @@ class PackWriter:
         return name
 
     def add(self, name: str, parts: list[SourcePart], collision: list[CollisionBody], *, category: str,
-            description: str = "", tags: list[str] | None = None, authored: bool = False) -> Asset:
-        """Add a static mesh of these parts; names that are taken get a number."""
+            readable: str = "", description: str = "", tags: list[str] | None = None,
+            source: Literal["authored", "hull", "decomposition", "none"] = "hull") -> Asset:
+        """Add a static mesh of these parts; names that are taken get a number.
+
+        ``readable`` is the name for people, made of ``name`` when left out; ``source`` says where the bodies come from.
+        """
         slots: list[MaterialSlot] = []
         order: dict[str, int] = {}
         for part in parts:
@@ -108,11 +123,11 @@ class PackWriter:
         write_bytes(self.folder / f"meshes/{identity}.glb", data)
         low, high = mesh.bounds_cm
         section = identifier(category.title())
-        asset = Asset(id=identity, name=stem[3:].replace("_", " "), category=category, description=description,
-                      path=f"/Game/{self.folder_name}/{section}/{stem}.{stem}", tags=tags or [], bounds_min_cm=low,
+        asset = Asset(id=identity, name=readable or stem[3:].replace("_", " "), category=category,
+                      description=description, tags=tags or [], bounds_min_cm=low,
+                      path=f"/Game/{self.folder_name}/{section}/{stem}.{stem}",
                       bounds_max_cm=high, mesh=f"meshes/{identity}.glb", mesh_sha256=digest_bytes(data), slots=slots,
-                      collision=collision, collision_source="none" if not collision else
-                      "authored" if authored else "hull")
+                      collision=collision, collision_source=source if collision else "none")
         self.assets.append(asset)
         return asset
 
@@ -121,7 +136,7 @@ class PackWriter:
         categories = sorted({asset.category for asset in self.assets})
         pack = Pack(pack_id=self.pack_id, content_folder=self.folder_name, title=title, license=license_id,
                     description=description, assets=self.assets, materials=list(self.materials.values()),
-                    category_descriptions={name: f"{name.capitalize()} of {title}" for name in categories})
+                    category_descriptions={name: self._told(name) for name in categories})
         pack.write(self.folder / "pack.json")
         if license_text:
             write_bytes(self.folder / "LICENSE.txt", license_text.encode())
@@ -135,6 +150,12 @@ class PackWriter:
         else:
             self.folder.rename(final)
         return pack
+
+    def _told(self, category: str) -> str:
+        """How many assets a category has, and the first names of them."""
+        names = [asset.name for asset in self.assets if asset.category == category]
+        rest = f" and {len(names) - NAMES_TOLD} more" if len(names) > NAMES_TOLD else ""
+        return f"{len(names)} asset{'s' if len(names) != 1 else ''}: {', '.join(names[:NAMES_TOLD])}{rest}"
 
     def _free(self, name: str) -> str:
         name = f"{name}_Mesh" if name.endswith("_C") else name  # a path that ends in _C is a Blueprint's class
