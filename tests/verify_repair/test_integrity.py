@@ -114,7 +114,8 @@ def test_the_checks_come_in_order() -> None:
     ({"label": ""}, "has no label"), ({"label": None}, "has no label"), ({"class": 3}, "has no class"),
     ({"actor_path": ""}, "actor_path is no text"), ({"stable_actor_id": 7}, "stable_actor_id is no text"),
     ({"logical_object_id": []}, "logical_object_id is no text"), ({"actor_tags": "a"}, "actor_tags"),
-    ({"actor_tags": [""]}, "actor_tags"), ({"transform": None}, "has no transform"), ({"bounds": None}, "has no bounds"),
+    ({"actor_tags": [""]}, "actor_tags"), ({"transform": None}, "has no transform"),
+    ({"bounds": None}, "has no bounds"),
     ({"bounds": {"origin_cm": [0, 0, 0]}}, "bounds.extent_cm"),
     ({"bounds": {"origin_cm": [0, 0, float("nan")], "extent_cm": [1, 1, 1]}}, "bounds.origin_cm"),
     ({"transform": {"location_cm": [0, 0], "rotation_deg": [0, 0, 0], "scale": [1, 1, 1]}}, "transform.location_cm"),
@@ -125,7 +126,7 @@ def test_the_checks_come_in_order() -> None:
     ({"component_material_slots": [3]}, "not an object"),
     ({"component_material_slots": [{"slot_index": 0}]}, "component_identity"),
     ({"component_material_slots": [{"component_identity": "c", "slot_index": -1}]}, "no index"),
-    ({"component_material_slots": [{"component_identity": "c", "slot_index": 0, "material_path": ""}]}, "material_path"),
+    ({"component_material_slots": [{"component_identity": "c", "slot_index": 0, "material_path": ""}]}, "a path"),
     ({"component_material_slots": [{"component_identity": "c", "slot_index": 0, "material_path": None}]}, "dynamic"),
     ({"component_material_slots": 2 * [{"component_identity": "c", "slot_index": 0, "material_path": None,
                                         "is_dynamic": False}]}, "twice")])
