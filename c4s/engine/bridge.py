@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from c4s.errors import MachineryFault
+from c4s.files import parse_json
 
 FAILED = frozenset({"error", "failed", "failure"})
 MAX_REQUEST_BYTES = 64 << 20
@@ -63,9 +64,9 @@ def read_line(connection: socket.socket, limit: int, deadline: float) -> bytes:
 
 
 def decode(line: bytes) -> dict[str, Any]:
-    """One message. ``ValueError`` unless it is a JSON object."""
+    """One message. Integers of more than 64 bits become floats. ``ValueError`` unless it is a JSON object."""
     try:
-        message = json.loads(line.decode("utf-8"))
+        message = parse_json(line)
     except RecursionError:
         raise ValueError("a message nested too deeply") from None
     if not isinstance(message, dict):

@@ -19,7 +19,8 @@ from typing import Any, Literal
 
 from c4s.engine import landlock, seccomp
 
-Backend = Literal["bubblewrap", "landlock"]
+Backend = Literal["bubblewrap", "landlock", "none"]
+"""``none`` keeps the limits, and dies with the host; it hides nothing."""
 _SET_PDEATHSIG, _SET_DUMPABLE, _CAPBSET_DROP, _SET_NO_NEW_PRIVS = 1, 4, 24, 38
 _CAP_AMBIENT, _CAP_AMBIENT_CLEAR_ALL = 47, 4
 _CAPSET = {"x86_64": 126, "aarch64": 91}
@@ -29,12 +30,20 @@ _LAST_CAPABILITY = 63
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of one engine process. Addresses and file sizes in bytes, CPU time in seconds over all its threads."""
+    """Limits of one engine process. Sizes in bytes, CPU time in seconds over all its threads.
+
+    The kernel enforces the first four; ``c4s.engine.watch`` ends an engine that passes one of the others, which are
+    about resident memory, threads, and the number and size of all files in the folders that it may write to.
+    """
 
     address_space: int = 8 << 30
     cpu_s: int = 8 * 3600
     file_size: int = 1 << 30
     open_files: int = 256
+    memory: int = 6 << 30
+    threads: int = 256
+    files: int = 20_000
+    disk: int = 4 << 30
 
 
 @dataclass(frozen=True)
@@ -62,11 +71,14 @@ def confine(rules: Confinement) -> None:
                         (resource.RLIMIT_CORE, 0)):
         _limit(name, value)
     _prctl(_SET_NO_NEW_PRIVS, 1)
-    if rules.backend == "landlock":
+    if rules.backend != "bubblewrap":
         _die_with(rules.parent)
+    if rules.backend == "none":
+        return
+    if rules.backend == "landlock":
         _drop_capabilities()
         landlock.restrict(map(Path, rules.read_only), map(Path, rules.read_write))
-    seccomp.install(seccomp.filter_program(ignore_metadata=rules.backend == "landlock"))
+    seccomp.install(seccomp.filter_program())
 
 
 def _limit(name: int, value: int) -> None:

@@ -16,13 +16,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import c4s
 from c4s.engine import landlock, seccomp
 from c4s.engine.confine import Backend, Confinement, Limits
-from c4s.errors import MachineryFault
+from c4s.errors import BadInput, MachineryFault
 
+CHOICE = "C4S_SANDBOX"
+"""Environment variable: which sandbox, or ``none``."""
 _SYSTEM = ("/usr/lib", "/usr/lib64", "/lib", "/lib64", "/etc/ld.so.cache", "/etc/localtime", "/usr/share/zoneinfo")
 _RUNTIME_PARTS = ("bin", "lib", "lib64", "pyvenv.cfg")
 _PACKAGE = Path(c4s.__file__).resolve().parent
@@ -40,14 +42,23 @@ class Paths:
 
 
 def backend() -> Backend:
-    """The sandbox of this machine. ``MachineryFault`` when it has none: agent code never runs without one."""
-    missing = faults()
+    """The sandbox that engines get here: the one that ``C4S_SANDBOX`` names, else the first that works.
+
+    ``C4S_SANDBOX=none`` accepts the risk of agent code without one. ``BadInput`` for another name, ``MachineryFault``
+    when the sandbox that is asked for, or every sandbox, is missing: agent code never runs without one by itself.
+    """
+    wanted, missing = os.environ.get(CHOICE, ""), faults()
+    if wanted == "none":
+        return "none"
+    if wanted and wanted not in missing:
+        raise BadInput(f"no sandbox is called {wanted!r}", where=CHOICE, todo=f"{', '.join(missing)} or none")
     for name, fault in missing.items():
-        if fault is None:
+        if fault is None and wanted in ("", name):
             return name
     raise MachineryFault("no sandbox for the engine, so it will not start: "
-                         + "; ".join(f"{name}: {fault}" for name, fault in missing.items()),
-                         todo="install bubblewrap, or use Linux 6.7 or newer with Landlock enabled")
+                         + "; ".join(f"{name}: {fault}" for name, fault in missing.items() if wanted in ("", name)),
+                         todo="install bubblewrap, or use Linux 6.7 or newer with Landlock enabled, or set "
+                              f"{CHOICE}=none to accept that agent code can do whatever you can")
 
 
 @functools.cache
@@ -82,12 +93,13 @@ _NAMESPACES = ("--unshare-all", "--unshare-user", "--disable-userns", "--uid", "
 _SEALED = ("--remount-ro", "/dev", "--remount-ro", "/")
 
 
-def start(module: str, arguments: Mapping[str, Any], *, paths: Paths, log: IO[bytes], keep_open: Sequence[int] = (),
+def start(module: str, arguments: Mapping[str, Any], *, paths: Paths, output: int, keep_open: Sequence[int] = (),
           limits: Limits | None = None, environment: Mapping[str, str] | None = None,
           use: Backend | None = None) -> subprocess.Popen[bytes]:
     """Start ``module.main`` with ``{"confinement", **arguments}`` as JSON in ``sys.argv[1]``; it must confine itself.
 
-    Output goes to ``log``. The whole process tree (one process: it can start no other) dies with this process.
+    Its standard output and error go to the descriptor ``output``. The whole process tree (one process: it can start
+    no other) dies with this process.
     """
     name = use or backend()
     runtime = _runtime_paths()
@@ -101,7 +113,7 @@ def start(module: str, arguments: Mapping[str, Any], *, paths: Paths, log: IO[by
         program = _bubblewrap(program, (*_system_paths(), *runtime, *paths.read_only), paths, variables)
         variables = {"PATH": "/usr/bin:/bin"}
     return _spawner(os.getpid()).submit(
-        subprocess.Popen, program, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=variables,
+        subprocess.Popen, program, stdin=subprocess.DEVNULL, stdout=output, stderr=output, env=variables,
         cwd=str(paths.work), pass_fds=tuple(keep_open), start_new_session=True).result()
 
 

@@ -10,6 +10,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -17,12 +18,15 @@ from typing import Any
 from c4s.engine import kernels, sandbox
 from c4s.engine.bridge import FAILED, BridgeFault, SocketBridge
 from c4s.engine.confine import Backend, Limits
+from c4s.engine.headless.jobs import JobBoard
+from c4s.engine.headless.server import BridgeServer
+from c4s.engine.watch import Watch
 from c4s.errors import BadInput, C4SError, MachineryFault
 
 START_TIMEOUT_S = 120.0
 _STOP_TIMEOUT_S = 5.0
 _POLL_S = 10.0
-_LOG_TAIL_BYTES = 2000
+_SOCKET = "bridge.sock"
 _WITHHELD = "withheld"
 
 
@@ -36,58 +40,70 @@ class EngineCallError(C4SError):
 
 
 class EngineDied(MachineryFault):
-    """The engine process ended by itself. ``during`` is the kind of request that it was working on."""
+    """The engine process ended by itself, or was ended for what it did.
 
-    def __init__(self, what: str, *, during: str, where: str) -> None:
-        self.during = during
+    ``during`` is the kind of request that it was working on, ``lines`` what the job had printed.
+    """
+
+    def __init__(self, what: str, *, during: str, where: str, lines: Sequence[str] = ()) -> None:
+        self.during, self.lines = during, list(lines)
         super().__init__(what, where=where)
 
 
 class EngineSession:
     """One engine process. Use it as a context manager, or call ``close``."""
 
-    def __init__(self, process: subprocess.Popen[bytes], socket_folder: Path, log: Path) -> None:
-        self._process, self._socket_folder, self._log = process, socket_folder, log
-        self.bridge = SocketBridge(socket_folder / "bridge.sock")
+    def __init__(self, process: subprocess.Popen[bytes], listener: socket.socket, connection: socket.socket,
+                 output: int, paths: sandbox.Paths, folders: tuple[Path, Path], limits: Limits) -> None:
+        self._process, self._socket_folder, self.logs = process, *folders
+        """``logs`` holds ``engine.log`` and ``job-<n>.log``; the engine cannot reach it."""
+        self.bridge = SocketBridge(self._socket_folder / _SOCKET)
+        self._board = JobBoard(connection, output, self.logs, Watch(process.pid, paths.read_write, limits).breach,
+                               self._end)
+        self._server = BridgeServer(listener, self._board, paths.work)
 
     @classmethod
     def start(cls, *, packs: Sequence[Path], content: Path, scratch: Path, levels: Sequence[Path] = (),
               start_map: str | None = None, content_read_only: bool = False, limits: Limits | None = None,
               use: Backend | None = None) -> EngineSession:
-        """Start an engine and wait until it answers.
+        """Start an engine and wait until it serves.
 
         The engine sees the pack folders and the level files (read-only), ``content`` and ``scratch`` (writable unless
-        ``content_read_only``), the Python runtime, and nothing else. Raises ``BadInput`` for what cannot be loaded,
-        ``MachineryFault`` when there is no sandbox or the engine does not come up.
+        ``content_read_only``), the Python runtime, and nothing else. What it prints is kept in ``<scratch>.logs``.
+        Raises ``BadInput`` for what cannot be loaded, ``MachineryFault`` when there is no sandbox or the engine does
+        not come up.
         """
         packs, levels = [path.resolve() for path in packs], [path.resolve() for path in levels]
         content, scratch = content.resolve(), scratch.resolve()
-        _check(packs, levels, content, scratch)
-        content.mkdir(parents=True, exist_ok=True)
-        scratch.mkdir(parents=True, exist_ok=True)
-        chosen = use or sandbox.backend()
-        compiled = kernels.compiled()
-        socket_folder = Path(tempfile.mkdtemp(prefix="c4s-"))
-        listener = socket.socket(socket.AF_UNIX)
-        try:
-            listener.bind(str(socket_folder / "bridge.sock"))
+        logs = scratch.with_name(f"{scratch.name}.logs")
+        _check(packs, levels, content, scratch, logs)
+        for folder in (content, scratch, logs):
+            folder.mkdir(parents=True, exist_ok=True)
+        chosen, limits, compiled = use or sandbox.backend(), limits or Limits(), kernels.compiled()
+        readable = (*packs, *levels, compiled, *((content,) if content_read_only else ()))
+        paths = sandbox.Paths(readable, (scratch,) if content_read_only else (content, scratch), scratch)
+        with ExitStack() as undo:
+            socket_folder = Path(tempfile.mkdtemp(prefix="c4s-"))
+            undo.callback(shutil.rmtree, socket_folder)
+            listener = undo.enter_context(socket.socket(socket.AF_UNIX))
+            listener.bind(str(socket_folder / _SOCKET))
             listener.listen(64)
-            readable = (*packs, *levels, compiled, *((content,) if content_read_only else ()))
-            paths = sandbox.Paths(readable, (scratch,) if content_read_only else (content, scratch), scratch)
-            log = scratch / "engine.log"
-            with log.open("wb") as output:
+            near, far = socket.socketpair()
+            undo.enter_context(near)
+            output, writing = os.pipe()
+            undo.callback(os.close, output)
+            try:
                 process = sandbox.start(
                     "c4s.engine.headless.process",
-                    {"listener": listener.fileno(), "packs": [str(path) for path in packs], "content": str(content),
+                    {"channel": far.fileno(), "packs": [str(path) for path in packs], "content": str(content),
                      "levels": [str(path) for path in levels], "start_map": start_map, "scratch": str(scratch)},
-                    paths=paths, log=output, keep_open=[listener.fileno()], limits=limits, use=chosen,
+                    paths=paths, output=writing, keep_open=[far.fileno()], limits=limits, use=chosen,
                     environment=kernels.linked(compiled, scratch))
-        except BaseException:
-            shutil.rmtree(socket_folder)
-            raise
-        finally:
-            listener.close()
-        session = cls(process, socket_folder, log)
+            finally:
+                far.close()
+                os.close(writing)
+            undo.pop_all()
+        session = cls(process, listener, near, output, paths, (socket_folder, logs), limits)
         try:
             session._wait_until_ready()
         except BaseException:
@@ -96,11 +112,13 @@ class EngineSession:
         return session
 
     def _wait_until_ready(self) -> None:
-        reply = self.request("editor_status", timeout_s=START_TIMEOUT_S)
-        if reply.get("fault") == "BadInput":
-            raise BadInput(reply["what"], where=reply["where"], todo=reply["todo"])
-        if reply.get("status") != "ok":
-            raise MachineryFault(f"the engine did not start: {reply.get('error')}", where=str(self._log))
+        if not self._board.ready.wait(START_TIMEOUT_S):
+            raise MachineryFault(f"the engine did not start in {START_TIMEOUT_S:g} s", where=str(self.logs))
+        refusal = self._board.refusal
+        if refusal is not None:
+            raise BadInput(refusal["what"], where=refusal["where"], todo=refusal["todo"])
+        if self._board.gone is not None:
+            raise EngineDied(self._board.gone, during="start", where=str(self.logs))
 
     @property
     def pid(self) -> int:
@@ -115,24 +133,15 @@ class EngineSession:
     def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 300.0) -> dict[str, Any]:
         """One bridge request; its reply whatever its status. ``EngineDied`` when the process has ended."""
         try:
-            return self.bridge.request(kind, params, timeout_s=timeout_s)
+            reply = self.bridge.request(kind, params, timeout_s=timeout_s)
         except BridgeFault as fault:
-            self._explain_death(kind, fault)
-            raise
-
-    def _explain_death(self, kind: str, fault: BridgeFault) -> None:
-        """Raise ``EngineDied`` if the process has ended; a broken connection gets a moment to become a death."""
-        try:
-            code = self._process.wait(0.0 if isinstance(fault.__context__, TimeoutError) else 2.0)
-        except subprocess.TimeoutExpired:
-            return
-        what = f"the engine ended with {_exit_text(code)} during {kind}. {self._tail()}".rstrip()
-        raise EngineDied(what, during=kind, where=str(self._log)) from fault
-
-    def _tail(self) -> str:
-        with self._log.open("rb") as log:
-            log.seek(max(0, log.seek(0, os.SEEK_END) - _LOG_TAIL_BYTES))
-            return log.read().decode("utf-8", "replace").strip()
+            if self._board.gone is None:
+                raise
+            raise EngineDied(self._board.gone, during=kind, where=str(self.logs)) from fault
+        if reply.get("engine_ended") or reply.get("state") == "dead":
+            raise EngineDied(str(reply["error"]), during=kind, where=str(self.logs),
+                             lines=reply.get("result", {}).get("python_logs", ()))
+        return reply
 
     def execute(self, script: str, timeout_s: float = 600.0) -> dict[str, Any]:
         """Run a script to its end and return the final reply with all its lines under ``result.python_logs``.
@@ -173,21 +182,30 @@ class EngineSession:
         return reply
 
     def close(self) -> None:
-        """Ask the engine to end, and end it if it does not."""
-        if self.alive:
-            try:
-                self.bridge.request("shutdown", timeout_s=_STOP_TIMEOUT_S)
+        """Ask the engine to end, and end it if it does not, or is busy."""
+        if self.alive and self._board.status()["state"] == "idle":
+            self._board.stop()
+            with suppress(subprocess.TimeoutExpired):
                 self._process.wait(_STOP_TIMEOUT_S)
-            except (MachineryFault, subprocess.TimeoutExpired):
-                self.kill()
         self.kill()
 
     def kill(self) -> None:
-        """End the process at once and remove its socket."""
+        """End the process at once and remove its socket; what it printed is kept."""
         if self.alive:
             os.killpg(self._process.pid, signal.SIGKILL)
         self._process.wait()
+        self._board.join()
+        self._server.close()
         shutil.rmtree(self._socket_folder, ignore_errors=True)
+
+    def _end(self, at_once: bool) -> str:
+        """Wait for the process a moment, end it if it does not, and say how it ended."""
+        try:
+            code = self._process.wait(0.0 if at_once else _STOP_TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            os.killpg(self._process.pid, signal.SIGKILL)
+            code = self._process.wait()
+        return _exit_text(code)
 
     def __enter__(self) -> EngineSession:
         return self
@@ -197,13 +215,15 @@ class EngineSession:
         self.close()
 
 
-def _check(packs: Sequence[Path], levels: Sequence[Path], content: Path, scratch: Path) -> None:
+def _check(packs: Sequence[Path], levels: Sequence[Path], content: Path, scratch: Path, logs: Path) -> None:
     for pack in packs:
         if not (pack / "pack.json").is_file():
             raise BadInput("no asset pack here", where=str(pack), todo="build it with `c4s catalog build`")
     for level in levels:
         if not level.is_file():
             raise BadInput("no such level file", where=str(level))
+    if logs.is_relative_to(content):
+        raise MachineryFault("the engine's logs would lie in its content, where it could change them", where=str(logs))
     for path in (*packs, *levels, content, scratch):
         if _WITHHELD in path.parts:
             raise MachineryFault("withheld files are never shown to an engine that may run agent code", where=str(path))

@@ -17,7 +17,8 @@ from hypothesis import strategies as st
 from c4s.engine.bridge import BridgeFault, SocketBridge, decode, encode, read_line
 from c4s.errors import MachineryFault
 
-VALUES = st.recursive(st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False)
+VALUES = st.recursive(st.none() | st.booleans() | st.integers(-2**63, 2**64 - 1)
+                      | st.floats(allow_nan=False, allow_infinity=False)
                       | st.text(st.characters(codec="utf-16", exclude_categories=())),
                       lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4))
 

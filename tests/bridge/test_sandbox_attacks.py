@@ -10,7 +10,7 @@ import pytest
 from c4s.engine import sandbox
 from c4s.engine.confine import Backend, Limits
 from c4s.engine.session import EngineSession
-from c4s.errors import MachineryFault
+from c4s.errors import BadInput, MachineryFault
 
 SECRET = "the withheld truth"
 ATTACKS = {
@@ -117,9 +117,35 @@ def test_processor_time_is_limited(tmp_path: Path, backend: Backend) -> None:
 
 def test_without_a_sandbox_nothing_starts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sandbox, "faults", lambda: {"bubblewrap": "not installed", "landlock": "no Landlock"})
-    with pytest.raises(MachineryFault, match=r"bubblewrap: not installed; landlock: no Landlock \(install bubblewrap"):
+    with pytest.raises(MachineryFault, match=r"bubblewrap: not installed; landlock: no Landlock \(install bubblewrap"
+                                             r".*C4S_SANDBOX=none"):
         EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s")
-    assert not (tmp_path / "s" / "engine.log").exists()
+    assert not (tmp_path / "s.logs" / "engine.log").exists()
+
+
+@pytest.mark.parametrize("name", ["bubblewrap", "landlock"])
+def test_a_sandbox_is_chosen_and_its_lack_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    monkeypatch.setattr(sandbox, "faults", lambda: {"bubblewrap": None, "landlock": None} | {name: "broken"})
+    other = {"bubblewrap": "landlock", "landlock": "bubblewrap"}[name]
+    assert sandbox.backend() == other
+    monkeypatch.setenv("C4S_SANDBOX", other)
+    assert sandbox.backend() == other
+    monkeypatch.setenv("C4S_SANDBOX", name)
+    with pytest.raises(MachineryFault, match=f"{name}: broken"):
+        EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s")
+    monkeypatch.setenv("C4S_SANDBOX", "wishful")
+    with pytest.raises(BadInput, match="no sandbox is called 'wishful'"):
+        sandbox.backend()
+
+
+def test_the_risk_can_be_accepted_and_the_limits_stay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sandbox, "faults", lambda: {"bubblewrap": "no", "landlock": "no"})
+    monkeypatch.setenv("C4S_SANDBOX", "none")
+    (tmp_path / "seen.txt").write_text("open")
+    with EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s") as engine:
+        reply = engine.execute(f"print(open({str(tmp_path / 'seen.txt')!r}).read())")
+        assert reply["result"]["python_logs"] == ["open"]
+        assert engine.execute("bytearray(64 << 30)")["fault"] == "MemoryError"
 
 
 def test_the_submission_cannot_be_changed_by_the_evaluator_engine(tmp_path: Path, backend: Backend) -> None:

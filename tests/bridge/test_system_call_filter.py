@@ -12,14 +12,16 @@ from c4s.engine.seccomp import filter_program
 ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
 ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
 CALLS = {"x86_64": {"read": 0, "openat": 257, "mmap": 9, "socket": 41, "connect": 42, "execve": 59, "clone": 56,
-                    "clone3": 435, "chmod": 90, "symlink": 88, "prlimit64": 302, "kill": 62, "accept4": 288},
+                    "clone3": 435, "chmod": 90, "symlink": 88, "prlimit64": 302, "kill": 62,
+                    "accept4": 288, "recvmsg": 47, "prctl": 157, "fcntl": 72, "openat2": 437, "memfd_create": 319},
          "aarch64": {"read": 63, "openat": 56, "mmap": 222, "socket": 198, "connect": 203, "execve": 221, "clone": 220,
-                     "clone3": 435, "chmod": 53, "symlink": 36, "prlimit64": 261, "kill": 129, "accept4": 242}}
+                     "clone3": 435, "chmod": 53, "symlink": 36, "prlimit64": 261, "kill": 129,
+                     "accept4": 242, "recvmsg": 212, "prctl": 167, "fcntl": 25, "openat2": 437, "memfd_create": 279}}
 
 
-def run(program: bytes, number: int, arch: int, first_argument: int = 0) -> int:
+def run(program: bytes, number: int, arch: int, *arguments: int) -> int:
     """The filter's verdict on a system call."""
-    data = struct.pack("<IIQQ", number, arch, 0, first_argument)
+    data = struct.pack("<IIQ6Q", number, arch, 0, *(*arguments, 0, 0, 0, 0, 0, 0)[:6])
     steps = [struct.unpack_from("HBBI", program, offset) for offset in range(0, len(program), 8)]
     register, position = 0, 0
     while True:
@@ -35,23 +37,30 @@ def run(program: bytes, number: int, arch: int, first_argument: int = 0) -> int:
 
 
 @pytest.mark.parametrize("machine", ["x86_64", "aarch64"])
-@pytest.mark.parametrize("ignore", [True, False])
-def test_verdicts(machine: str, ignore: bool) -> None:
-    program = filter_program(ignore_metadata=ignore, machine=machine)
+def test_verdicts(machine: str) -> None:
+    program = filter_program(machine)
     arch, calls = ARCH[machine], CALLS[machine]
-    for name in ("read", "openat", "mmap", "accept4"):
+    for name in ("read", "openat", "mmap", "recvmsg"):
         assert run(program, calls[name], arch) == ALLOW, name
-    for name in ("socket", "connect", "execve", "symlink", "kill"):
+    for name in ("socket", "connect", "execve", "symlink", "kill", "accept4", "memfd_create"):
         assert run(program, calls[name], arch) == ERRNO | errno.EPERM, name
     assert run(program, calls["clone3"], arch) == ERRNO | errno.ENOSYS
     assert run(program, calls["clone"], arch, 0x3D0F00) == ALLOW, "a thread"
     assert run(program, calls["clone"], arch, 0x1200011) == ERRNO | errno.EPERM, "a process"
     assert run(program, calls["prlimit64"], arch, 0) == ALLOW
     assert run(program, calls["prlimit64"], arch, 1) == ERRNO | errno.EPERM
-    assert run(program, calls["chmod"], arch) == (ERRNO if ignore else ALLOW)
+    assert run(program, calls["chmod"], arch) == ERRNO, "does nothing and reports success"
+    assert run(program, calls["openat2"], arch) == ERRNO | errno.ENOSYS
+    assert run(program, calls["prctl"], arch, 1, 0) == ERRNO | errno.EPERM, "the signal at the host's death"
+    assert run(program, calls["prctl"], arch, 15) == ALLOW, "a thread's name"
+    for command, verdict in ((8, False), (10, False), (15, False), (1, True), (4, True), (1031, True)):
+        assert run(program, calls["fcntl"], arch, 3, command) == (ALLOW if verdict else ERRNO | errno.EPERM), command
+    assert run(program, calls["openat"], arch, 0, 0, 0o101, 0o644) == ALLOW
+    assert run(program, calls["openat"], arch, 0, 0, 0o101, 0o4755) == ERRNO | errno.EPERM, "a set-user-id file"
+    assert run(program, calls["openat"], arch, 0, 0, 0o101, 0o2755) == ERRNO | errno.EPERM, "a set-group-id file"
 
 
 def test_foreign_and_x32_calls_are_refused() -> None:
-    program = filter_program(ignore_metadata=False, machine="x86_64")
+    program = filter_program("x86_64")
     assert run(program, 0, 0x40000003) == KILL, "a 32-bit call"
     assert run(program, 0x40000000 | 41, ARCH["x86_64"]) == ERRNO | errno.EPERM

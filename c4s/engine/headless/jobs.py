@@ -1,89 +1,59 @@
-"""The engine's main thread as a queue of jobs: each runs there, one after the other, with its output kept whole."""
+"""The host's side of an engine process: the queue of its jobs, what they print, and how it ends.
+
+One thread talks to the engine. A job's output comes through a pipe of its own, which is the engine's standard output
+and error for as long as the job runs, whoever in the process writes to it. What has left the engine is kept here, where
+agent code cannot reach it, so a job's log survives a crash, and no script can change what another printed.
+"""
 
 from __future__ import annotations
 
-import ctypes
-import io
-import linecache
-import queue
-import sys
+import array
+import fcntl
+import os
+import selectors
+import socket
+import termios
 import threading
-import traceback
-from collections import OrderedDict
-from collections.abc import Callable
+import time
+from collections import OrderedDict, deque
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
-from typing import Any, BinaryIO, TextIO
+from typing import Any
+
+import orjson
+
+from c4s.engine.headless import channel
+from c4s.engine.headless.joblog import JobLog
 
 KEPT_JOBS = 512
-MAX_LOG_BYTES = 4 << 20
-_TICK_S = 1 / 60
-_OWN_FILES = frozenset({__file__, str(Path(__file__).with_name("server.py"))})
-
-
-class JobAbandoned(BaseException):
-    """Raised inside a job that the host has given up on."""
-
-
-class JobLog:
-    """The printed output of a job: a file, so that no line is lost however much is printed, or how the engine ends."""
-
-    def __init__(self, path: Path) -> None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        self.path = path
-        self._file: BinaryIO | None = None
-        self._lock = threading.Lock()
-
-    def write(self, text: str) -> None:
-        """Append text."""
-        with self._lock:
-            if self._file is None:
-                self._file = self.path.open("ab")
-            self._file.write(text.encode("utf-8", "backslashreplace"))
-            if "\n" in text:
-                self._file.flush()
-
-    def close(self) -> None:
-        """Let go of the file; writing opens it again."""
-        with self._lock:
-            if self._file is not None:
-                self._file.close()
-                self._file = None
-
-    def read(self, offset: int, *, complete: bool) -> dict[str, Any]:
-        """Lines from byte ``offset``: at most 4 MiB, whole lines only unless the log is ``complete``.
-
-        ``next_offset`` is where to read on; ``more`` says that there is more to read now.
-        """
-        with self._lock:
-            if self._file is not None:
-                self._file.flush()
-        if not self.path.is_file():
-            return {"python_logs": [], "next_offset": offset, "more": False}
-        with self.path.open("rb") as file:
-            size = file.seek(0, io.SEEK_END)
-            file.seek(offset)
-            data = file.read(MAX_LOG_BYTES)
-        last = offset + len(data) >= size
-        if not (complete and last):
-            end = data.rfind(b"\n") + 1
-            data = data[:end] if end or last else data
-        text = data.decode("utf-8", "replace")
-        lines = text.removesuffix("\n").split("\n") if text else []
-        return {"python_logs": lines, "next_offset": offset + len(data), "more": not last}
+KEPT_VALUES = 16
+"""Jobs whose value can still be read; the values of older ones are dropped."""
+MAX_LOG_BYTES = 256 << 20
+WATCH_S = 0.5
+_SEND_S = 60.0
+_CHUNK = 1 << 18
+_TAIL_BYTES = 2000
 
 
 class Job:
-    """One piece of work for the main thread."""
+    """One piece of work for the engine's main thread."""
 
-    def __init__(self, number: int, work: Callable[[], Any], log: JobLog) -> None:
+    def __init__(self, number: int, request: Mapping[str, Any], log: JobLog) -> None:
+        self.number = number
         self.id = f"job-{number}"
-        self.work = work
+        self.request = request
         self.log = log
         self.done = threading.Event()
-        self.value: Any = None
+        self.started: float | None = None
+        """``time.monotonic()`` of its start."""
+        self.value: bytes | None = None
+        """What it returned, as JSON."""
         self.error: str | None = None
         self.fault: str | None = None
         """Class name of the exception behind ``error``."""
+        self.ended = False
+        """Whether the engine ended before the job did."""
         self.abandoned = False
 
     def reply(self, offset: int = 0) -> dict[str, Any]:
@@ -91,61 +61,69 @@ class Job:
         finished = self.done.is_set()
         reply: dict[str, Any] = {"status": "running", "job_id": self.id,
                                  "result": self.log.read(offset, complete=finished)}
-        if finished:
-            reply["status"] = "ok" if self.error is None else "error"
-            if self.error is None:
-                reply["value"] = self.value
-            else:
-                reply |= {"error": self.error, "fault": self.fault}
+        if finished and self.error is None:
+            reply |= {"status": "ok", "value": orjson.Fragment(self.value or b"null")}
+        elif finished:
+            reply |= {"status": "error", "error": self.error, "fault": self.fault}
+            if self.ended:
+                reply["engine_ended"] = True
         return reply
 
 
-class _Output(io.TextIOBase):
-    """Standard output and error of the process: goes to the running job, else to the engine's own log."""
-
-    encoding = "utf-8"
-
-    def __init__(self, runner: JobRunner, own: TextIO) -> None:
-        self._runner, self._own = runner, own
-
-    def write(self, text: str) -> int:
-        job = self._runner.running
-        if job is None:
-            self._own.write(text)
-            self._own.flush()
-        else:
-            job.log.write(text)
-        return len(text)
-
-    def flush(self) -> None:
-        self._own.flush()
-
-    def writable(self) -> bool:
-        return True
+class EngineGone(Exception):
+    """The engine has ended; the text says how."""
 
 
+class JobBoard:
+    """The jobs of one engine process, on the host.
 
-class JobRunner:
-    """Runs jobs on the thread that calls ``run_forever``, and a tick between them."""
+    Args:
+        connection: the host's end of the channel.
+        output: the read end of the pipe that the engine's own output goes to between jobs.
+        folder: where the logs lie; no engine sees it.
+        watch: called about twice a second; a text that it returns ends the engine and says why.
+        end: waits for the process (no longer than a moment, not at all when told True), kills it if it still runs,
+            and says how it ended.
+    """
 
-    def __init__(self, folder: Path, tick: Callable[[float], None]) -> None:
-        self._folder, self._tick = folder, tick
-        self._waiting: queue.SimpleQueue[Job | None] = queue.SimpleQueue()
+    def __init__(self, connection: socket.socket, output: int, folder: Path, watch: Callable[[], str | None],
+                 end: Callable[[bool], str]) -> None:
+        self._connection, self._output, self._folder, self._watch, self._end = connection, output, folder, watch, end
+        self.log = JobLog(folder / "engine.log")
+        """What the engine prints outside of jobs."""
+        self.ready = threading.Event()
+        """Set when the engine serves, refuses, or has ended."""
+        self.refusal: dict[str, str] | None = None
+        """The bad input for which the engine did not start."""
+        self.gone: str | None = None
+        """How the engine ended; None while it runs."""
+        self.running: Job | None = None
+        self._waiting: deque[Job] = deque()
         self._jobs: OrderedDict[str, Job] = OrderedDict()
         self._lock = threading.Lock()
-        self._count = 0
-        self._thread = threading.get_ident()
-        self.running: Job | None = None
+        self._count, self._stopping, self._printing = 0, False, -1
+        self._incoming = channel.Incoming()
+        self._sending = threading.Lock()
+        connection.settimeout(_SEND_S)
+        self._wake_end, self._wake = os.pipe()
+        self._thread = threading.Thread(target=self._work, name="engine-jobs", daemon=True)
+        self._thread.start()
 
-    def submit(self, work: Callable[[], Any]) -> Job:
-        """Queue work for the main thread."""
+    def submit(self, request: Mapping[str, Any]) -> Job:
+        """Queue work for the engine."""
         with self._lock:
             self._count += 1
-            job = Job(self._count, work, JobLog(self._folder / f"job-{self._count}.log"))
+            job = Job(self._count, request, JobLog(self._folder / f"job-{self._count}.log"))
             self._jobs[job.id] = job
             while len(self._jobs) > KEPT_JOBS and next(iter(self._jobs.values())).done.is_set():
                 self._jobs.popitem(last=False)
-        self._waiting.put(job)
+            for old in list(self._jobs.values())[-KEPT_VALUES - 8:-KEPT_VALUES]:
+                old.value = None
+            if self.gone is None:
+                self._waiting.append(job)
+                os.write(self._wake, b"j")
+                return job
+        self._finish(job, self.gone, "EngineDied", ended=True)
         return job
 
     def job(self, job_id: str) -> Job | None:
@@ -153,79 +131,175 @@ class JobRunner:
         with self._lock:
             return self._jobs.get(job_id)
 
-    def waiting(self) -> int:
-        """How many jobs wait behind the running one."""
-        return self._waiting.qsize()
+    def status(self) -> dict[str, Any]:
+        """Whether the engine is idle, busy or dead; answered without asking it, so it holds for one that hangs."""
+        with self._lock:
+            running, gone = self.running, self.gone
+            state = "dead" if gone is not None else "busy" if running is not None or self._waiting else "idle"
+            told: dict[str, Any] = {"state": state, "busy": state == "busy", "job_id": running.id if running else None,
+                                    "waiting": len(self._waiting)}
+        if running is not None and running.started is not None:
+            told["running_s"] = round(time.monotonic() - running.started, 3)
+        if gone is not None:
+            told["error"] = gone
+        return told
 
     def abandon(self, job: Job) -> None:
         """Ask a job to end: at its next Python instruction when it runs, at once when it waits. Best effort."""
-        job.abandoned = True
-        if self.running is job:
-            ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(JobAbandoned))
+        with self._lock:
+            job.abandoned = True
+            running, waiting = self.running is job and self.gone is None, job in self._waiting
+            if waiting:
+                self._waiting.remove(job)
+        if running:
+            with suppress(OSError):  # an engine that is ending finishes the job by that
+                self._send({"abandon": job.number})
+        if waiting:
+            self._finish(job, "abandoned", "JobAbandoned")
+
+    def _send(self, message: Mapping[str, Any], descriptor: int | None = None) -> None:
+        with self._sending:
+            channel.send(self._connection, orjson.dumps(message), descriptor)
 
     def stop(self) -> None:
-        """End ``run_forever`` behind the jobs that are queued now."""
-        self._waiting.put(None)
+        """Tell the engine to end behind the jobs that are queued now."""
+        with self._lock:
+            if self.gone is None:
+                self._stopping = True
+                os.write(self._wake, b"s")
 
-    def run_forever(self) -> None:
-        """Run jobs until ``stop``."""
-        self._thread = threading.get_ident()
-        sys.stdout, sys.stderr = _Output(self, sys.stdout), _Output(self, sys.stderr)
+    def join(self) -> None:
+        """Wait until the engine has ended and all that it printed is kept."""
+        self._thread.join()
+
+    def _work(self) -> None:
+        try:
+            with selectors.DefaultSelector() as selector:
+                for source in (self._wake_end, self._output, self._connection):
+                    selector.register(source, selectors.EVENT_READ)
+                self._serve(selector)
+        except (EngineGone, ValueError, OSError) as why:
+            reason = str(why)
+        self._bury(reason)
+
+    def _serve(self, selector: selectors.BaseSelector) -> None:
+        """Until the engine is gone: start jobs, keep what they print, take their results."""
+        watched = time.monotonic()
         while True:
-            try:
-                job = self._waiting.get(timeout=_TICK_S)
-            except queue.Empty:
-                self._guarded(lambda: self._tick(_TICK_S))
-                continue
-            if job is None:
+            ready = {key.fd for key, _ in selector.select(WATCH_S)}
+            if time.monotonic() - watched >= WATCH_S:
+                watched = time.monotonic()
+                reason = self._watch()
+                if reason is not None:
+                    raise EngineGone(reason)
+            if self._wake_end in ready:
+                os.read(self._wake_end, _CHUNK)
+            if self._output in ready and not _pour(self._output, self.log):
+                selector.unregister(self._output)
+            if self._printing in ready and self.running is not None and not _pour(self._printing, self.running.log):
+                selector.unregister(self._printing)
+            for log in (self.log, *([self.running.log] if self.running else [])):
+                if log.size > MAX_LOG_BYTES:
+                    raise EngineGone(f"it printed more than {MAX_LOG_BYTES >> 20} MiB")
+            if self._connection.fileno() in ready:
+                data = self._connection.recv(_CHUNK)
+                if not data:
+                    raise EngineGone("")
+                for message in self._incoming.feed(data):
+                    self._take(message, selector)
+            if self.running is None and self.ready.is_set():
+                self._start_next(selector)
+
+    def _take(self, message: bytes, selector: selectors.BaseSelector) -> None:
+        """A message of the engine: that it serves, that it refuses its input, or the result of the running job."""
+        head, _, value = message.partition(b"\n")
+        fields, job = _object(head), self.running
+        if not self.ready.is_set():
+            self.refusal = fields.get("refused")
+            self.ready.set()
+        elif job is not None and fields.get("job") == job.number:
+            _pour(self._printing, job.log, _available(self._printing))
+            if self._printing in selector.get_map():
+                selector.unregister(self._printing)
+            channel.close(self._printing)
+            self._printing = -1
+            with self._lock:
+                self.running = None
+            self._finish(job, fields.get("error"), fields.get("fault"), value)
+
+    def _start_next(self, selector: selectors.BaseSelector) -> None:
+        with self._lock:
+            if not self._waiting:
+                if self._stopping:
+                    self._stopping = False
+                    self._send({"stop": True})
                 return
-            try:
-                self._run(job)
-            except JobAbandoned:
-                job.error = job.error or "abandoned"
-            finally:
-                job.log.close()
-                job.done.set()
-
-    def _run(self, job: Job) -> None:
-        self._forget_interruption()
-        self.running = job
+            job = self.running = self._waiting.popleft()
+        job.started = time.monotonic()
+        self._printing, writing = os.pipe()
         try:
-            if job.abandoned:
-                raise JobAbandoned
-            job.value = job.work()
-        except BaseException as error:
-            job.error, job.fault = _describe(error), type(error).__name__
+            selector.register(self._printing, selectors.EVENT_READ)
+            self._send({"job": job.number, **job.request}, writing)
         finally:
+            channel.close(writing)
+
+    def _finish(self, job: Job, error: Any, fault: Any, value: bytes = b"", *, ended: bool = False) -> None:
+        job.error, job.fault = (None if text is None else str(text) for text in (error, fault))
+        if error is None:
+            try:
+                orjson.loads(value)
+                job.value = value
+            except orjson.JSONDecodeError as wrong:
+                job.error, job.fault = f"the value that it returned is not JSON: {wrong}", "ValueError"
+        job.ended = ended
+        job.log.close()
+        job.done.set()
+
+    def _bury(self, reason: str) -> None:
+        """The engine has ended, or must: take what it still printed, and give every job its answer."""
+        how = self._end(bool(reason))
+        running = self.running
+        if self._printing >= 0 and running is not None:
+            _pour(self._printing, running.log, _available(self._printing))
+            channel.close(self._printing)
+        _pour(self._output, self.log, _available(self._output))
+        tails = [log.tail(_TAIL_BYTES) for log in ([running.log] if running else []) + [self.log]]
+        with self._lock:
+            self.gone = " ".join(part for part in (f"the engine ended with {how}", f"({reason})" if reason else "",
+                                                   *tails) if part)
+            left = ([running] if running else []) + list(self._waiting)
             self.running = None
-            self._forget_interruption()
-
-    def _forget_interruption(self) -> None:
-        """Take back an interruption that arrived when its job had already ended."""
-        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), None)
-
-    def _guarded(self, work: Callable[[], None]) -> None:
-        """Run a tick callback of agent code: its error goes to the log and must not end the engine."""
-        try:
-            work()
-        except BaseException as error:
-            sys.stderr.write(_describe(error) + "\n")
+            self._waiting.clear()
+        for job in left:
+            self._finish(job, self.gone, "EngineDied", ended=True)
+        self.ready.set()
+        self.log.close()
+        channel.close(self._output, self._wake_end, self._wake)
+        self._connection.close()
 
 
-def run_script(script: str, namespace: dict[str, Any], name: str) -> None:
-    """Run a script in ``namespace``; its lines show in tracebacks. ``sys.exit()`` without a failure is a normal end."""
-    linecache.cache[name] = (len(script), None, script.splitlines(keepends=True), name)
-    try:
-        exec(compile(script, name, "exec"), namespace)
-    except SystemExit as ended:
-        if ended.code not in (None, 0):
-            raise
+def _object(message: bytes) -> dict[str, Any]:
+    """A message as its fields. ``ValueError`` when it is none."""
+    value = orjson.loads(message)
+    if not isinstance(value, dict):
+        raise ValueError("the engine sent what is no message")
+    return value
 
 
-def _describe(error: BaseException) -> str:
-    """An error as people read it: the traceback without the frames of the engine's own job machinery."""
-    if isinstance(error, JobAbandoned):
-        return "abandoned"
-    shown = traceback.TracebackException.from_exception(error)
-    shown.stack = traceback.StackSummary.from_list([frame for frame in shown.stack if frame.filename not in _OWN_FILES])
-    return "".join(shown.format()).rstrip()
+def _available(descriptor: int) -> int:
+    """Bytes that a pipe holds now."""
+    amount = array.array("i", [0])
+    fcntl.ioctl(descriptor, termios.FIONREAD, amount)
+    return amount[0]
+
+
+def _pour(descriptor: int, log: JobLog, amount: int | None = None) -> bool:
+    """Move what a pipe holds (one reading, or ``amount`` bytes) into a log. False at the pipe's end."""
+    left = _CHUNK if amount is None else amount
+    while left:
+        data = os.read(descriptor, min(left, _CHUNK))
+        if not data:
+            return False
+        log.write(data)
+        left = 0 if amount is None else left - len(data)
+    return True

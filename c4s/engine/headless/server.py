@@ -1,24 +1,31 @@
-"""The engine's side of the bridge: accepts connections on an inherited socket and answers one request on each."""
+"""The bridge of a headless engine, served by the host: one request a connection, work handed to the engine's queue.
+
+The engine process itself cannot be reached: requests are read, checked and bounded here, and the state of the engine
+and of its jobs is answered here whatever the engine is doing.
+"""
 
 from __future__ import annotations
 
-import builtins
-import importlib
+import os
 import re
 import socket
+import struct
 import threading
 import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from c4s.engine.bridge import MAX_REQUEST_BYTES, decode, encode, read_line
-from c4s.engine.headless.jobs import Job, JobRunner, run_script
+import orjson
+
+from c4s.engine.bridge import MAX_REQUEST_BYTES, decode, read_line
+from c4s.engine.headless.jobs import Job, JobBoard
 
 DEFAULT_WAIT_S = 20.0
 MAX_SHOTS = 16
-_READ_S = 60.0
-_MAX_CONNECTIONS = 32
+_READ_S = 10.0
+_MAX_CONNECTIONS = 128
+_CREDENTIALS = struct.Struct("3i")
 _FUNCTION = re.compile(r"[a-z_]+\.[a-z_0-9]+")
 
 Params = Mapping[str, Any]
@@ -29,28 +36,37 @@ class BadRequest(Exception):
 
 
 class BridgeServer:
-    """Answers bridge requests. Work on the scene runs on the main thread (``JobRunner``); the rest at once."""
+    """Answers bridge requests. Work on the scene is queued (``JobBoard``); the rest is answered at once."""
 
-    def __init__(self, listener: socket.socket, runner: JobRunner, scratch: Path) -> None:
-        self._listener, self._runner, self._scratch = listener, runner, scratch
-        self._namespace: dict[str, Any] = {"__name__": "__main__", "__builtins__": builtins, "__doc__": None}
+    def __init__(self, listener: socket.socket, board: JobBoard, scratch: Path, read_s: float = _READ_S) -> None:
+        self._listener, self._board, self._scratch, self._read_s = listener, board, scratch, read_s
+        self._scripts, self._closed = 0, False
+        self._lock = threading.Lock()
         self._places = threading.BoundedSemaphore(_MAX_CONNECTIONS)
         self._answers: dict[str, Callable[[Params], dict[str, Any]]] = {
             "execute_python_script": self._execute, "read_job_log": self._read, "abandon_job": self._abandon,
             "editor_status": self._status, "call_function": self._call, "take_screenshot": self._screenshot,
             "take_screenshot_batch": self._screenshots, "begin_rendering": lambda _: {"status": "ok"},
             "shutdown": self._shutdown}
-
-    def start(self) -> None:
-        """Serve in the background."""
         threading.Thread(target=self._accept, name="bridge", daemon=True).start()
 
+    def close(self) -> None:
+        """Take no more connections."""
+        if not self._closed:
+            self._closed = True
+            self._listener.shutdown(socket.SHUT_RDWR)
+
     def _accept(self) -> None:
-        self._listener.setblocking(True)
-        while True:
-            connection, _ = self._listener.accept()
-            self._places.acquire()
-            threading.Thread(target=self._serve, args=(connection,), name="bridge-request", daemon=True).start()
+        with self._listener:
+            while True:
+                try:
+                    connection, _ = self._listener.accept()
+                except OSError:
+                    if self._closed:
+                        return
+                    raise
+                self._places.acquire()
+                threading.Thread(target=self._serve, args=(connection,), name="bridge-request", daemon=True).start()
 
     def _serve(self, connection: socket.socket) -> None:
         """One request, one reply. A client that left gets none, and its job goes on."""
@@ -59,77 +75,79 @@ class BridgeServer:
                 reply = self._answer(connection)
             finally:
                 self._places.release()
-            connection.settimeout(_READ_S)
+            connection.settimeout(self._read_s)
             try:
-                connection.sendall(encode(reply))
+                connection.sendall(orjson.dumps(reply, option=orjson.OPT_APPEND_NEWLINE))
             except (BrokenPipeError, ConnectionResetError, TimeoutError):
                 return
 
     def _answer(self, connection: socket.socket) -> dict[str, Any]:
+        if not _same_user(connection):
+            return _refusal("only the user who started the engine may speak to it")
         try:
-            message = decode(read_line(connection, MAX_REQUEST_BYTES, time.monotonic() + _READ_S))
-            kind, params = message.get("type"), message.get("params") or {}
-            answer = self._answers.get(kind) if isinstance(kind, str) else None
+            message = decode(read_line(connection, MAX_REQUEST_BYTES, time.monotonic() + self._read_s))
+            orjson.dumps(message)
+        except TimeoutError:
+            return _refusal(f"no whole message in {self._read_s:g} s")
+        except (ValueError, TypeError, OSError) as error:
+            return _refusal(f"not a valid message: {error}")
+        kind, params = message.get("type"), message.get("params")
+        params = {} if params is None else params
+        answer = self._answers.get(kind) if isinstance(kind, str) else None
+        try:
             if answer is None:
-                raise BadRequest(f"unknown request type {kind!r}; known: {', '.join(self._answers)}")
+                raise BadRequest(f"unknown request type {kind!a:.100}; known: {', '.join(self._answers)}")
             if not isinstance(params, dict):
                 raise BadRequest("params must be an object")
-            reply = answer(params)
-            encode(reply)
-            return reply
+            return answer(params)
         except BadRequest as error:
-            return {"status": "error", "error": str(error), "fault": "BadRequest"}
-        except (ValueError, TypeError, TimeoutError) as error:
-            return {"status": "error", "error": f"not a valid message: {error}", "fault": "BadRequest"}
+            return _refusal(str(error))
 
     def _execute(self, params: Params) -> dict[str, Any]:
         script = params.get("script")
         if not isinstance(script, str):
             raise BadRequest("script must be a string")
-        name = f"<script {self._scripts()}>"
-        return self._finish(self._runner.submit(lambda: run_script(script, self._namespace, name)), params)
-
-    def _scripts(self) -> int:
-        self._script_count = getattr(self, "_script_count", 0) + 1
-        return self._script_count
+        wait_s = _number(params, "wait_s", DEFAULT_WAIT_S)
+        with self._lock:
+            self._scripts += 1
+            job = self._board.submit({"script": script, "name": self._scripts})
+        return self._finish(job, wait_s)
 
     def _call(self, params: Params) -> dict[str, Any]:
-        function, arguments = params.get("function"), params.get("params") or {}
+        function, arguments = params.get("function"), params.get("params")
+        arguments = {} if arguments is None else arguments
         if not isinstance(function, str) or not _FUNCTION.fullmatch(function):
             raise BadRequest("function must be module.function")
         if not isinstance(arguments, dict):
             raise BadRequest("params of a function must be an object")
-        module, _, name = function.partition(".")
-        return self._finish(
-            self._runner.submit(lambda: getattr(importlib.import_module(f"c4s.editor.{module}"), name)(**arguments)),
-            params)
+        wait_s = _number(params, "wait_s", DEFAULT_WAIT_S)
+        return self._finish(self._board.submit({"function": function, "params": arguments}), wait_s)
 
-    def _finish(self, job: Job, params: Params) -> dict[str, Any]:
-        job.done.wait(_number(params, "wait_s", DEFAULT_WAIT_S))
+    def _finish(self, job: Job, wait_s: float) -> dict[str, Any]:
+        job.done.wait(wait_s)
         return job.reply()
 
     def _known(self, params: Params) -> Job:
-        job = self._runner.job(str(params.get("job_id")))
+        job = self._board.job(str(params.get("job_id")))
         if job is None:
-            raise BadRequest(f"no such job {params.get('job_id')!r}")
+            raise BadRequest(f"no such job {params.get('job_id')!a:.100}")
         return job
 
     def _read(self, params: Params) -> dict[str, Any]:
         job = self._known(params)
+        offset = int(_number(params, "offset", 0.0))
         job.done.wait(_number(params, "wait_s", 0.0))
-        return job.reply(int(_number(params, "offset", 0.0)))
+        return job.reply(offset)
 
     def _abandon(self, params: Params) -> dict[str, Any]:
-        self._runner.abandon(self._known(params))
+        self._board.abandon(self._known(params))
         return {"status": "ok"}
 
     def _status(self, _: Params) -> dict[str, Any]:
-        running = self._runner.running
-        return {"status": "ok", "engine": "headless", "busy": running is not None,
-                "job_id": running.id if running else None, "waiting": self._runner.waiting()}
+        return {"status": "ok", "engine": "headless", **self._board.status()}
 
     def _screenshot(self, params: Params) -> dict[str, Any]:
-        reply = self._screenshots({**params, "shots": [params]})
+        reply = self._screenshots({"shots": [dict(params)]})
         if reply["status"] == "success":
             return {"status": "ok", **reply["results"][0]}
         return reply
@@ -138,18 +156,39 @@ class BridgeServer:
         shots = params.get("shots")
         if not isinstance(shots, list) or not 1 <= len(shots) <= MAX_SHOTS:
             raise BadRequest(f"shots must be a list of 1 to {MAX_SHOTS}")
-        folder = str(self._scratch / "screenshots")
-
-        def take() -> Any:
-            return importlib.import_module("c4s.editor.capture").take_screenshots(shots=shots, folder=folder)
-
-        job = self._runner.submit(take)
+        if not all(isinstance(shot, dict) for shot in shots):
+            raise BadRequest("a shot must be an object")
+        job = self._board.submit({"function": "capture.take_screenshots",
+                                  "params": {"shots": shots, "folder": str(self._scratch / "screenshots")}})
         job.done.wait()
-        return {**job.value} if job.error is None else job.reply()
+        if job.error is not None or job.value is None:
+            return job.reply()
+        taken = orjson.loads(job.value)
+        if not _is_batch(taken):
+            return {"status": "error", "error": "the engine gave no pictures", "fault": "ValueError"}
+        return {key: taken[key] for key in ("status", "results", "missing")}
 
     def _shutdown(self, _: Params) -> dict[str, Any]:
-        self._runner.stop()
+        self._board.stop()
         return {"status": "ok"}
+
+
+def _same_user(connection: socket.socket) -> bool:
+    """Whether the process on the other side belongs to this user."""
+    credentials = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, _CREDENTIALS.size)
+    return bool(_CREDENTIALS.unpack(credentials)[1] == os.getuid())
+
+
+def _is_batch(taken: Any) -> bool:
+    """Whether this is the reply of ``capture.take_screenshots``: agent code shares the engine with that function."""
+    return (isinstance(taken, dict) and taken.get("status") in ("success", "partial")
+            and all(isinstance(taken.get(key), list) for key in ("results", "missing"))
+            and all(isinstance(result, dict) and isinstance(result.get("filepath"), str) for result in taken["results"])
+            and (taken["status"] == "partial" or bool(taken["results"])))
+
+
+def _refusal(text: str) -> dict[str, Any]:
+    return {"status": "error", "error": text.encode("utf-8", "replace").decode(), "fault": "BadRequest"}
 
 
 def _number(params: Params, name: str, default: float) -> float:

@@ -1,0 +1,74 @@
+"""What the kernel does not limit for an engine process is watched from outside: memory, threads, files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from c4s.engine.confine import Limits
+
+_PAGE = os.sysconf("SC_PAGE_SIZE")
+
+
+class Watch:
+    """Looks at an engine process, with all below it, and at the folders that it may write to."""
+
+    def __init__(self, process: int, folders: Sequence[Path], limits: Limits) -> None:
+        self._process, self._folders, self._limits = process, folders, limits
+
+    def breach(self) -> str | None:
+        """The first limit that is passed, as text; None while all are kept."""
+        limits = self._limits
+        memory, threads = self._usage()
+        if memory > limits.memory:
+            return f"it used more than {limits.memory >> 20} MiB of memory"
+        if threads > limits.threads:
+            return f"it started more than {limits.threads} threads"
+        size = 0
+        found = (entry for folder in self._folders for entry in _entries(folder))
+        for count, entry in enumerate(found, 1):
+            size += _size(entry)
+            if count > limits.files:
+                return f"it wrote more than {limits.files} files"
+            if size > limits.disk:
+                return f"its files take more than {limits.disk >> 20} MiB"
+        return None
+
+    def _usage(self) -> tuple[int, int]:
+        """Resident memory (bytes) and threads of the process and all below it."""
+        memory = threads = 0
+        waiting = [self._process]
+        while waiting:
+            folder = Path("/proc", str(waiting.pop()))
+            try:
+                memory += int((folder / "statm").read_text().split()[1]) * _PAGE
+                tasks = list((folder / "task").iterdir())
+                threads += len(tasks)
+                waiting += [int(child) for task in tasks[:4] for child in
+                            (task / "children").read_text().split()]
+            except (FileNotFoundError, ProcessLookupError):
+                continue  # it has just ended
+        return memory, threads
+
+
+def _entries(folder: Path) -> Iterator[os.DirEntry[str]]:
+    """All files and folders below, without following links. What goes away, or cannot be read, is left out."""
+    waiting = [str(folder)]
+    while waiting:
+        try:
+            with os.scandir(waiting.pop()) as found:
+                for entry in found:
+                    yield entry
+                    if entry.is_dir(follow_symlinks=False):
+                        waiting.append(entry.path)
+        except OSError:
+            continue
+
+
+def _size(entry: os.DirEntry[str]) -> int:
+    """Bytes that a file takes on the disk."""
+    try:
+        return entry.stat(follow_symlinks=False).st_blocks * 512
+    except OSError:
+        return 0
