@@ -14,10 +14,20 @@ from c4s.files import canonical_json, digest_file, json_lines, read_json
 from c4s.run.configurations import is_ranked
 from c4s.run.plan import Trial, trial_id, trials
 from c4s.run.records import AttemptOutcome, Plan, TrialScore
+from c4s.trajectory import Analysis, analyse
 from c4s.verify.verdict import Verdict
 from warehouse.findings import findings
 from warehouse.parquet import part_path, write_part
-from warehouse.records import AttemptRow, FindingRow, OutcomeRow, PictureRow, ScheduleRow, VerdictRow
+from warehouse.records import (
+    AttemptRow,
+    FindingRow,
+    OutcomeRow,
+    PictureRow,
+    ScheduleRow,
+    SubmissionRow,
+    ToolUseRow,
+    VerdictRow,
+)
 
 PICTURE_WIDTH = 960
 CASE_PARTITION = "_case"
@@ -80,7 +90,10 @@ def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
     place: dict[str, str] = {"suite": plan.suite_id, "configuration": trial.configuration.name,
                              "key": key["trial_id"]}
     verdicts = {path.stem: path for path in sorted((trial.folder.root / "verdicts").glob("*.json"))}
-    write_part(warehouse, "attempts", list(_attempts(trial, key)), **place)
+    attempts = list(_attempts(trial, key))
+    write_part(warehouse, "attempts", [row for row, _ in attempts], **place)
+    write_part(warehouse, "tool_use", _tool_use(attempts, key), **place)
+    write_part(warehouse, "python_submissions", _submissions(attempts, key), **place)
     write_part(warehouse, "verdicts", [_verdict_row(path, key) for path in verdicts.values()], **place)
     write_part(warehouse, "findings", [
         FindingRow(**key, verifier=name, subject=found.subject, outcome=found.outcome, detail=found.detail)
@@ -94,14 +107,31 @@ def _key(trial: Trial, plan: Plan) -> dict[str, Any]:
             "configuration": trial.configuration.name, "case_id": trial.case.case_id, "repeat": trial.repeat}
 
 
-def _attempts(trial: Trial, key: dict[str, Any]) -> Iterator[AttemptRow]:
+def _attempts(trial: Trial, key: dict[str, Any]) -> Iterator[tuple[AttemptRow, Analysis]]:
+    """Every attempt with the analysis of its trajectory."""
+    retained = TrialScore.read(trial.folder.score).retained_attempt
     for path in sorted(trial.folder.root.glob("attempt-*/outcome.json")):
-        outcome = AttemptOutcome.read(path)
+        outcome, did = AttemptOutcome.read(path), analyse(path.parent / "trajectory.jsonl")
         gate = path.parent / "integrity.json"
-        yield AttemptRow(**key, attempt=outcome.attempt, ended_by=outcome.ended_by, submission=outcome.submission,
+        yield AttemptRow(**key, attempt=outcome.attempt, ended_by=outcome.ended_by,
+                         retained=outcome.attempt == retained, submission=outcome.submission,
                          valid=Verdict.read(gate).status == "valid" if gate.is_file() else None,
-                         tool_calls=outcome.tool_calls, wall_s=outcome.wall_s, input_tokens=outcome.input_tokens,
-                         output_tokens=outcome.output_tokens, cost_usd=outcome.cost_usd, message=outcome.message)
+                         tool_calls=outcome.tool_calls, polling_calls=did.polling, python_calls=did.python,
+                         failed_calls=did.failed, named_transform_calls=did.named_transform_calls,
+                         wall_s=outcome.wall_s, input_tokens=outcome.input_tokens,
+                         output_tokens=outcome.output_tokens, cost_usd=outcome.cost_usd, message=outcome.message), did
+
+
+def _tool_use(attempts: list[tuple[AttemptRow, Analysis]], key: dict[str, Any]) -> list[ToolUseRow]:
+    return [ToolUseRow(**key, attempt=row.attempt, retained=row.retained, tool=tool, calls=calls)
+            for row, did in attempts for tool, calls in did.by_tool.items()]
+
+
+def _submissions(attempts: list[tuple[AttemptRow, Analysis]], key: dict[str, Any]) -> list[SubmissionRow]:
+    return [SubmissionRow(**key, attempt=row.attempt, retained=row.retained, call=one.call, parseable=one.parseable,
+                          families=" ".join(one.families), feedback=one.feedback, failed=one.failed,
+                          errors=" ".join(one.errors))
+            for row, did in attempts for one in did.submissions]
 
 
 def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:

@@ -64,14 +64,48 @@ class AttemptRow(TrialKey):
 
     attempt: int
     ended_by: str
+    retained: bool
+    """Whether reported figures come from it: the first attempt with a valid submission, else the last."""
     submission: str | None
     valid: bool | None
     tool_calls: int
+    """Calls with a start, failed and unfinished ones too; a repeated request id counts once."""
+    polling_calls: int
+    """Asynchronous status checks among them. Reported means leave them out."""
+    python_calls: int
+    failed_calls: int
+    named_transform_calls: int
     wall_s: float
     input_tokens: int | None
     output_tokens: int | None
     cost_usd: float | None
     message: str
+
+
+class ToolUseRow(TrialKey):
+    """Table ``tool_use``: how often an attempt called a tool."""
+
+    attempt: int
+    retained: bool
+    tool: str
+    calls: int
+
+
+class SubmissionRow(TrialKey):
+    """Table ``python_submissions``: one row a Python submission of an attempt."""
+
+    attempt: int
+    retained: bool
+    call: int
+    """Number of the tool call in the attempt, from 1."""
+    parseable: bool
+    families: str
+    """Operation families that the script attempts, separated by blanks."""
+    feedback: bool
+    """Whether an answer or a log showed that it ran. False rules nothing out."""
+    failed: bool
+    errors: str
+    """Exception classes that its answers and logs report, each once, separated by blanks."""
 
 
 class VerdictRow(TrialKey):
@@ -133,5 +167,6 @@ class ScheduleRow(Record):
     ranked: bool
 
 
-TABLES: dict[str, type[Record]] = {"outcomes": OutcomeRow, "attempts": AttemptRow, "verdicts": VerdictRow,
+TABLES: dict[str, type[Record]] = {"outcomes": OutcomeRow, "attempts": AttemptRow, "tool_use": ToolUseRow,
+                                   "python_submissions": SubmissionRow, "verdicts": VerdictRow,
                                    "findings": FindingRow, "pictures": PictureRow, "schedule": ScheduleRow}

@@ -31,12 +31,10 @@ def _state(bench: Workbench, job: Job, limit: int, wait_s: float) -> dict[str, o
             break
         reply = bench.read_job(job, offset=page["next_offset"])
     output = "\n".join(lines).encode()
-    told: dict[str, object] = {"status": {"ok": "done", "running": "running"}.get(reply["status"], "error"),
-                               "output": output[-limit:].decode(errors="replace"),
-                               "output_bytes": len(output), "truncated": len(output) > limit}
-    if "error" in reply:
-        told["error"] = reply["error"]
-    return told
+    error = {"error": reply["error"]} if "error" in reply else {}
+    return {"status": {"ok": "done", "running": "running"}.get(reply["status"], "error"), **error,
+            "output": output[-limit:].decode(errors="replace"), "output_bytes": len(output),
+            "truncated": len(output) > limit}
 
 
 def _read(bench: Workbench, arguments: Arguments) -> ToolResult:
