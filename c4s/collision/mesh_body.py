@@ -5,7 +5,6 @@ A ``MeshBody`` is a value: equal bodies of different meshes or snapshots are equ
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
@@ -36,19 +35,24 @@ class MeshBody:
         return np.frombuffer(self.vertices, dtype=np.float64).reshape(-1, 3)
 
 
+LARGEST = 1e12
+"""Lengths (cm) and factors beyond this are no measurement; it keeps products of them far from overflow."""
+
+
 def number(value: Any) -> float:
-    """A finite number; ``ValueError`` for anything else, numeric strings and booleans included."""
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise ValueError(f"{str(value)[:40]!r} is no finite number")
+    """A number within ``LARGEST``; ``ValueError`` for anything else, numeric strings, booleans and NaN included."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) <= LARGEST:
+        raise ValueError(f"{str(value)[:40]!r} is no number from -1e12 to 1e12")
     return float(value)
 
 
 def triple(values: Any) -> Triple:
-    """Three finite numbers; ``ValueError`` otherwise."""
+    """Three such numbers; ``ValueError`` otherwise."""
     if not isinstance(values, list | tuple) or len(values) != 3:
-        raise ValueError("not three finite numbers")
+        raise ValueError("not three numbers")
     x, y, z = values
-    if type(x) is type(y) is type(z) is float and math.isfinite(x) and math.isfinite(y) and math.isfinite(z):
+    if type(x) is type(y) is type(z) is float and -LARGEST <= x <= LARGEST and -LARGEST <= y <= LARGEST \
+            and -LARGEST <= z <= LARGEST:
         return x, y, z
     return number(x), number(y), number(z)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from itertools import compress
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -61,12 +60,7 @@ def scene_bodies(snapshot: Mapping[str, Any]) -> SceneBodies:
                 placed += [_Placed(index, *part) for part in library.place(component)]
             except ValueError as error:
                 unresolved.setdefault(index, str(error))
-    bodies, finite = _place(placed)
-    for part, usable in zip(placed, finite, strict=True):
-        if not usable:
-            unresolved.setdefault(part.owner, "a body outside the range of numbers")
-    return SceneBodies(list(compress(bodies, finite)), list(compress((part.owner for part in placed), finite)),
-                       unresolved)
+    return SceneBodies(_place(placed), [part.owner for part in placed], unresolved)
 
 
 class _Meshes:
@@ -125,7 +119,7 @@ def _quaternion(transform: Mapping[str, Any]) -> tuple[float, float, float, floa
     if not isinstance(stored, list | tuple) or len(stored) != 4:
         raise ValueError("not a rotation quaternion")
     x, y, z, w = (number(part) for part in stored)
-    if not 1e-12 <= (x * x + y * y + z * z + w * w) ** 0.5 < 1e150:
+    if (x * x + y * y + z * z + w * w) ** 0.5 < 1e-12:
         raise ValueError("not a rotation quaternion")
     return x, y, z, w
 
@@ -139,23 +133,21 @@ def _matrices(quaternions: Array) -> Array:
     return np.stack(rows, axis=1).reshape(-1, 3, 3)
 
 
-def _place(placed: list[_Placed]) -> tuple[list[Body], list[bool]]:
-    """The bodies in the world, all poses at once; and which of them have finite boxes."""
+def _place(placed: list[_Placed]) -> list[Body]:
+    """The bodies in the world, all poses at once."""
     if not placed:
-        return [], []
+        return []
     rotation = _matrices(np.array([part.quaternion for part in placed]))
     pose = rotation @ np.array([part.shape.frame for part in placed])
     offset = np.array([part.shape.offset for part in placed])
     half = np.array([part.shape.half for part in placed])
-    with np.errstate(over="ignore", invalid="ignore"):
-        centre = np.array([part.location for part in placed]) + np.einsum("nij,nj->ni", rotation, offset)
-        reach = np.einsum("nij,nj->ni", np.abs(pose), half) + np.array([[part.shape.radius] for part in placed])
-        low, high = centre - reach, centre + reach
-        for some, corners in _hull_groups(placed):
-            world = corners @ pose[some].transpose(0, 2, 1)
-            low[some], high[some] = centre[some] + world.min(axis=1), centre[some] + world.max(axis=1)
-        finite = np.isfinite(low + high).all(axis=1)
-    return [Body(part.shape, *row) for part, *row in zip(placed, pose, centre, low, high, strict=True)], finite.tolist()
+    centre = np.array([part.location for part in placed]) + np.einsum("nij,nj->ni", rotation, offset)
+    reach = np.einsum("nij,nj->ni", np.abs(pose), half) + np.array([[part.shape.radius] for part in placed])
+    low, high = centre - reach, centre + reach
+    for some, corners in _hull_groups(placed):
+        world = corners @ pose[some].transpose(0, 2, 1)
+        low[some], high[some] = centre[some] + world.min(axis=1), centre[some] + world.max(axis=1)
+    return [Body(part.shape, *row) for part, *row in zip(placed, pose, centre, low, high, strict=True)]
 
 
 def _hull_groups(placed: list[_Placed]) -> Iterator[tuple[list[int], Array]]:

@@ -66,7 +66,7 @@ class ShapeCache:
         return len(self._shapes)
 
     def shape(self, body: MeshBody, scale: Triple) -> Shape | None:
-        """The body under a scale; None when nothing with an area is left. ``ValueError``: no finite size."""
+        """The body under a scale; None when nothing with an area is left."""
         weight = max(SMALL, len(body.vertices) // 24)
         with self._lock:
             return self._shapes.get((body, scale), weight, lambda: scaled_shape(

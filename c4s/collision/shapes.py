@@ -7,7 +7,6 @@ every axis.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -95,7 +94,7 @@ class Body:
 def scaled_shape(body: MeshBody, scale: Array, hull: Hull | None = None) -> Shape | None:
     """A mesh's body under a component's scale; None when nothing with an area is left of it.
 
-    ``hull``: the body's own hull, where it is a hull. ``ValueError`` when the shape has no finite size.
+    ``hull``: the body's own hull, where it is a hull.
     """
     if body.kind == "hull":
         return _hull_shape(None if hull is None else hull.scaled(scale))
@@ -112,18 +111,12 @@ def scaled_shape(body: MeshBody, scale: Array, hull: Hull | None = None) -> Shap
 
 
 def _hull_shape(hull: Hull | None) -> Shape | None:
-    if hull is None:
-        return None
-    if not np.isfinite(hull.corners).all():
-        raise ValueError("a hull without a finite size")
-    return Shape(*hull.geometries(), np.eye(3), hull.centre, hull.corners)
+    return None if hull is None else Shape(*hull.geometries(), np.eye(3), hull.centre, hull.corners)
 
 
 def _box(centre: Array, edges: Array) -> Shape:
     """A box from its three half edges (columns); a box has no handedness."""
     half = np.linalg.norm(edges, axis=0)
-    if not np.isfinite(half).all():
-        raise ValueError("a box without a finite size")
     frame = edges / half
     if np.linalg.det(frame) < 0:
         frame[:, 2] = -frame[:, 2]
@@ -151,8 +144,6 @@ def _capsule(centre: Array, axes: Array, radius: float, length: float) -> Shape 
 
 def _round_shape(frame: Array, centre: Array, radius: float, length: float) -> Shape | None:
     """A sphere, or a capsule along the frame's Z when ``length`` is above zero; None without a radius."""
-    if not math.isfinite(radius + length):
-        raise ValueError("a round body without a finite size")
     if radius <= 0:
         return None
     if length <= 0:
