@@ -19,7 +19,7 @@ from c4s.packs.meshes import Mesh
 from catalog.build import glb
 from catalog.ingest.surface import SourcePart, Surface
 
-MAX_NAME = 64
+MAX_NAME = 100
 NAMES_TOLD = 8
 PACK_ID = re.compile(r"[a-z0-9][a-z0-9._-]{0,62}")
 
