@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.queries.changes import note
 from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.actors.attachment import Attached
 from c4s.engine.headless.unreal.components import (
     ActorComponent,
     PrimitiveComponent,
@@ -16,15 +16,14 @@ from c4s.engine.headless.unreal.components import (
     of_class,
 )
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public
-from c4s.engine.headless.unreal.enums import AttachmentRule, DetachmentRule
-from c4s.engine.headless.unreal.structs import Guid, Rotator, Transform, Vector
+from c4s.engine.headless.unreal.core import Class, Object, Prop, api, deprecated, public
+from c4s.engine.headless.unreal.structs import Guid, Vector
 
 Parts = tuple[tuple[str, type[SceneComponent]], ...]
 
 
 @public
-class Actor(Object):
+class Actor(Attached):
     """Base of everything that is placed in a level."""
 
     _parts: ClassVar[Parts] = (("DefaultSceneRoot", SceneComponent),)
@@ -89,24 +88,8 @@ class Actor(Object):
     def _path(self) -> str:
         return f"{world().map_path()}:PersistentLevel.{self._name}"
 
-    def _get_root(self) -> SceneComponent | None:
-        first = self._components[0] if self._components else None
-        return first if isinstance(first, SceneComponent) else None
-
-    def _root(self) -> SceneComponent:
-        root = self._get_root()
-        if root is None:
-            raise Exception(f"{self._name}: no root component")
-        return root
-
     def _get_guid(self) -> Guid:
         return Guid._of(self._guid)
-
-    def _pose(self) -> Pose:
-        return self._root()._world_pose()
-
-    def _move(self, pose: Pose) -> None:
-        self._root()._set_world(pose)
 
     # identity
 
@@ -142,6 +125,37 @@ class Actor(Object):
         """Whether a tag is set."""
         return Name(str(tag)) in self.get_editor_property("tags")
 
+    @deprecated("'has_tag' was renamed to 'actor_has_tag'.")
+    @api
+    def has_tag(self, tag: Name | str) -> bool:
+        """Whether a tag is set."""
+        return self.actor_has_tag(tag)
+
+    @api
+    def get_default_actor_label(self) -> str:
+        """The label that an actor of this class starts with."""
+        return str(self._class().get_name()).removesuffix("_C")
+
+    @api
+    def is_editable(self) -> bool:
+        """Whether people may edit it."""
+        return True
+
+    @api
+    def is_selectable(self) -> bool:
+        """Whether people may select it."""
+        return True
+
+    @api
+    def is_actor_being_destroyed(self) -> bool:
+        """Whether it is going away (a destroyed actor refuses every call)."""
+        return False
+
+    @api
+    def is_hidden_ed_at_startup(self) -> bool:
+        """Whether the level hides it in the editor."""
+        return False
+
     @api
     def is_hidden_ed(self) -> bool:
         """Whether the editor hides it."""
@@ -162,6 +176,12 @@ class Actor(Object):
         """Hide in the game and in pictures."""
         self.set_editor_property("hidden", new_hidden)
 
+    @deprecated("'set_actor_hidden' was renamed to 'set_actor_hidden_in_game'.")
+    @api
+    def set_actor_hidden(self, new_hidden: bool) -> None:
+        """Hide in the game and in pictures."""
+        self.set_actor_hidden_in_game(new_hidden)
+
     @api
     def set_actor_enable_collision(self, new_actor_enable_collision: bool) -> None:
         """Switch the collision of all components."""
@@ -174,171 +194,14 @@ class Actor(Object):
         return bool(self._values.get("actor_enable_collision", True))
 
     @api
-    def destroy_actor(self) -> bool:
+    def destroy_actor(self) -> None:
         """Take the actor out of the level."""
-        return world().destroy(self)
+        world().destroy(self)
 
     @api
     def get_level(self) -> Any:
         """The level."""
         return world().map.get_level()
-
-    # transforms
-
-    @api
-    def get_actor_location(self) -> Vector:
-        """World location in cm."""
-        return Vector(*self._pose().location)
-
-    @api
-    def get_actor_rotation(self) -> Rotator:
-        """World rotation in degrees."""
-        return Rotator._of(self._pose().rotation_deg)
-
-    @api
-    def get_actor_scale3d(self) -> Vector:
-        """World scale."""
-        return Vector(*self._pose().scale)
-
-    @api
-    def get_actor_relative_scale3d(self) -> Vector:
-        """Scale relative to the parent."""
-        return Vector(*self._root()._relative.scale)
-
-    @api
-    def get_actor_transform(self) -> Transform:
-        """World transform."""
-        return Transform._of(self._pose())
-
-    @api
-    def get_actor_forward_vector(self) -> Vector:
-        """World direction of +X."""
-        return self.get_actor_rotation().get_forward_vector()
-
-    @api
-    def get_actor_right_vector(self) -> Vector:
-        """World direction of +Y."""
-        return self.get_actor_rotation().get_right_vector()
-
-    @api
-    def get_actor_up_vector(self) -> Vector:
-        """World direction of +Z."""
-        return self.get_actor_rotation().get_up_vector()
-
-    @api
-    def set_actor_location(self, new_location: Vector, sweep: bool, teleport: bool) -> None:
-        """Move (nothing is swept here: no hit is returned)."""
-        self._move(self._pose().moved(new_location._triple()))
-
-    @api
-    def set_actor_rotation(self, new_rotation: Rotator, teleport_physics: bool) -> bool:
-        """Turn."""
-        self._move(self._pose().turned(new_rotation._triple()))
-        return True
-
-    @api
-    def set_actor_scale3d(self, new_scale3d: Vector) -> None:
-        """Scale."""
-        self._move(self._pose().rescaled(new_scale3d._triple()))
-
-    @api
-    def set_actor_location_and_rotation(self, new_location: Vector, new_rotation: Rotator, sweep: bool,
-                                        teleport: bool) -> None:
-        """Move and turn."""
-        self._move(self._pose().moved(new_location._triple()).turned(new_rotation._triple()))
-
-    @api
-    def set_actor_transform(self, new_transform: Transform, sweep: bool, teleport: bool) -> None:
-        """Place."""
-        self._move(new_transform._pose())
-
-    @api
-    def set_actor_relative_location(self, new_relative_location: Vector, sweep: bool, teleport: bool) -> None:
-        """Place relative to the parent."""
-        self._root()._set_relative_location(new_relative_location)
-
-    @api
-    def set_actor_relative_rotation(self, new_relative_rotation: Rotator, sweep: bool, teleport: bool) -> None:
-        """Turn relative to the parent."""
-        self._root()._set_relative_rotation(new_relative_rotation)
-
-    @api
-    def set_actor_relative_scale3d(self, new_relative_scale: Vector) -> None:
-        """Scale relative to the parent."""
-        self._root()._set_relative_scale(new_relative_scale)
-
-    @api
-    def add_actor_world_offset(self, delta_location: Vector, sweep: bool, teleport: bool) -> None:
-        """Move by an offset."""
-        self._move(self._pose().moved((Vector(*self._pose().location) + delta_location)._triple()))
-
-    @api
-    def add_actor_world_rotation(self, delta_rotation: Rotator, sweep: bool, teleport: bool) -> None:
-        """Turn by a rotation given in world axes."""
-        self._move(self._pose().turned(self.get_actor_rotation().combine(delta_rotation)._triple()))
-
-    @api
-    def add_actor_local_offset(self, delta_location: Vector, sweep: bool, teleport: bool) -> None:
-        """Move by an offset given in the actor's axes."""
-        turned = delta_location.rotate(self.get_actor_rotation())
-        self._move(self._pose().moved((Vector(*self._pose().location) + turned)._triple()))
-
-    @api
-    def add_actor_local_rotation(self, delta_rotation: Rotator, sweep: bool, teleport: bool) -> None:
-        """Turn by a rotation given in the actor's axes."""
-        self._move(self._pose().turned(delta_rotation.combine(self.get_actor_rotation())._triple()))
-
-    @api
-    def get_distance_to(self, other_actor: Actor) -> float:
-        """Distance between origins in cm."""
-        return self.get_actor_location().distance(other_actor.get_actor_location())
-
-    # attachment
-
-    @api
-    def attach_to_actor(self, parent_actor: Actor, socket_name: Name | str, location_rule: AttachmentRule,
-                        rotation_rule: AttachmentRule, scale_rule: AttachmentRule,
-                        weld_simulated_bodies: bool = True) -> bool:
-        """Attach to another actor's root."""
-        return self._root().attach_to_component(parent_actor._root(), socket_name, location_rule, rotation_rule,
-                                                scale_rule, weld_simulated_bodies)
-
-    @api
-    def detach_from_actor(self, location_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
-                          rotation_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
-                          scale_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE) -> None:
-        """Detach."""
-        self._root().detach_from_component(location_rule, rotation_rule, scale_rule)
-
-    @api
-    def get_attach_parent_actor(self) -> Actor | None:
-        """The actor that this one is attached to."""
-        parent = self._root()._parent
-        owner: Any = parent._outer if parent is not None else None
-        return owner  # type: ignore[no-any-return]
-
-    @api
-    def get_attached_actors(self, reset_array: bool = True, recursively_include_attached_actors: bool = False) -> Array:
-        """Actors attached to this one."""
-        found: list[Any] = []
-        for component in self._components:
-            for child in component._children if isinstance(component, SceneComponent) else []:
-                owner: Any = child._outer
-                if owner is not self and owner not in found:
-                    found.append(owner)
-                    if recursively_include_attached_actors:
-                        found += [a for a in owner.get_attached_actors(True, True) if a not in found]
-        return Array._of("Actor", found)
-
-    @api
-    def get_parent_actor(self) -> Actor | None:
-        """The actor whose child-actor component made this one (none here)."""
-        return None
-
-    @api
-    def get_owner(self) -> Actor | None:
-        """The owner (none here)."""
-        return None
 
     # components and bounds
 
@@ -351,6 +214,12 @@ class Actor(Object):
     def get_component_by_class(self, component_class: Class | type | None = None) -> Any:
         """The first component of a class, or None."""
         found = self._of_kind(component_class)
+        return found[0] if found else None
+
+    @api
+    def find_component_by_tag(self, component_class: Class | type | None = None, tag: Name | str = "None") -> Any:
+        """The first component of a class with a tag, or None."""
+        found = [c for c in self._of_kind(component_class) if c.component_has_tag(tag)]
         return found[0] if found else None
 
     @api

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.components.base import ActorComponent, of_class
+from c4s.engine.headless.unreal.components.frames import Bounds, finite
 from c4s.engine.headless.unreal.components.instances import (
     HierarchicalInstancedStaticMeshComponent,
     InstancedStaticMeshComponent,
 )
 from c4s.engine.headless.unreal.components.meshes import MeshComponent, StaticMeshComponent
 from c4s.engine.headless.unreal.components.primitive import PrimitiveComponent
-from c4s.engine.headless.unreal.components.scene import Bounds, SceneComponent, finite
+from c4s.engine.headless.unreal.components.scene import SceneComponent
 
 __all__ = [
     "ActorComponent", "Bounds", "HierarchicalInstancedStaticMeshComponent", "InstancedStaticMeshComponent",

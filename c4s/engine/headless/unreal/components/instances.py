@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from c4s.engine.headless.pose import Pose, compose, relative_to
+from c4s.engine.headless.unreal.components.frames import Bounds, finite
 from c4s.engine.headless.unreal.components.meshes import StaticMeshComponent
-from c4s.engine.headless.unreal.components.scene import Bounds, finite
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Object, api, public
 from c4s.engine.headless.unreal.structs import Transform, Vector

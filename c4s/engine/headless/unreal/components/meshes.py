@@ -5,8 +5,8 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.assets import MaterialInstanceDynamic, MaterialInterface, StaticMesh
+from c4s.engine.headless.unreal.components.frames import Bounds
 from c4s.engine.headless.unreal.components.primitive import PrimitiveComponent
-from c4s.engine.headless.unreal.components.scene import Bounds
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Object, Prop, api, public
 from c4s.engine.headless.unreal.structs import Vector

@@ -5,28 +5,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
-from c4s.engine.headless.pose import IDENTITY, Pose, Triple, compose, relative_to
-from c4s.engine.headless.queries.changes import note
-from c4s.engine.headless.unreal.components.base import ActorComponent
-from c4s.engine.headless.unreal.containers import Name
-from c4s.engine.headless.unreal.core import Object, Prop, api, public
+from c4s.engine.headless.pose import IDENTITY, Pose, Triple, relative_to
+from c4s.engine.headless.unreal.components.moves import Moves
+from c4s.engine.headless.unreal.containers import Array, Name
+from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.enums import AttachmentRule, ComponentMobility, DetachmentRule
-from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
-from c4s.scene.level import Vector as Row
-
-Bounds = tuple[Row, Row]
-
-
-def finite(pose: Pose, what: Object) -> Pose:
-    """Refuse NaN and infinite transforms."""
-    if not pose.is_finite():
-        raise Exception(f"{what._name}: a transform must be finite numbers")
-    return pose
+from c4s.engine.headless.unreal.structs import Rotator, Vector
 
 
 @public
-class SceneComponent(ActorComponent):
+class SceneComponent(Moves):
     """A component with a transform; relative to its parent, in cm and degrees."""
 
     _declares = {
@@ -36,157 +26,6 @@ class SceneComponent(ActorComponent):
         "mobility": Prop("ComponentMobility", ComponentMobility.STATIC),
         "visible": Prop("bool", True), "hidden_in_game": Prop("bool", False),
     }
-
-    def _start(self, name: str, outer: Object | None) -> None:
-        super()._start(name, outer)
-        self._relative = IDENTITY
-        self._world: Pose | None = IDENTITY
-        self._parent: SceneComponent | None = None
-        self._children: list[SceneComponent] = []
-
-    def _world_pose(self) -> Pose:
-        if self._world is None:
-            parent = self._parent
-            self._world = self._relative if parent is None else compose(self._relative, parent._world_pose())
-        return self._world
-
-    def _stale(self) -> None:
-        self._world = None
-        note(self._outer)
-        for child in self._children:
-            child._stale()
-
-    def _set_relative(self, pose: Pose) -> None:
-        self._relative = finite(pose, self)
-        self._stale()
-        self._changed("relative_transform")
-
-    def _set_world(self, pose: Pose) -> None:
-        finite(pose, self)
-        self._set_relative(pose if self._parent is None else relative_to(pose, self._parent._world_pose()))
-        self._world = pose
-
-    def _attach(self, parent: SceneComponent | None) -> None:
-        if self._parent is not None:
-            self._parent._children.remove(self)
-        self._parent = parent
-        if parent is not None:
-            parent._children.append(self)
-        self._stale()
-
-    def _get_relative_location(self) -> Vector:
-        return Vector(*self._relative.location)
-
-    def _set_relative_location(self, value: Vector) -> None:
-        self._set_relative(self._relative.moved(value._triple()))
-
-    def _get_relative_rotation(self) -> Rotator:
-        return Rotator._of(self._relative.rotation_deg)
-
-    def _set_relative_rotation(self, value: Rotator) -> None:
-        self._set_relative(self._relative.turned(value._triple()))
-
-    def _get_relative_scale(self) -> Vector:
-        return Vector(*self._relative.scale)
-
-    def _set_relative_scale(self, value: Vector) -> None:
-        self._set_relative(self._relative.rescaled(value._triple()))
-
-    def _local_bounds(self) -> Bounds | None:
-        """Local AABB (cm) of what has an extent, or None."""
-        return None
-
-    @api
-    def get_world_location(self) -> Vector:
-        """World location in cm."""
-        return Vector(*self._world_pose().location)
-
-    @api
-    def get_world_rotation(self) -> Rotator:
-        """World rotation in degrees."""
-        return Rotator._of(self._world_pose().rotation_deg)
-
-    @api
-    def get_world_scale(self) -> Vector:
-        """World scale."""
-        return Vector(*self._world_pose().scale)
-
-    @api
-    def get_world_transform(self) -> Transform:
-        """World transform."""
-        return Transform._of(self._world_pose())
-
-    @api
-    def get_relative_transform(self) -> Transform:
-        """Transform relative to the parent."""
-        return Transform._of(self._relative)
-
-    @api
-    def get_forward_vector(self) -> Vector:
-        """World direction of +X."""
-        return self.get_world_rotation().get_forward_vector()
-
-    @api
-    def get_right_vector(self) -> Vector:
-        """World direction of +Y."""
-        return self.get_world_rotation().get_right_vector()
-
-    @api
-    def get_up_vector(self) -> Vector:
-        """World direction of +Z."""
-        return self.get_world_rotation().get_up_vector()
-
-    @api
-    def set_world_location(self, new_location: Vector, sweep: bool, teleport: bool) -> None:
-        """Move in the world (nothing is swept here: no hit is returned)."""
-        self._set_world(self._world_pose().moved(new_location._triple()))
-
-    @api
-    def set_world_rotation(self, new_rotation: Rotator, sweep: bool, teleport: bool) -> None:
-        """Turn in the world."""
-        self._set_world(self._world_pose().turned(new_rotation._triple()))
-
-    @api
-    def set_world_location_and_rotation(self, new_location: Vector, new_rotation: Rotator, sweep: bool,
-                                        teleport: bool) -> None:
-        """Move and turn in the world."""
-        self._set_world(self._world_pose().moved(new_location._triple()).turned(new_rotation._triple()))
-
-    @api
-    def set_world_scale3d(self, new_scale: Vector) -> None:
-        """Scale in the world."""
-        self._set_world(self._world_pose().rescaled(new_scale._triple()))
-
-    @api
-    def set_world_transform(self, new_transform: Transform, sweep: bool, teleport: bool) -> None:
-        """Place in the world."""
-        self._set_world(new_transform._pose())
-
-    @api
-    def add_world_offset(self, delta_location: Vector, sweep: bool, teleport: bool) -> None:
-        """Move by an offset in the world."""
-        self._set_world(self._world_pose().moved(
-            (Vector(*self._world_pose().location) + delta_location)._triple()))
-
-    @api
-    def set_relative_location(self, new_location: Vector, sweep: bool, teleport: bool) -> None:
-        """Place relative to the parent."""
-        self._set_relative_location(new_location)
-
-    @api
-    def set_relative_rotation(self, new_rotation: Rotator, sweep: bool, teleport: bool) -> None:
-        """Turn relative to the parent."""
-        self._set_relative_rotation(new_rotation)
-
-    @api
-    def set_relative_scale3d(self, new_scale3d: Vector) -> None:
-        """Scale relative to the parent."""
-        self._set_relative_scale(new_scale3d)
-
-    @api
-    def set_relative_transform(self, new_transform: Transform, sweep: bool, teleport: bool) -> None:
-        """Place, turn and scale relative to the parent."""
-        self._set_relative(new_transform._pose())
 
     @api
     def set_mobility(self, new_mobility: ComponentMobility) -> None:
@@ -207,9 +46,70 @@ class SceneComponent(ActorComponent):
         return bool(self.get_editor_property("visible"))
 
     @api
+    def toggle_visibility(self, propagate_to_children: bool = False) -> None:
+        """Show what is hidden, hide what is shown."""
+        self.set_visibility(not self.get_editor_property("visible"), propagate_to_children)
+
+    @api
     def set_hidden_in_game(self, new_hidden: bool, propagate_to_children: bool = False) -> None:
         """Hide in the game."""
         self.set_editor_property("hidden_in_game", new_hidden)
+        if propagate_to_children:
+            for child in self._children:
+                child.set_hidden_in_game(new_hidden, True)
+
+    @api
+    def get_children_components(self, include_all_descendants: bool) -> Array:
+        """Attached components."""
+        found: list[Any] = []
+        for child in self._children:
+            found += [child, *(child.get_children_components(True) if include_all_descendants else [])]
+        return Array._of("SceneComponent", found)
+
+    @api
+    def get_parent_components(self) -> Array:
+        """The components that this one is attached to, nearest first."""
+        found: list[Any] = []
+        above = self._parent
+        while above is not None:
+            found.append(above)
+            above = above._parent
+        return Array._of("SceneComponent", found)
+
+    @api
+    def get_attach_socket_name(self) -> Name:
+        """Sockets do not exist here."""
+        return Name()
+
+    @api
+    def does_socket_exist(self, socket_name: Name | str) -> bool:
+        """Sockets do not exist here."""
+        return False
+
+    @api
+    def get_all_socket_names(self) -> Array:
+        """Sockets do not exist here."""
+        return Array._of("Name", [])
+
+    @api
+    def get_socket_location(self, socket_name: Name | str) -> Vector:
+        """Place of a socket: the component's own, as for any unknown socket."""
+        return self.get_world_location()
+
+    @api
+    def get_socket_rotation(self, socket_name: Name | str) -> Rotator:
+        """Rotation of a socket: the component's own, as for any unknown socket."""
+        return self.get_world_rotation()
+
+    @api
+    def get_component_velocity(self) -> Vector:
+        """Nothing moves by itself."""
+        return Vector()
+
+    @api
+    def is_simulating_physics(self, bone_name: Name | str = "None") -> bool:
+        """There are no dynamics."""
+        return False
 
     @api
     def get_attach_parent(self) -> SceneComponent | None:
