@@ -5,8 +5,8 @@ the same convex bodies as meshes in world space). A sample of pairs is compared 
 difference of the two bodies.
 
 Cold: the process has built no shape yet. Warm: the same process looks at the scene again after a tenth of the actors
-has moved. Kept are the shapes alone (hulls under their scales); every pose, pair and depth is computed anew. CPU seconds
-are given beside those of the clock, since another program on the machine changes only the latter.
+has moved. Kept are the shapes alone (hulls under their scales); every pose, pair and depth is computed anew. CPU time
+is given beside the clock, since another program on the machine changes only the latter.
 """
 
 from __future__ import annotations

@@ -14,6 +14,7 @@ from oracle import exact_depth
 from scipy.spatial import ConvexHull
 
 from c4s.collision import contacts
+from c4s.collision.depth import PROOF_CM
 from c4s.scene.transform import affine
 
 BOX = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
@@ -63,7 +64,7 @@ def test_any_two_kinds_equal_the_minkowski_difference(seed, first, second, far):
         meshes[name] = record
         actors.append(actor(name, name, location + np.array([far, -far, far]), turn, scale))
         cores.append(core @ affine((0, 0, 0), turn, scale)[:3, :3].T + location)
-    assert measured(meshes, *actors) == pytest.approx(exact_depth(*cores, radii), abs=2e-5)
+    assert measured(meshes, *actors) == pytest.approx(exact_depth(*cores, radii), abs=PROOF_CM)
 
 
 @settings(max_examples=100, deadline=None)
@@ -76,7 +77,7 @@ def test_boxes_in_closed_form_equal_coal_on_the_same_hulls(seed, turn):
     boxes = {str(k): [{"kind": "box", "center": [0, 0, 0], "half_extent": half[k].tolist()}] for k in range(2)}
     hulls = {str(k): [{"kind": "hull", "vertices": (BOX * half[k]).tolist()}] for k in range(2)}
     actors = [actor(f"A{k}", str(k), *places[k]) for k in range(2)]
-    assert measured(boxes, *actors) == pytest.approx(measured(hulls, *actors), abs=1e-5)
+    assert measured(boxes, *actors) == pytest.approx(measured(hulls, *actors), abs=PROOF_CM)
 
 
 @pytest.mark.parametrize("corners", [150, 400])
