@@ -17,9 +17,7 @@ from c4s.score.case import case_score
 from c4s.score.detailed import detailed_from_report
 from c4s.score.overview import overview_score
 from c4s.score.physics import physics_from_report
-from c4s.score.policy import PHYSICS_POLICY, SEMANTIC_CASE_POLICY
-from c4s.verify.integrity import INTEGRITY_POLICY
-from c4s.verify.overview import POLICY as OVERVIEW_POLICY
+from c4s.score.policy import INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY
 from c4s.verify.repair import repair_verdict
 from c4s.verify.snapshot_schema import scene_fault
 from c4s.verify.support import text_to_scene_support
@@ -138,9 +136,9 @@ def _overview(bundle: EvidenceBundle) -> Verdict:
     overview = bundle.manifest.overview
     found = bundle.json(overview.judgement) if overview and overview.judgement else None
     if not found:
-        return _semantic("overview", OVERVIEW_POLICY, {"status": "missing", "score": None})
+        return _semantic("overview", OVERVIEW_RULE_POLICY, {"status": "missing", "score": None})
     if not isinstance(found, Mapping) or not isinstance(found.get("dimension_scores"), Mapping):
         raise BadInput("the overview judgement has no dimension_scores", where=str(bundle.root))
-    return _semantic("overview", OVERVIEW_POLICY, overview_score(
+    return _semantic("overview", OVERVIEW_RULE_POLICY, overview_score(
         found["dimension_scores"], found.get("structural_integrity_score"),
         bool(found.get("severe_structural_cap_eligible"))))

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from c4s.cli.batches import write_rows
-from c4s.cli.output import cell, print_json, print_table
+from c4s.cli.output import print_json, print_table
 from c4s.errors import BadInput
 from c4s.home import runs_root
 from c4s.run.folder import RunFolder
@@ -32,6 +32,11 @@ def score(run: Annotated[str | None, typer.Argument(help="run id or run folder t
         _rescore(run, policy, json_output)
 
 
+def _exact(value: float | None) -> str:
+    """Six decimals, so that a change in the last published digit is seen."""
+    return "–" if value is None else f"{value:.6f}"
+
+
 def _rescore(run: str, policy: str, json_output: bool) -> None:
     from c4s.score.policies import policy_named
     from c4s.score.rescore import rescore
@@ -53,6 +58,7 @@ def _rescore(run: str, policy: str, json_output: bool) -> None:
     deltas = report["deltas"]
     if deltas:
         print_table(["trial", "component", "stored", "new"],
-                    [[row["trial"], row["component"], cell(row["from"]), cell(row["to"])] for row in deltas[:SHOWN]])
+                    [[row["trial"], row["component"], _exact(row["from"]), _exact(row["to"])]
+                     for row in deltas[:SHOWN]])
     if len(deltas) > SHOWN:
         print(f"and {len(deltas) - SHOWN} more; --json lists all")

@@ -1,6 +1,9 @@
-"""Weights, caps and rule identifiers of the scores, as data. Ids are the published ones where they exist.
+"""Weights, caps, tolerances and rule identifiers of verdicts and scores, as data. Ids are the published ones where they
+exist.
 
-Sources: paper, "Score Aggregation and Reporting" and the adopted weights table; scorer facts 5 to 7.
+Sources: paper, "Physical Safety", "Score Aggregation and Reporting" and the adopted weights table; scorer facts 3 to 7.
+The limits and ids of Actor Repair F1 are in ``c4s/verify/repair/policy.py``, the word lists of the physics roles beside
+their rules in ``c4s/verify/roles.py``.
 """
 
 from __future__ import annotations
@@ -61,8 +64,28 @@ PHYSICS_LEAVES: Final[dict[str, Direction]] = {"floating": "lower_is_better",
 """The two leaves, with the direction of a raw score where the report does not tell it."""
 T2S_FLOATING_METRIC: Final = "t2s-aabb-floating-contact-5cm.v2"
 """Id of the support rule that replaces the recorded floating leaf in text-to-scene."""
+I2S_FLOATING_METRIC: Final = "i2s-edited-support-5cm"
+PENETRATION_METRIC: Final = "eligible_actor_collision_free_rate_v3"
+ROLE_POLICY: Final = "deterministic_scene_relative_physics_roles_v1"
 PHYSICS_LEAF_WEIGHTS: Final = {"floating": 0.5, "solid_penetration": 0.5}
 PHYSICS_DIGITS: Final = 4
+GAP_CM: Final = 5.0
+"""Support tolerance of both settings, inclusive."""
+TINY_CM: Final = 1.0
+"""Actors whose three half extents are all below this are degenerate helpers; plan half extents are at least this."""
+FIXED_TOLERANCE_CM: Final = 5.0
+"""Penetration: the tolerance in image-to-scene, and the least one in text-to-scene."""
+MAXIMUM_TOLERANCE_CM: Final = 50.0
+TOLERANCE_SHARE: Final = 0.05
+"""Of an actor's shortest box side, which counts as at least ``SHORTEST_SPAN_CM``."""
+SHORTEST_SPAN_CM: Final = 10.0
+
+INTEGRITY_POLICY: Final = "c4s.integrity.v1"
+SNAPSHOT_SCHEMA: Final = "0.3."
+"""Start of the schema versions that are read."""
+ENGINE_ROOTS: Final = ("/engine/", "/script/", "/temp/", "/paper2d/")
+"""Package roots (lower case) that the frozen dependency policy leaves to the engine: they are not followed."""
+OVERVIEW_RULE_POLICY: Final = "overview-rule-judge.v1"
 
 UNUSABLE_STATUSES: Final = frozenset({"blocked", "error", "invalid", "not_evaluated", "refused", "unavailable"})
 """A semantic report with such a status (any case) has no score; all other statuses are used."""

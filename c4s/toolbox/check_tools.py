@@ -18,12 +18,13 @@ import numpy as np
 from PIL import Image
 
 from c4s.collision import contacts, scene_bodies
+from c4s.score.policy import GAP_CM
 from c4s.toolbox.gaps import gaps_below
 from c4s.toolbox.tool import Arguments, Tool, ToolRefused, ToolResult, names, number, text
 from c4s.toolbox.workbench import Workbench
 from c4s.verify.physics import verify_physics
 from c4s.verify.roles import bounds_of, roles
-from c4s.verify.support import GAP_CM, excluded_by_name
+from c4s.verify.support import excluded_by_name
 
 GROUP = "Verification"
 WIDTH, HEIGHT = 1280, 720

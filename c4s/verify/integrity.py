@@ -16,19 +16,16 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Literal, TypeAlias
 
 from c4s.model import Record
+from c4s.score.policy import ENGINE_ROOTS, INTEGRITY_POLICY, SNAPSHOT_SCHEMA
 from c4s.verify.repair.kinds import is_semantic, short_class
 from c4s.verify.snapshot_schema import scene_fault
 from c4s.verify.verdict import Verdict
 
-INTEGRITY_POLICY = "c4s.integrity.v1"
 ReasonCode: TypeAlias = Literal["unloadable", "snapshot_schema", "minimum_actors", "unresolved_dependencies",
                                 "manifest_disagreement", "scorer_manifest", "evidence_missing",
                                 "export_failed"]
 _EVALUATOR_FAULTS = frozenset({"scorer_manifest", "evidence_missing", "export_failed"})
 _ENGINE_OWNED = frozenset({"worldsettings", "brush", "defaultphysicsvolume", "levelbounds"})
-_ENGINE_ROOTS = ("/engine/", "/script/", "/temp/", "/paper2d/")
-"""Package roots (lower case) that the frozen dependency policy leaves to the engine: they are not followed."""
-_SCHEMA = "0.3."
 _LISTED = 20
 
 
@@ -58,8 +55,8 @@ def _schema_fault(snapshot: Any) -> str:
     if not isinstance(snapshot, Mapping):
         return "the snapshot is not an object"
     version = snapshot.get("schema_version")
-    if not isinstance(version, str) or not version.startswith(_SCHEMA):
-        return f"schema_version is {version!r}, not {_SCHEMA}x"
+    if not isinstance(version, str) or not version.startswith(SNAPSHOT_SCHEMA):
+        return f"schema_version is {version!r}, not {SNAPSHOT_SCHEMA}x"
     if snapshot.get("units") != "cm":
         return f"units are {snapshot.get('units')!r}, not 'cm'"
     return scene_fault(snapshot)
@@ -81,7 +78,7 @@ def unresolved_packages(dependencies: Mapping[str, Any], tolerated: Iterable[str
     known = {_package(name).casefold() for name in tolerated}
     names = {_package(entry) for entry in dependencies.get("unresolved") or ()}
     return sorted(name for name in names if name and name.casefold() not in known
-                  and not name.casefold().startswith(_ENGINE_ROOTS))
+                  and not name.casefold().startswith(ENGINE_ROOTS))
 
 
 def _disagreement(side: str, digests: Mapping[str, str], frozen: Mapping[str, str]) -> str:

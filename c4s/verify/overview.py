@@ -11,10 +11,8 @@ from c4s.judge.requirements import Requirements, read_requirements
 from c4s.judge.rule import RuleJudge
 from c4s.judge.views import read_views
 from c4s.score.overview import overview_score
-from c4s.score.policy import OVERVIEW_VIEWS
+from c4s.score.policy import OVERVIEW_RULE_POLICY, OVERVIEW_VIEWS
 from c4s.verify.verdict import Verdict
-
-POLICY = "overview-rule-judge.v1"
 
 
 def verify_overview(bundle_or_prompt: Mapping[str, Any] | str, snapshot: Mapping[str, Any],
@@ -33,7 +31,8 @@ def verify_overview(bundle_or_prompt: Mapping[str, Any] | str, snapshot: Mapping
         else read_requirements(bundle_or_prompt)
     views = read_views(captures)
     if views is None or views.count != OVERVIEW_VIEWS:
-        return Verdict(verifier="overview", status="not_evaluated", policy=POLICY, measurements={"judge": "rule"},
+        return Verdict(verifier="overview", status="not_evaluated", policy=OVERVIEW_RULE_POLICY,
+                       measurements={"judge": "rule"},
                        reason=f"needs {OVERVIEW_VIEWS} overview views with actor masks, "
                               f"has {views.count if views else 0}")
     judge = RuleJudge(requirements, snapshot, catalog)
@@ -43,7 +42,7 @@ def verify_overview(bundle_or_prompt: Mapping[str, Any] | str, snapshot: Mapping
     total = overview_score(scores, structure.value, False)
     unknown = [f"{name}.{part.name}" for name, rows in parts.items() for part in rows if not part.known]
     return Verdict(
-        verifier="overview", status="measured", score=total["score"], policy=POLICY,
+        verifier="overview", status="measured", score=total["score"], policy=OVERVIEW_RULE_POLICY,
         measurements={"judge": "rule", **{key: value for key, value in total.items() if key not in ("status", "score")},
                       "dimensions": {name: {"score": scores[name], "parts": [_part(part) for part in rows]}
                                      for name, rows in parts.items()},

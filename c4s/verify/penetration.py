@@ -14,12 +14,8 @@ from typing import Any
 import numpy as np
 
 from c4s.collision import NOISE_CM, Contact, SceneBodies
+from c4s.score.policy import FIXED_TOLERANCE_CM, MAXIMUM_TOLERANCE_CM, SHORTEST_SPAN_CM, TOLERANCE_SHARE
 from c4s.verify.roles import Role, bounds_of
-
-FIXED_TOLERANCE_CM = 5.0
-MAXIMUM_TOLERANCE_CM = 50.0
-TOLERANCE_SHARE = 0.05
-SHORTEST_SPAN_CM = 10.0
 
 
 @dataclass(frozen=True)

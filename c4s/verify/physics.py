@@ -12,11 +12,19 @@ import numpy as np
 from c4s.collision import Contact, SceneBodies, scene_bodies, scene_contacts
 from c4s.errors import BadInput
 from c4s.score.physics import physics_from_report
-from c4s.score.policy import PHYSICS_POLICY
+from c4s.score.policy import (
+    FIXED_TOLERANCE_CM,
+    GAP_CM,
+    I2S_FLOATING_METRIC,
+    PENETRATION_METRIC,
+    PHYSICS_POLICY,
+    ROLE_POLICY,
+    T2S_FLOATING_METRIC,
+)
 from c4s.verify.edited import edited_actors
-from c4s.verify.penetration import FIXED_TOLERANCE_CM, Penetration, penetration
-from c4s.verify.roles import ROLE_POLICY, Role, bounds_of, needs_no_support, roles
-from c4s.verify.support import GAP_CM, Support, edited_support, excluded_by_label, text_to_scene_support
+from c4s.verify.penetration import Penetration, penetration
+from c4s.verify.roles import Role, bounds_of, needs_no_support, roles
+from c4s.verify.support import Support, edited_support, excluded_by_label, text_to_scene_support
 from c4s.verify.support_advisories import support_advisories
 from c4s.verify.verdict import Verdict
 
@@ -100,7 +108,7 @@ def _scene_floating(snapshot: Mapping[str, Any]) -> Leaf:
               if state == "floating"]
     status, score = ("measured", support.rate) if support.evaluated else _empty(len(support.per_actor), 0.0)
     return _floating(status, score, support.evaluated, 0, failed,
-                     metric="t2s-aabb-floating-contact-5cm.v2", excluded=support.per_actor.count("excluded"))
+                     metric=T2S_FLOATING_METRIC, excluded=support.per_actor.count("excluded"))
 
 
 def _edited_floating(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], scene: SceneBodies,
@@ -124,7 +132,7 @@ def _edited_floating(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], 
         status, score = "not_evaluated", None
     else:
         status, score = "measured", len(failed) / evaluated
-    return _floating(status, score, evaluated, len(unresolved), failed, metric="i2s-edited-support-5cm",
+    return _floating(status, score, evaluated, len(unresolved), failed, metric=I2S_FLOATING_METRIC,
                      gap_cm=GAP_CM, unresolved_actors=unresolved)
 
 
@@ -149,7 +157,7 @@ def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int]
     state = (dict.fromkeys(judged.violators, "violating") | dict.fromkeys(judged.clean, "clean")
              | dict.fromkeys(judged.unresolved, "unresolved"))
     return _leaf(
-        "solid_penetration", status, score, "higher_is_better", evaluated=evaluated,
+        "solid_penetration", status, score, "higher_is_better", metric=PENETRATION_METRIC, evaluated=evaluated,
         unresolved=len(judged.unresolved), failed=len(judged.violators),
         violations=[{"actor": _name(actors[i]), "tolerance_cm": judged.tolerances_cm[i],
                      "contacts": _contact_rows(actors, deep)}

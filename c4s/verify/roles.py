@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from c4s.verify.support import measured_vector
 
 Role = Literal["non_solid", "unresolved", "support_surface", "environment_proxy", "scored_solid"]
-ROLE_POLICY = "deterministic_scene_relative_physics_roles_v1"
 
 EFFECT_WORDS = frozenset({"emitter", "fire", "flame", "fxsystem", "niagara", "particle", "particles", "vfx"})
 """As a whole word in any of an actor's strings, folders and materials included."""

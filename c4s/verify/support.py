@@ -21,11 +21,8 @@ import shapely
 from c4s.collision.contacts import DepthMeter
 from c4s.collision.scene import SceneBodies
 from c4s.collision.shapes import Array, Body, box_body
+from c4s.score.policy import GAP_CM, TINY_CM
 
-GAP_CM = 5.0
-"""Support tolerance of both settings, inclusive."""
-TINY_CM = 1.0
-"""Actors whose three half extents are all below this are degenerate helpers; plan half extents are at least this."""
 EXCLUDED_CLASSES = frozenset({
     "directionallight", "skylight", "skyatmosphere", "exponentialheightfog", "worldsettings", "playerstart",
     "cameraactor", "reflectioncapture", "brush", "navmeshboundingvolume", "postprocessvolume"})

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from c4s.score.policy import GAP_CM, TINY_CM
 from c4s.verify.roles import is_non_solid
-from c4s.verify.support import GAP_CM, TINY_CM, Support
+from c4s.verify.support import Support
 
 
 def support_advisories(snapshot: Mapping[str, Any], support: Support) -> list[dict[str, Any]]:

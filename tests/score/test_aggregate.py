@@ -81,8 +81,8 @@ def test_severe_cap_needs_certainty_two_views_and_words() -> None:
     good: dict[str, Any] = {"severe": True, "confidence": 0.8, "views": [0, 2], "categories": ["gap"],
                             "issues": ["a wall floats"]}
     assert severe_cap_eligible(**good)
-    changes: list[dict[str, Any]] = [{"severe": False}, {"confidence": 0.79}, {"views": [1, 1]}, {"views": []}, {"categories": []},
-                                     {"issues": [" "]}]
+    changes: list[dict[str, Any]] = [{"severe": False}, {"confidence": 0.79}, {"views": [1, 1]}, {"views": []},
+                                     {"categories": []}, {"issues": [" "]}]
     for change in changes:
         assert not severe_cap_eligible(**(good | change))
     dimensions = dict.fromkeys(("global_prompt_alignment", "composition_and_layout", "style_atmosphere_coherence",

@@ -22,7 +22,8 @@ from tests.verify_repair.repair_scenes import actor, scene
 
 SCALARS = st.sampled_from([None, True, False, 0, -1, 2, 0.5, -0.0, float("nan"), float("inf"), 10**400, "", "measured",
                            "logic", "\ud800", "\n"])
-ODD = SCALARS | st.lists(SCALARS, max_size=3) | st.dictionaries(st.sampled_from(["id", "score", "x"]), SCALARS, max_size=2)
+ODD = (SCALARS | st.lists(SCALARS, max_size=3)
+       | st.dictionaries(st.sampled_from(["id", "score", "x"]), SCALARS, max_size=2))
 LEAF = {"leaf_id": "floating", "status": "measured", "score": 0.5, "metadata": {"score_direction": "lower_is_better"}}
 DECISION = {"semantic_family": "content_quantity", "clause_index": 0, "effective_score": 0.5, "included": True,
             "predicate_weight": 1.0, "score_known": True, "unrounded_effective_score": 0.5}
@@ -116,7 +117,7 @@ def test_rows_are_read_one_at_a_time(tmp_path: Path) -> None:
         assert peak < 1_000_000 < 20_000 * len(line)
 
 
-def test_a_line_that_is_no_row_is_answered_and_stops_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_line_that_is_no_row_stops_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     good = {"name": "\ud800ü", "kind": "i2s_case", "input": {"valid": True, "repair_f1": 1, "physics_score": 1}}
     path = tmp_path / "rows.jsonl"
     path.write_text("\n".join(['{"name": "cut', json.dumps(good), "", "[1]", "NaN", json.dumps(good)]))

@@ -19,7 +19,7 @@ from c4s.files import digest_tree
 from c4s.run.folder import RunFolder
 from c4s.run.records import TrialScore
 from c4s.score.policies import POLICIES, PUBLISHED, ScorePolicy, policy_named
-from c4s.score.policy import FAMILY_WEIGHTS, I2S_WEIGHTS, PHYSICS_LEAF_WEIGHTS, T2S_WEIGHTS
+from c4s.score.policy import FAMILY_WEIGHTS, I2S_WEIGHTS, OVERVIEW_WEIGHTS, PHYSICS_LEAF_WEIGHTS, T2S_WEIGHTS
 from c4s.score.rescore import rescore
 from c4s.verify.verdict import Verdict
 
@@ -139,3 +139,25 @@ def test_ten_thousand_trials_a_minute(tmp_path: Path) -> None:
     found = rescore(root, POLICIES["strict-tolerance"]).report()
     assert found["trials"] == 300
     assert time.process_time() - began < 300 * 60 / 10_000
+
+
+def test_every_weight_of_a_policy_reaches_the_scores(run: Path) -> None:
+    style = ScorePolicy(policy_id="style-only", overview=dict.fromkeys(OVERVIEW_WEIGHTS, 0.0) | {
+        "style_atmosphere_coherence": 1.0})
+    found = list(rescore(run, style).deltas())
+    assert found and {delta.setting for delta in found} == {"text-to-scene"}
+    assert {delta.component for delta in found} == {"overview", "score"}
+    solid = ScorePolicy(policy_id="solid-text", text_physics_leaves={"floating": 0.0, "solid_penetration": 1.0})
+    moved = list(rescore(run, solid).deltas())
+    assert {delta.setting for delta in moved} == {"text-to-scene"}
+    assert {delta.component for delta in moved} == {"physics", "score"}
+    for name in ("human-fit-individual", "human-fit-consensus"):
+        assert {delta.setting for delta in rescore(run, POLICIES[name]).deltas()} == {"text-to-scene"}
+
+
+def test_the_table_shows_changes_of_the_last_digit(run: Path, tmp_path: Path) -> None:
+    policy = tmp_path / "near.yaml"
+    policy.write_text("policy_id: near\nimage_to_scene: {repair_f1: 0.79999, physics: 0.20001}\n")
+    done = _c4s("score", str(run), "--policy", str(policy))
+    rows = [line.split("│") for line in done.stdout.splitlines() if " score " in line and "/r1" in line]
+    assert rows and all(stored.strip() != new.strip() for _, _, stored, new in rows)

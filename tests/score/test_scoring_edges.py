@@ -126,7 +126,8 @@ class TestSemanticCase:
         ({"evaluation_status": "MATCH"}, 1.0, True), ({"evaluation_status": "MISMATCH"}, 0.0, True),
         ({"evaluation_status": "mismatch ", "score": 0.25}, 0.25, True), ({"verdict": "MATCH"}, 1.0, True),
         ({"evaluation_status": "MISMATCH", "score": True, "check": {"score": 0.5}}, 0.5, True),
-        ({"evaluation_status": "MATCH", "score": 1.5}, 1.0, True), ({"evaluation_status": "ERROR", "score": 1}, 0, False),
+        ({"evaluation_status": "MATCH", "score": 1.5}, 1.0, True),
+        ({"evaluation_status": "ERROR", "score": 1}, 0, False),
         ({"evaluation_status": "UNKNOWN"}, 0.0, False), ({}, 0.0, False)])
     def test_a_decision_has_its_score_or_none(self, row: dict[str, Any], value: float, known: bool) -> None:
         case = semantic({"predicate_type": "existence", **row})
@@ -168,7 +169,8 @@ class TestSemanticCase:
         assert rows["requirements"][0]["score_known"] is known
 
     @pytest.mark.parametrize(("row", "family"), [
-        ({"predicate_type": "presence"}, "content_quantity"), ({"predicate_type": " Material "}, "attributes_materials"),
+        ({"predicate_type": "presence"}, "content_quantity"),
+        ({"predicate_type": " Material "}, "attributes_materials"),
         ({"evaluation_binding": {"parameters": {"predicate_type": "boundary"}}}, "spatial_composition"),
         ({"predicate_type": "style_bundle"}, "identity_environment"),
         ({"predicate_type": "logic", "semantic_family": "Content_Quantity"}, "content_quantity")])

@@ -7,9 +7,18 @@ from pathlib import Path
 
 from c4s.score.batch import KINDS
 from c4s.score.policies import POLICIES
-from c4s.score.policy import CASE_POLICY, MODEL_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY, T2S_FLOATING_METRIC
-from c4s.verify.integrity import INTEGRITY_POLICY
-from c4s.verify.overview import POLICY as OVERVIEW_POLICY
+from c4s.score.policy import (
+    CASE_POLICY,
+    I2S_FLOATING_METRIC,
+    INTEGRITY_POLICY,
+    MODEL_POLICY,
+    OVERVIEW_RULE_POLICY,
+    PENETRATION_METRIC,
+    PHYSICS_POLICY,
+    ROLE_POLICY,
+    SEMANTIC_CASE_POLICY,
+    T2S_FLOATING_METRIC,
+)
 from c4s.verify.repair.policy import REPAIR_POLICY
 
 ROOT = Path(__file__).parents[2]
@@ -26,5 +35,6 @@ def test_every_advisory_is_explained_and_none_is_left_over() -> None:
 
 def test_every_id_is_on_the_page() -> None:
     ids = {*POLICIES, *KINDS, *CASE_POLICY.values(), MODEL_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY,
-           T2S_FLOATING_METRIC, INTEGRITY_POLICY, OVERVIEW_POLICY, REPAIR_POLICY}
+           T2S_FLOATING_METRIC, INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, REPAIR_POLICY, I2S_FLOATING_METRIC,
+           PENETRATION_METRIC, ROLE_POLICY}
     assert [name for name in sorted(ids) if f"`{name}`" not in PAGE] == []
