@@ -5,13 +5,13 @@ No agent code runs in these engines, and the submission is mounted read-only.
 
 from __future__ import annotations
 
-import os
 import shutil
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from c4s.engine.content import content_fault
 from c4s.engine.session import EngineCallError, EngineSession
 from c4s.errors import BadInput
 from c4s.files import digest_file, write_json
@@ -31,7 +31,7 @@ def collect(*, packs: Sequence[Path], submission_content: Path, package: str, ou
     What was in ``out`` is replaced as a whole. Raises ``BadInput`` when the level cannot be loaded, ``MachineryFault``
     when an engine fails.
     """
-    _no_links(submission_content)
+    _check(submission_content)
     with tempfile.TemporaryDirectory(prefix="c4s-evidence-") as folder:
         scratch, made = Path(folder) / "engine", Path(folder) / "evidence"
         made.mkdir()
@@ -77,15 +77,13 @@ def _export(engine: EngineSession, package: str) -> tuple[dict[str, Any], dict[s
         raise BadInput(f"the level cannot be exported: {error.what}", where=package) from error
 
 
-def _no_links(folder: Path) -> None:
-    """Refuse a submission with links or special files: they could lead to what it must not hold."""
+def _check(folder: Path) -> None:
+    """Refuse a submission with links, special files, or anything else that cannot be read as it is."""
     if not folder.is_dir():
         raise BadInput("no submission here", where=str(folder))
-    for place, folders, files in os.walk(folder):
-        for name in (*folders, *files):
-            path = Path(place, name)
-            if path.is_symlink() or not (path.is_dir() or path.is_file()):
-                raise BadInput("a submission may hold plain files only", where=str(path))
+    fault = content_fault(folder)
+    if fault is not None:
+        raise BadInput(f"a submission may hold plain files only: {fault}", where=str(folder))
 
 
 def _replace(made: Path, out: Path) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from c4s.engine.confine import Limits
@@ -25,14 +25,27 @@ class Watch:
             return f"it used more than {limits.memory >> 20} MiB of memory"
         if threads > limits.threads:
             return f"it started more than {limits.threads} threads"
-        size = 0
-        found = (entry for folder in self._folders for entry in _entries(folder))
-        for count, entry in enumerate(found, 1):
-            size += _size(entry)
-            if count > limits.files:
-                return f"it wrote more than {limits.files} files"
-            if size > limits.disk:
-                return f"its files take more than {limits.disk >> 20} MiB"
+        return next((found for folder in self._folders if (found := self._overfull(folder)) is not None), None)
+
+    def _overfull(self, folder: Path) -> str | None:
+        """The limit that the files below a folder pass. Links are not followed; what has just gone is left out."""
+        size = count = 0
+        waiting = [str(folder)]
+        while waiting:
+            try:
+                with os.scandir(waiting.pop()) as found:
+                    entries = list(found)
+            except FileNotFoundError:
+                continue
+            except OSError as error:
+                return f"its files cannot be looked at: {error.strerror}"
+            count += len(entries)
+            size += sum(_size(entry) for entry in entries)
+            if count > self._limits.files:
+                return f"it wrote more than {self._limits.files} files"
+            if size > self._limits.disk:
+                return f"its files take more than {self._limits.disk >> 20} MiB"
+            waiting += [entry.path for entry in entries if entry.is_dir(follow_symlinks=False)]
         return None
 
     def _usage(self) -> tuple[int, int]:
@@ -52,23 +65,9 @@ class Watch:
         return memory, threads
 
 
-def _entries(folder: Path) -> Iterator[os.DirEntry[str]]:
-    """All files and folders below, without following links. What goes away, or cannot be read, is left out."""
-    waiting = [str(folder)]
-    while waiting:
-        try:
-            with os.scandir(waiting.pop()) as found:
-                for entry in found:
-                    yield entry
-                    if entry.is_dir(follow_symlinks=False):
-                        waiting.append(entry.path)
-        except OSError:
-            continue
-
-
 def _size(entry: os.DirEntry[str]) -> int:
-    """Bytes that a file takes on the disk."""
+    """Bytes that a file takes on the disk; none when it has just gone."""
     try:
         return entry.stat(follow_symlinks=False).st_blocks * 512
-    except OSError:
+    except FileNotFoundError:
         return 0

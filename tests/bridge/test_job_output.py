@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 from c4s.engine.bridge import SocketBridge
-from c4s.engine.confine import Limits
 from c4s.engine.session import EngineDied, EngineSession
 
 STUCK = "import re\nprint('begun')\nre.match(r'(a+)+b', 'a' * 64)"
@@ -91,22 +90,6 @@ def test_a_waiting_job_is_abandoned_at_once(engine: EngineSession) -> None:
     engine.request("abandon_job", {"job_id": waiting["job_id"]})
     ended = engine.request("read_job_log", {"job_id": waiting["job_id"]})
     assert (ended["status"], ended["error"], ended["result"]["python_logs"]) == ("error", "abandoned", [])
-
-
-@pytest.mark.parametrize(("limits", "script", "reason"), [
-    (Limits(memory=600 << 20), "b = bytearray(900 << 20)\nfor i in range(0, len(b), 4096): b[i] = 1",
-     "more than 600 MiB of memory"),
-    (Limits(threads=40), "import threading\nfor _ in range(100): threading.Thread(target=threading.Event().wait,"
-     " daemon=True).start()", "more than 40 threads"),
-    (Limits(disk=64 << 20), "for i in range(4): open(f'big{i}', 'wb').write(bytes(range(256)) * (80 << 12))",
-     "files take more than 64 MiB"),
-    (Limits(files=500), "for i in range(1000): open(f'f{i}', 'w')", "more than 500 files"),
-])
-def test_an_engine_that_passes_a_limit_is_ended_with_the_reason(tmp_path: Path, limits: Limits, script: str,
-                                                                reason: str) -> None:
-    with (EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", limits=limits) as engine,
-          pytest.raises(EngineDied, match=reason)):
-        engine.execute(f"{script}\nwhile True: pass", timeout_s=30)
 
 
 def test_values_that_are_no_json_are_errors_of_their_call(shared_engine: EngineSession) -> None:

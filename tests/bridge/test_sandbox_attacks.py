@@ -2,81 +2,39 @@
 
 from __future__ import annotations
 
-import json
+import re
 from pathlib import Path
 
 import pytest
 
+from bench import attacks
 from c4s.engine import sandbox
-from c4s.engine.confine import Backend, Limits
+from c4s.engine.confine import Backend
 from c4s.engine.session import EngineSession
 from c4s.errors import BadInput, MachineryFault
 
-SECRET = "the withheld truth"
-ATTACKS = {
-    "read /etc/passwd": "open('/etc/passwd').read()",
-    "read /etc/shadow": "open('/etc/shadow').read()",
-    "read the truth": "open(TRUTH).read()",
-    "list the withheld folder": "os.listdir(os.path.dirname(TRUTH))",
-    "list the root's home": "os.listdir('/root/.ssh')",
-    "read the host's environment": "open(f'/proc/{os.getppid()}/environ').read()",
-    "read a process": "open('/proc/1/mem', 'rb').read(1)",
-    "write beside the truth": "open(TRUTH + '.new', 'w').write('x')",
-    "write into the library": "open(c4s.__file__, 'a').write('x')",
-    "write into site-packages": "open(os.path.join(os.path.dirname(numpy.__file__), 'evil.py'), 'w')",
-    "write into the pack's place": "open('/usr/lib/evil', 'w')",
-    "symbolic link to the truth": "os.symlink(TRUTH, 'link')",
-    "hard link to the truth": "os.link(TRUTH, 'link')",
-    "named pipe": "os.mkfifo('pipe')",
-    "tcp": "socket.create_connection(('127.0.0.1', 22), 1)",
-    "udp": "socket.socket(socket.AF_INET, socket.SOCK_DGRAM)",
-    "unix socket": "socket.socket(socket.AF_UNIX)",
-    "netlink": "socket.socket(socket.AF_NETLINK, socket.SOCK_RAW)",
-    "socket pair": "socket.socketpair()",
-    "fork": "os.fork()",
-    "run a program": "subprocess.run(['/usr/bin/id'])",
-    "become a program": "os.execv('/proc/self/exe', ['python'])",
-    "kill the host": "os.kill(max(os.getppid(), 1), 9)",
-    "kill everything": "os.kill(-1, 9)",
-    "trace": "fail(libc.ptrace(16, 1, 0, 0))",
-    "user namespace": "fail(libc.unshare(0x10000000))",
-    "mount": "fail(libc.mount(b'x', b'/tmp', b'tmpfs', 0, 0))",
-    "chroot": "os.chroot('.')",
-    "io_uring": "fail(libc.syscall(425, 8, ctypes.create_string_buffer(120)))",
-    "shared memory": "fail(libc.shmget(1, 4096, 0o1600))",
-    "raise a limit": "resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))",
-    "a limit of another process": "resource.prlimit(max(os.getppid(), 2), resource.RLIMIT_CPU, (1, 1))",
-    "too much memory": "bytearray(64 << 30)",
-    "too large a file": "open('big', 'wb').truncate(4 << 30)",
-}
-SCRIPT = """
-import ctypes, json, os, resource, socket, subprocess
-import numpy
-import c4s
-libc = ctypes.CDLL(None, use_errno=True)
-def fail(result):
-    if result != 0: raise OSError(ctypes.get_errno(), "refused")
-for name, attack in ATTACKS.items():
-    try:
-        print(json.dumps([name, "done", repr(eval(attack))[:80]]))
-    except BaseException as error:
-        print(json.dumps([name, "refused", repr(error)]))
-"""
+
+@pytest.fixture(scope="module", params=[
+    pytest.param(name, marks=pytest.mark.skipif(fault is not None, reason=f"{name}: {fault}"))
+    for name, fault in sandbox.faults().items()])
+def attacked(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> list[attacks.Result]:
+    """What became of the attacks that one engine survives."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("OPENAI_API_KEY", attacks.SECRET)
+        return list(attacks.refused(request.param, tmp_path_factory.mktemp("attacked")))
 
 
-def test_attacks_are_refused(tmp_path: Path, backend: Backend) -> None:
-    truth = tmp_path / "withheld" / "case" / "truth.level.json"
-    truth.parent.mkdir(parents=True)
-    truth.write_text(SECRET)
-    with EngineSession.start(packs=[], content=tmp_path / "agent" / "content", scratch=tmp_path / "agent" / "scratch",
-                             use=backend) as engine:
-        reply = engine.execute(f"TRUTH, ATTACKS = {str(truth)!r}, {ATTACKS!r}\n{SCRIPT}", timeout_s=60)
-    assert reply["status"] == "ok", reply
-    outcomes = [json.loads(line) for line in reply["result"]["python_logs"]]
-    assert {name for name, _, _ in outcomes} == set(ATTACKS)
-    assert [outcome for outcome in outcomes if outcome[1] != "refused"] == []
-    assert SECRET not in json.dumps(reply)
-    assert [path.name for path in truth.parent.iterdir()] == ["truth.level.json"] and truth.read_text() == SECRET
+def test_every_attack_is_refused(attacked: list[attacks.Result]) -> None:
+    assert {result.attack for result in attacked} == set(attacks.REFUSED)
+    assert [result for result in attacked if not result.failed] == []
+
+
+@pytest.mark.parametrize("attack", attacks.ENDED)
+def test_an_attack_that_exhausts_or_breaks_the_engine_ends_it(tmp_path: Path, attack: str) -> None:
+    usable = [name for name, fault in sandbox.faults().items() if fault is None]
+    backend = usable[list(attacks.ENDED).index(attack) % len(usable)]
+    result = attacks.ended(attack, backend, tmp_path)
+    assert result.failed and re.search(attacks.ENDED[attack][1], result.told), result
 
 
 def test_the_file_system_outside_cannot_be_altered_in_any_way(tmp_path: Path, backend: Backend) -> None:
@@ -107,12 +65,6 @@ def test_threads_and_numbers_work_inside(tmp_path: Path, backend: Backend) -> No
                                "print(sum(ThreadPoolExecutor(8).map(lambda n: n * n, range(10))), np.eye(3).trace())\n"
                                "with tempfile.TemporaryFile() as f: print(f.write(b'abc'))")
     assert reply["result"]["python_logs"] == ["285 3.0", "3"]
-
-
-def test_processor_time_is_limited(tmp_path: Path, backend: Backend) -> None:
-    with (EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", use=backend,
-                              limits=Limits(cpu_s=4)) as engine, pytest.raises(MachineryFault, match="engine ended")):
-        engine.execute("while True: pass", timeout_s=30)
 
 
 def test_without_a_sandbox_nothing_starts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
