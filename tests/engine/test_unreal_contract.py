@@ -152,7 +152,16 @@ COMMON = {
     "UnrealEditorSubsystem": "get_editor_world set_level_viewport_camera_info",
     "LevelEditorSubsystem": "save_current_level load_level new_level",
     "EditorLoadingAndSavingUtils": "save_map load_map save_dirty_packages",
-    "SystemLibrary": "execute_console_command get_engine_version line_trace_single quit_editor collect_garbage",
+    "SystemLibrary": "execute_console_command get_engine_version line_trace_single quit_editor collect_garbage "
+                     + " ".join(f"{shape}_trace_{number}{by}" for shape in ("line", "sphere", "box", "capsule")
+                                for number in ("single", "multi") for by in ("", "_for_objects", "_by_profile"))
+                     + " " + " ".join(f"{shape}_overlap_{what}" for shape in ("sphere", "box", "capsule", "component")
+                                      for what in ("actors", "components")),
+    "NavigationSystemV1": "get_navigation_system is_navigation_being_built project_point_to_navigation "
+                          "find_path_to_location_synchronously get_random_reachable_point_in_radius "
+                          "navigation_raycast get_path_length on_navigation_bounds_updated",
+    "PrimitiveComponent": "set_collision_enabled get_collision_response_to_channel get_collision_profile_name "
+                          "line_trace_component get_closest_point_on_collision ignore_component_when_moving",
     "GameplayStatics": "get_all_actors_of_class",
     "AssetRegistryHelpers": "get_asset_registry",
     "AssetToolsHelpers": "get_asset_tools",

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import coal
 import numpy as np
 
-from c4s.collision.contacts import DepthMeter
+from c4s.collision.depth import NUDGES_CM, DepthMeter
 from c4s.collision.shapes import Body, Shape
 from c4s.engine.headless.queries.solids import Array, surface_normal
 from c4s.engine.headless.queries.triangles import facing, segment_meets
@@ -68,7 +68,7 @@ class Advance:
             if not math.isfinite(gap) or not np.isfinite(normal).all():
                 return self._inside(a, b, direction) if turn == 0 else None
             if turn == 0 and gap < -TOUCH_CM:
-                return self._inside(a, b, direction, normal)
+                return self._inside(a, b, direction)
             approach = float(normal @ direction)
             if approach <= 1e-9:
                 return None
@@ -79,13 +79,28 @@ class Advance:
                 return None
         return SweepHit(travelled, point, -normal, surface_normal(b, point, direction, -normal))
 
-    def _inside(self, a: Body, b: Body, direction: Array, normal: Array | None = None) -> SweepHit | None:
+    def _inside(self, a: Body, b: Body, direction: Array) -> SweepHit | None:
         """A hit at the start, when the bodies do overlap."""
         depth = self.overlap(a, b)
         if depth <= TOUCH_CM:
             return None
-        out = -direction if normal is None else -normal
+        out = self._way_out(a, b, depth, direction)
         return SweepHit(0.0, a.translation, out, out, depth)
+
+    def _way_out(self, a: Body, b: Body, depth: float, direction: Array) -> Array:
+        """The direction in which a move by ``depth`` frees ``a``; straight back where none is found.
+
+        coal's normal has no sign where the core of a round body lies exactly on a face: such a pair is asked again
+        a hair's breadth apart, and every answer is tried.
+        """
+        for nudge in (np.zeros(3), *NUDGES_CM):
+            _, normal, _ = self.distance(a, b, nudge)
+            if not np.isfinite(normal).all():
+                continue
+            for out in (-normal, normal):
+                if self.distance(a, b, (depth + TOUCH_CM) * out)[0] >= -TOUCH_CM:
+                    return out
+        return -direction
 
     def sweep_triangles(self, a: Body, corners: Array, direction: Array, length: float) -> tuple[SweepHit, int] | None:
         """First of many triangles (n, 3, 3) that a moved body meets, with its row; nearest boxes are tried first."""

@@ -15,7 +15,7 @@ from c4s.engine.headless.unreal.core import Class, api
 from c4s.engine.headless.unreal.structs import Rotator, Vector
 from c4s.engine.headless.unreal.traces import casting
 from c4s.engine.headless.unreal.traces.hits import HitResult, returned
-from c4s.engine.headless.unreal.traces.state import CollisionState
+from c4s.engine.headless.unreal.traces.swept import SweptMoves
 
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.actors import Actor
@@ -35,7 +35,7 @@ def overlapped(component: Any) -> list[Any]:
     return list(dict.fromkeys(target.component for target in cast.overlaps(bodies, Wanted(answer))))
 
 
-class ComponentQueries(CollisionState):
+class ComponentQueries(SweptMoves):
     """Queries against a component's own geometry. Lengths in cm."""
 
     def _alone(self, triangles: bool) -> Wanted:
