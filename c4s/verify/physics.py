@@ -44,9 +44,7 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
     Without bodies and without ``contacts`` an actor is unresolved, and a leaf that rests on it is not evaluated.
     Raises ``BadInput`` for a scene without an actor list, and for image-to-scene without an input scene.
     """
-    actors = snapshot.get("actors")
-    if not isinstance(actors, list) or not all(isinstance(actor, Mapping) for actor in actors):
-        raise BadInput("the snapshot has no list of actors", todo="export the scene again")
+    actors = _actors_of(snapshot, "snapshot")
     role = roles(actors)
     scene = scene_bodies(snapshot)
     whole = setting == "text-to-scene"
@@ -56,6 +54,7 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
     else:
         if input_snapshot is None:
             raise BadInput("image-to-scene physics needs the input snapshot", where=setting)
+        _actors_of(input_snapshot, "input snapshot")
         chosen = edited_actors(snapshot, input_snapshot)
         floating = _edited_floating(actors, role, scene, chosen)
     if contacts is not None:
@@ -77,6 +76,13 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
                     **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())}},
         advisories=_advisories(actors, chosen, scored, judged, scene, (floating, solid))
         + (_support_oddities(snapshot, actors, scored) if whole else []))
+
+
+def _actors_of(snapshot: Mapping[str, Any], what: str) -> list[Mapping[str, Any]]:
+    actors = snapshot.get("actors")
+    if not isinstance(actors, list) or not all(isinstance(actor, Mapping) for actor in actors):
+        raise BadInput(f"the {what} has no list of actors", todo="export the scene again")
+    return actors
 
 
 def report(verdict: Verdict) -> dict[str, Any]:
