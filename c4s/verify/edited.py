@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from c4s.verify.repair.entries import Record, identity
 from c4s.verify.repair.difference import changed_fields
+from c4s.verify.repair.entries import Record, identity
 
 
 def edited_actors(snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any]) -> list[int]:
