@@ -23,13 +23,6 @@ BEYOND_THE_STUB = {
 }
 """Names that Unreal 5.6 does not have, each with the reason why ours does."""
 
-_SCENE_CAPTURE = "pictures of a real editor; the headless engine draws its own before this is reached"
-REAL_EDITOR_ONLY = dict.fromkeys((
-    "SceneCapture2D", "RenderingLibrary.create_render_target2d", "RenderingLibrary.export_render_target",
-    "RenderingLibrary.release_render_target2d", "TextureRenderTargetFormat.RTF_RGBA8",
-    "SceneCaptureSource.SCS_BASE_COLOR", "SceneCaptureSource.SCS_FINAL_COLOR_LDR"), _SCENE_CAPTURE)
-"""What editor scripts use of Unreal that the headless engine does not have, each with the reason."""
-
 OTHER_CONSTRUCTORS = {
     "ARFilter": "keywords only: the fields between those that exist here hold soft paths and sets, which do not",
     "StaticMaterial": "the first two fields: texture density and overlays do not exist here",
@@ -218,7 +211,7 @@ def test_editor_scripts_use_names_of_both_modules(stub, ours, script):
         label = f"{name}.{member}" if member else name
         here = name in ours and (not member or hasattr(ours[name], member))
         there = name in stub.functions() or (name in stub.classes() and (not member or stub.has(name, member)))
-        if not (here or label in REAL_EDITOR_ONLY) or not (there or label in BEYOND_THE_STUB):
+        if not here or not (there or label in BEYOND_THE_STUB):
             wrong.append(f"{script.name}:{line}: unreal.{label}")
     assert not wrong
 

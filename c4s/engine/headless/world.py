@@ -77,6 +77,8 @@ class World(AssetLibrary):
         self.actors: dict[str, Actor] = {}
         self.selection: list[Actor] = []
         self.dirty = False
+        self.transactions: list[str] = []
+        """Descriptions of the open transactions, the outermost first."""
         self._serials: dict[str, int] = {}
         self._labels: Counter[str] = Counter()
         self._spawns = 0
@@ -134,6 +136,15 @@ class World(AssetLibrary):
         if level.package != package:
             raise BadInput(f"the document calls itself {level.package}, not {package}", where=str(path))
         return self._open(package, level_io.build(self, level, package))
+
+    def copy_map(self, package: str) -> MapObject | None:
+        """Open an untitled copy of a level; None (and the old one stays) when there is none."""
+        if self.load_map(package) is None:
+            return None
+        self.package = UNTITLED
+        self.map._object_path, self.map._name = self.map_path(), UNTITLED.rsplit("/", 1)[-1]
+        self.touch()
+        return self.map
 
     def save_map(self, package: str) -> bool:
         """Save the open level under a package name and make that its own; False (and why, logged) when refused."""

@@ -145,3 +145,43 @@ class TraceTypeQuery(EnumBase):
 
     TRACE_TYPE_QUERY1 = 0
     TRACE_TYPE_QUERY2 = 1
+
+
+@public
+@unique
+class LevelVisibilityDirtyMode(EnumBase):
+    """Whether showing a level marks it as edited."""
+
+    MODIFY_ON_CHANGE = 0
+    DONT_MODIFY = 1
+
+
+@public
+@unique
+class EditorScriptingFilterType(EnumBase):
+    """Whether what fits is kept or dropped."""
+
+    INCLUDE = 0
+    EXCLUDE = 1
+
+
+@public
+@unique
+class EditorScriptingStringMatchType(EnumBase):
+    """How names are compared."""
+
+    CONTAINS = 0
+    MATCHES_WILDCARD = 1
+    EXACT_MATCH = 2
+
+
+@public
+@unique
+class ComparisonTolerance(EnumBase):
+    """How pictures are compared; none are here."""
+
+    ZERO = 0
+    LOW = 1
+    MEDIUM = 2
+    HIGH = 3
+    CUSTOM = 4

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.actors import CameraActor
 from c4s.engine.headless.unreal.core import Object, api, public
+from c4s.engine.headless.unreal.enums import ComparisonTolerance
 
 _FOV_DEG = 90.0
 _MAX_SIDE = 4096
@@ -40,7 +40,8 @@ class AutomationLibrary(Object):
     @api
     def take_high_res_screenshot(cls, res_x: int, res_y: int, filename: str, camera: CameraActor | None = None,
                                  mask_enabled: bool = False, capture_hdr: bool = False,
-                                 comparison_tolerance: Any = None, comparison_notes: str = "", delay: float = 0.0,
+                                 comparison_tolerance: ComparisonTolerance = ComparisonTolerance.LOW,
+                                 comparison_notes: str = "", delay: float = 0.0,
                                  force_game_view: bool = True) -> AutomationEditorTask | None:
         """Write a PNG from a camera, or from the viewport; a bare file name lies in the ``Saved`` folder."""
         if not (0 < res_x <= _MAX_SIDE and 0 < res_y <= _MAX_SIDE):

@@ -6,15 +6,15 @@ from collections.abc import Callable
 from typing import Any
 
 from c4s.engine.headless.state import world
-from c4s.engine.headless.unreal.asset_tools import load
+from c4s.engine.headless.unreal.asset_tools import load, package_of
 from c4s.engine.headless.unreal.containers import Name
-from c4s.engine.headless.unreal.core import Class, Object, api, as_class, subclass_of
+from c4s.engine.headless.unreal.core import Class, Object, Package, api, as_class, subclass_of
 from c4s.engine.headless.unreal.libraries.ticks import (
     register_slate_post_tick_callback,
     unregister_slate_post_tick_callback,
 )
 from c4s.engine.headless.unreal.subobjects import SubobjectDataSubsystem
-from c4s.engine.headless.unreal.subsystems import SUBSYSTEMS, EditorSubsystem
+from c4s.engine.headless.unreal.subsystems import EditorSubsystem
 
 
 def log(arg: object) -> None:
@@ -87,7 +87,11 @@ def get_editor_subsystem(subsystem: Class | type) -> Any:
     wanted = as_class(subsystem)._python_type
     if not issubclass(wanted, EditorSubsystem):
         raise TypeError(f"get_editor_subsystem: '{wanted.__name__}' is no editor subsystem")
-    return _SUBSYSTEMS.get(wanted)
+    if wanted is EditorSubsystem:
+        return None
+    if wanted not in _SUBSYSTEMS:
+        _SUBSYSTEMS[wanted] = wanted._make(wanted.__name__, None)
+    return _SUBSYSTEMS[wanted]
 
 
 @api
@@ -105,12 +109,47 @@ def new_object(type: Class | type, outer: Object | None = None, name: Name | str
     return as_class(type)._python_type(outer, name)
 
 
+@api
+def get_default_object(type: Class | type) -> Any:
+    """An object with a class's defaults."""
+    return as_class(type)._python_type.get_default_object()
+
+
+@api
+def find_package(name: str) -> Package | None:
+    """The package of an asset or level, or None."""
+    package = package_of(name)
+    known = world().exists(package) or world().level_file(package) is not None or package == world().package
+    return Package._make(package, None) if known else None
+
+
+@api
+def load_package(name: str) -> Package | None:
+    """The package of an asset or level, or None."""
+    return find_package(name)
+
+
+@api
+def get_type_from_class(class_: Class) -> type:
+    """The Python type of a class."""
+    found: type = class_._python_type
+    return found
+
+
+def collect_garbage() -> None:
+    """Memory is freed by itself."""
+
+
+def log_flush() -> None:
+    """Every line is written at once."""
+
+
 def is_editor() -> bool:
     """This is an editor."""
     return True
 
 
-_SUBSYSTEMS = {kind: kind._make(kind.__name__, None) for kind in SUBSYSTEMS}
+_SUBSYSTEMS: dict[type, EditorSubsystem] = {}
 _SUBOBJECTS: SubobjectDataSubsystem = SubobjectDataSubsystem._make("SubobjectDataSubsystem", None)
 
 
@@ -129,7 +168,8 @@ def mesh_facts(path: str) -> dict[str, Any] | None:
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     f.__name__: f for f in (
-        log, log_warning, log_error, load_asset, find_asset, load_object, find_object, load_class, get_editor_subsystem,
+        log, log_warning, log_error, log_flush, collect_garbage, get_default_object, find_package, load_package,
+        get_type_from_class, load_asset, find_asset, load_object, find_object, load_class, get_editor_subsystem,
         get_engine_subsystem, new_object,
         is_editor, register_slate_post_tick_callback, unregister_slate_post_tick_callback)}
 FUNCTIONS["c4s_mesh_facts"] = mesh_facts

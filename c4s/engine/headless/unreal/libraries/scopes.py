@@ -3,30 +3,37 @@
 from __future__ import annotations
 
 from types import TracebackType
+from typing import Literal
 
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.containers import Text
-from c4s.engine.headless.unreal.core import public
+from c4s.engine.headless.unreal.core import need, public
 
 
 @public
 class ScopedEditorTransaction:
-    """A named edit; undo is not modelled."""
+    """A named edit. Edits need none, and none can be undone here."""
 
     def __init__(self, desc: str | Text) -> None:
-        if not isinstance(desc, (str, Text)):
-            raise TypeError(f"ScopedEditorTransaction: cannot convert type '{type(desc).__name__}' to Text")
+        self._description = str(need(desc, "Text", "ScopedEditorTransaction: Failed to convert parameter 'desc'",
+                                     "desc"))
+        self._index: int | None = None
 
     def __enter__(self) -> ScopedEditorTransaction:
+        world().transactions.append(self._description)
+        self._index = len(world().transactions) - 1
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None,
-                 trace: TracebackType | None) -> None:
-        return None
+    def __exit__(self, type: type[BaseException] | None, value: BaseException | None,
+                 traceback: TracebackType | None) -> Literal[False]:
+        self.cancel()
+        return False
 
     def cancel(self) -> None:
-        """Undo is not modelled."""
-        world().log.warning("ScopedEditorTransaction.cancel: undo is not modelled by the headless engine")
+        """Stop recording; what was edited stays, as in Unreal."""
+        if self._index is not None:
+            del world().transactions[self._index:]
+            self._index = None
 
 
 @public
@@ -39,9 +46,9 @@ class ScopedSlowTask:
     def __enter__(self) -> ScopedSlowTask:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None,
-                 trace: TracebackType | None) -> None:
-        return None
+    def __exit__(self, type: type[BaseException] | None, value: BaseException | None,
+                 traceback: TracebackType | None) -> Literal[False]:
+        return False
 
     def make_dialog(self, can_cancel: bool = False, allow_in_pie: bool = False) -> None:
         """Nothing is shown."""

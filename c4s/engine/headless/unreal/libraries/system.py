@@ -9,6 +9,7 @@ from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.core import Object, api, public
+from c4s.engine.headless.unreal.libraries.editing import Editing
 from c4s.engine.headless.unreal.paths import Paths
 from c4s.engine.headless.unreal.structs import Vector
 from c4s.engine.headless.unreal.traces.boxes import BoxTraces
@@ -21,7 +22,7 @@ ENGINE_VERSION = "5.6.0-c4s.headless"
 
 
 @public
-class SystemLibrary(LineTraces, SphereTraces, BoxTraces, CapsuleTraces, Overlaps, Object):
+class SystemLibrary(LineTraces, SphereTraces, BoxTraces, CapsuleTraces, Overlaps, Editing, Object):
     """System functions."""
 
     @classmethod

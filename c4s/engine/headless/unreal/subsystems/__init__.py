@@ -3,6 +3,5 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
-from c4s.engine.headless.unreal.subsystems.listing import SUBSYSTEMS
 
-__all__ = ["SUBSYSTEMS", "EditorSubsystem"]
+__all__ = ["EditorSubsystem"]

@@ -6,11 +6,13 @@ from collections.abc import Sequence
 
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.actors import Actor
+from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class, Object, api, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
+from c4s.engine.headless.unreal.subsystems.replacing import convert
 from c4s.engine.headless.unreal.subsystems.spawning import actors, choose, chosen, spawn_from_class, spawn_from_object
 
 
@@ -101,3 +103,37 @@ class EditorActorSubsystem(EditorSubsystem):
     def select_nothing(self) -> None:
         """Select nothing."""
         choose([])
+
+    @api
+    def select_all(self, world: World) -> None:
+        """Select every actor."""
+        choose(list(actors()))
+
+    @api
+    def invert_selection(self, world: World) -> None:
+        """Select what was not selected."""
+        kept = list(chosen())
+        choose([a for a in actors() if a not in kept])
+
+    @api
+    def delete_selected_actors(self, world: World) -> None:
+        """Take the selected actors out of the level."""
+        for actor in list(chosen()):
+            actor.destroy_actor()
+
+    @api
+    def duplicate_selected_actors(self, world: World) -> None:
+        """Copy the selected actors; the copies are selected."""
+        choose(list(self.duplicate_actors(list(chosen()))))
+
+    @api
+    def convert_actors(self, actors: Sequence[Actor], actor_class: Class | type,
+                       static_mesh_package_path: str) -> Array:
+        """Replace actors by new ones of another class at the same place."""
+        return convert(actors, actor_class)
+
+    @api
+    def set_component_transform(self, scene_component: SceneComponent, world_transform: Transform) -> bool:
+        """Place a component in the world."""
+        scene_component._set_world(world_transform._pose())
+        return True

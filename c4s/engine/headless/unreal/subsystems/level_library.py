@@ -1,4 +1,4 @@
-"""The older static functions for actors and levels."""
+"""The older static functions for actors and levels. They work, and warn their caller as in Unreal."""
 
 from __future__ import annotations
 
@@ -7,11 +7,20 @@ from collections.abc import Sequence
 from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.actors import Actor
-from c4s.engine.headless.unreal.containers import Array
-from c4s.engine.headless.unreal.core import Class, Object, api, public
+from c4s.engine.headless.unreal.assets import MaterialInterface, StaticMesh
+from c4s.engine.headless.unreal.components import MeshComponent, StaticMeshComponent
+from c4s.engine.headless.unreal.containers import Array, Name
+from c4s.engine.headless.unreal.core import Class, Object, api, deprecated, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.structs import Rotator, Vector
-from c4s.engine.headless.unreal.subsystems.levels import new_level_at, open_map, save_current
+from c4s.engine.headless.unreal.subsystems.levels import (
+    is_current_level,
+    new_level_at,
+    new_level_like,
+    open_map,
+    save_current,
+)
+from c4s.engine.headless.unreal.subsystems.replacing import convert, parts_of, replace_materials, replace_meshes
 from c4s.engine.headless.unreal.subsystems.spawning import actors, choose, chosen, spawn_from_class, spawn_from_object
 
 
@@ -112,3 +121,107 @@ class EditorLevelLibrary(Object):
     def save_all_dirty_levels(cls) -> bool:
         """Save the open level if it was edited."""
         return save_current() if world().dirty else True
+
+    @classmethod
+    @api
+    def set_actor_selection_state(cls, actor: Actor, should_be_selected: bool) -> None:
+        """Select an actor, or not."""
+        kept = [a for a in world().selection if a is not actor]
+        choose([*kept, actor] if should_be_selected else kept)
+
+    @classmethod
+    @api
+    def select_nothing(cls) -> None:
+        """Select nothing."""
+        choose([])
+
+    @classmethod
+    @api
+    def clear_actor_selection_set(cls) -> None:
+        """Select nothing."""
+        choose([])
+
+    @classmethod
+    @api
+    def get_game_world(cls) -> World | None:
+        """No game is played here: None."""
+        return None
+
+    @classmethod
+    @api
+    def editor_invalidate_viewports(cls) -> None:
+        """Viewports are drawn on demand here."""
+
+    @classmethod
+    @api
+    def editor_set_game_view(cls, game_view: bool) -> None:
+        """Viewports show nothing but the level here."""
+
+    @classmethod
+    @api
+    def set_current_level_by_name(cls, level_name: Name | str) -> bool:
+        """There is one level, the persistent one."""
+        return is_current_level(level_name)
+
+    @classmethod
+    @api
+    def new_level_from_template(cls, asset_path: str, template_asset_path: str) -> bool:
+        """Open and save a copy of a level."""
+        return new_level_like(asset_path, template_asset_path)
+
+    @classmethod
+    @api
+    def convert_actors(cls, actors: Sequence[Actor], actor_class: Class | type, static_mesh_package_path: str) -> Array:
+        """Replace actors by new ones of another class at the same place."""
+        return convert(actors, actor_class)
+
+    @classmethod
+    @api
+    def replace_mesh_components_meshes(cls, mesh_components: Sequence[StaticMeshComponent],
+                                       mesh_to_be_replaced: StaticMesh | None, new_mesh: StaticMesh | None) -> None:
+        """Show another mesh where components show one (or any, without one)."""
+        replace_meshes(mesh_components, mesh_to_be_replaced, new_mesh)
+
+    @classmethod
+    @api
+    def replace_mesh_components_meshes_on_actors(cls, actors: Sequence[Actor], mesh_to_be_replaced: StaticMesh | None,
+                                                 new_mesh: StaticMesh | None) -> None:
+        """Show another mesh where actors show one (or any, without one)."""
+        replace_meshes(parts_of(actors), mesh_to_be_replaced, new_mesh)
+
+    @classmethod
+    @api
+    def replace_mesh_components_materials(cls, mesh_components: Sequence[MeshComponent],
+                                          material_to_be_replaced: MaterialInterface | None,
+                                          new_material: MaterialInterface | None) -> None:
+        """Use another material where components use one (or any, without one)."""
+        replace_materials(mesh_components, material_to_be_replaced, new_material)
+
+    @classmethod
+    @api
+    def replace_mesh_components_materials_on_actors(cls, actors: Sequence[Actor],
+                                                    material_to_be_replaced: MaterialInterface | None,
+                                                    new_material: MaterialInterface | None) -> None:
+        """Use another material where actors use one (or any, without one)."""
+        replace_materials(parts_of(actors), material_to_be_replaced, new_material)
+
+
+_NOW_IN = {
+    "Level Editor Subsystem": "load_level new_level new_level_from_template save_current_level save_all_dirty_levels "
+                              "set_current_level_by_name editor_invalidate_viewports editor_set_game_view",
+    "Unreal Editor Subsystem": "get_editor_world get_game_world set_level_viewport_camera_info "
+                               "get_level_viewport_camera_info",
+    "Static Mesh Editor Subsystem": "replace_mesh_components_meshes replace_mesh_components_meshes_on_actors "
+                                    "replace_mesh_components_materials replace_mesh_components_materials_on_actors",
+    "Editor Actor Utilities Subsystem": "get_all_level_actors get_all_level_actors_components get_actor_reference "
+                                        "destroy_actor get_selected_level_actors set_selected_level_actors "
+                                        "set_actor_selection_state select_nothing clear_actor_selection_set "
+                                        "convert_actors",
+}
+"""Where each function lives now; spawning is not deprecated."""
+
+for _place, _names in _NOW_IN.items():
+    for _name in _names.split():
+        _function = EditorLevelLibrary.__dict__[_name].__func__
+        setattr(EditorLevelLibrary, _name, classmethod(deprecated(
+            f"The Editor Scripting Utilities Plugin is deprecated - Use the function in {_place}")(_function)))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.actors import Actor
+from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import api, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
@@ -24,6 +26,20 @@ def new_level_at(path: str) -> bool:
         return False
     world().new_map(str(path).split(".", 1)[0])
     return world().save_map(str(path))
+
+
+def new_level_like(path: str, template: str) -> bool:
+    """Open and save a copy of a level; False, and nothing is opened, when that cannot be."""
+    package = str(path).split(".", 1)[0]
+    if world().level_file(str(template).split(".", 1)[0]) is None or world().level_file(package) is not None:
+        world().log.error(f"NewLevelFromTemplate: '{template}' cannot become '{path}'")
+        return False
+    return world().load_map(str(template)) is not None and world().save_map(package)
+
+
+def is_current_level(name: object) -> bool:
+    """Whether a name is that of the open level: there is one level, the persistent one."""
+    return str(name).casefold() in (world().package.rsplit("/", 1)[-1].casefold(), "persistentlevel", "none")
 
 
 def save_current() -> bool:
@@ -65,3 +81,50 @@ class LevelEditorSubsystem(EditorSubsystem):
     @api
     def editor_invalidate_viewports(self) -> None:
         """Viewports are drawn on demand here."""
+
+    @api
+    def new_level_from_template(self, asset_path: str, template_asset_path: str) -> bool:
+        """Open and save a copy of a level."""
+        return new_level_like(asset_path, template_asset_path)
+
+    @api
+    def set_current_level_by_name(self, level_name: Name | str) -> bool:
+        """There is one level, the persistent one."""
+        return is_current_level(level_name)
+
+    @api
+    def is_in_play_in_editor(self) -> bool:
+        """No game is played here."""
+        return False
+
+    @api
+    def editor_set_game_view(self, game_view: bool, viewport_config_key: Name | str = "None") -> None:
+        """Viewports show nothing but the level here."""
+
+    @api
+    def editor_get_game_view(self, viewport_config_key: Name | str = "None") -> bool:
+        """Viewports show nothing but the level here."""
+        return True
+
+    @api
+    def editor_set_viewport_realtime(self, realtime: bool, viewport_config_key: Name | str = "None") -> None:
+        """Viewports are drawn on demand here."""
+
+    @api
+    def get_viewport_config_keys(self) -> Array:
+        """The one viewport."""
+        return Array._of("Name", [Name("Viewport")])
+
+    @api
+    def get_active_viewport_config_key(self) -> Name:
+        """The one viewport."""
+        return Name("Viewport")
+
+    @api
+    def pilot_level_actor(self, actor_to_pilot: Actor, viewport_config_key: Name | str = "None") -> None:
+        """Look from where an actor is."""
+        world().camera = actor_to_pilot._pose()
+
+    @api
+    def eject_pilot_level_actor(self, viewport_config_key: Name | str = "None") -> None:
+        """The viewport stays where it is."""

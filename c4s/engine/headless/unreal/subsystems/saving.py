@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.containers import Array
-from c4s.engine.headless.unreal.core import Object, api, public
+from c4s.engine.headless.unreal.core import Object, Package, api, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.subsystems.levels import open_map, save_current
 
@@ -66,6 +68,34 @@ class EditorLoadingAndSavingUtils(Object):
     def get_dirty_content_packages(cls) -> Array:
         """Edited assets."""
         return Array._of("Package", [a.get_package() for a in _dirty_assets()])
+
+    @classmethod
+    @api
+    def save_packages(cls, packages_to_save: Sequence[Package], only_dirty: bool) -> bool:
+        """Save maps and created assets by their packages."""
+        saved = []
+        for package in packages_to_save:
+            name = package.get_name()
+            asset = world().find(name)
+            if name == world().package:
+                saved.append(save_current())
+            else:
+                saved.append(world().save(asset) if isinstance(asset, AssetObject) else False)
+        return all(saved)
+
+    @classmethod
+    @api
+    def save_dirty_packages_with_dialog(cls, save_map_packages: bool, save_content_packages: bool) -> bool:
+        """Save what was edited; nobody is asked."""
+        return cls.save_dirty_packages(save_map_packages, save_content_packages)
+
+    @classmethod
+    @api
+    def new_map_from_template(cls, path_to_template_level: str, save_existing_map: bool) -> World | None:
+        """Open an untitled copy of a level; None when there is none."""
+        if save_existing_map:
+            save_current()
+        return world().copy_map(str(path_to_template_level))
 
 
 def _save_map(path: str) -> bool:
