@@ -132,8 +132,11 @@ def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
     gaps = gaps_below(snapshot, scene, set(chosen), ground_plane=bench.case.setting == "text-to-scene")
     floating = [{**_label(actors[i]), "gap_cm": None if gaps[i] is None else round(gaps[i] or 0.0, 2)}
                 for i in chosen if i in gaps and (gaps[i] is None or (gaps[i] or 0.0) > threshold)]
+    leaf = verify_physics(bench.case.setting, snapshot, {"actors": []}).measurements["leaf_results"][0]
+    counted = set(leaf["floating_actors"])
     return ToolResult({"floating": floating, "count": len(floating), "checked": sum(i in gaps for i in chosen),
                        "threshold_cm": threshold,
+                       "scored_as_floating": [_label(actors[i]) for i in chosen if actors[i].get("name") in counted],
                        "without_collision": [_label(actors[i]) for i in chosen if i not in gaps]})
 
 
@@ -158,7 +161,8 @@ TOOLS = (
           "filepath": text("Like filename; folders are ignored.")}),
     Tool("measure_scene", GROUP, "Number of actors, shares of floating and of colliding actors with the "
          "actors at fault, and the extent of the scene.", _measure),
-    Tool("check_floating", GROUP, "Actors that hang further above the next surface than a threshold, with the gap.",
+    Tool("check_floating", GROUP, "Actors that hang further above the next surface than a threshold, with the "
+         "gap; and those that the physics score counts as floating by its own rule.",
          _check_floating, {"actor_names": ACTORS,
                            "threshold_cm": number("Largest gap that counts as standing "
                                                   f"(default {GAP_CM:g} cm).", minimum=0)}),
