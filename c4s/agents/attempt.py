@@ -13,16 +13,20 @@ import os
 import re
 import stat
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
-from c4s.agents.base import Agent, AgentContext, AgentReport, agent_of
+from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, agent_of
+from c4s.agents.model import ModelAccess, open_model
 from c4s.case.package import AgentCase
 from c4s.engine.bridge import BridgeFault
+from c4s.engine.content import content_fault
 from c4s.engine.session import EngineDied, EngineSession
 from c4s.errors import AgentFault, BadInput, MachineryFault
-from c4s.files import append_json_line, digest_tree, write_json
+from c4s.files import append_json_line, digest_tree, json_lines, write_json
+from c4s.meter.record import sums
+from c4s.meter.spending import SpendingLimitReached
 from c4s.packs.manifest import Pack
 from c4s.run.records import AttemptOutcome, Configuration, EndedBy
 from c4s.scene.level import Level
@@ -39,7 +43,7 @@ _PACKAGE = re.compile(r"/Game(/[A-Za-z0-9_-]+)+")
 
 
 def run_attempt(case: AgentCase, agent_folder: Path, configuration: Configuration, attempt: int, folder: Path,
-                packs: Sequence[Path], withheld: Path | None) -> AttemptOutcome:
+                packs: Sequence[Path], withheld: Path | None, ledger: Path | None = None) -> AttemptOutcome:
     """Run one attempt and write its ``outcome.json``; an outcome that is there is returned as it is.
 
     Args:
@@ -50,6 +54,7 @@ def run_attempt(case: AgentCase, agent_folder: Path, configuration: Configuratio
         folder: the attempt's folder.
         packs: pack folders of the case.
         withheld: the case's withheld folder; for the client ``oracle`` alone (``BadInput`` for any other).
+        ledger: spending file of the whole run, which holds its limit; no limit is kept without it.
 
     What the agent does wrong is an outcome. A ``MachineryFault`` passes through and leaves no outcome: the trial stays
     pending. An engine that dies or goes silent after agent code ran in it is the agent's doing.
@@ -59,6 +64,8 @@ def run_attempt(case: AgentCase, agent_folder: Path, configuration: Configuratio
     if (withheld is not None) != (configuration.client == "oracle"):
         raise BadInput("the withheld folder is for the oracle, and only for it", where=configuration.name)
     agent = agent_of(configuration)
+    if isinstance(agent, ModelClient):
+        agent.ready(configuration)
     _set_aside(folder)
     (folder / "agent").mkdir(parents=True)
     catalog = CaseCatalog.load(case, packs)
@@ -71,19 +78,47 @@ def run_attempt(case: AgentCase, agent_folder: Path, configuration: Configuratio
         truth_package = f"/Game/Oracle/{re.sub('[^A-Za-z0-9_-]', '_', case.case_id)}"
         levels.append(_readable_truth(withheld, folder / "oracle", truth_package))
     content, scratch = folder / "submission", folder / "scratch"
-    with Gateway() as gateway, EngineSession.start(packs=packs, content=content, scratch=scratch, levels=levels,
+    stopping = _Stopping()
+    with _model(agent, configuration, folder, ledger, stopping) as model, Gateway() as gateway, \
+            EngineSession.start(packs=packs, content=content, scratch=scratch, levels=levels,
                                                    start_map=case.start_map) as engine:
         bench = Workbench(case, agent_folder, catalog, engine, scratch)
         run = Run(f"{case.case_id}-{attempt}", bench, case.budget, folder / "trajectory.jsonl")
         context = AgentContext(case, agent_folder, gateway.open_run(run), configuration, attempt, folder / "agent",
-                               truth_package)
+                               truth_package, model, lambda seconds: run.ended.wait(seconds) or run.over_calls)
+        stopping.run = run
         report, error = _work(agent, context, run)
         gateway.close_run(run)
+    if model is not None and model.run.limit_message:
+        raise SpendingLimitReached(model.run.limit_message, where=f"{configuration.name}/{case.case_id}",
+                                   todo="raise the limit and run the same command again")
     for record in report.usage:
         append_json_line(folder / "usage.jsonl", record)
     outcome = _outcome(run, report, error, content, attempt)
     outcome.write(folder / "outcome.json")
     return outcome
+
+
+class _Stopping:
+    """Ends the run from the server's side; the meter calls it when the spending limit is reached."""
+
+    run: Run | None = None
+
+    def __call__(self) -> None:
+        if self.run is not None:
+            self.run.end("killed", "the spending limit is reached")
+
+
+@contextmanager
+def _model(agent: Agent, configuration: Configuration, folder: Path, ledger: Path | None, stopping: _Stopping
+           ) -> Iterator[ModelAccess | None]:
+    """A meter for an agent that uses a model; None for one that does not."""
+    if not isinstance(agent, ModelClient):
+        yield None
+        return
+    with open_model(configuration, agent.endpoint, agent.wire_of(configuration), usage=folder / "usage.jsonl",
+                    ledger=ledger, at_limit=stopping) as access:
+        yield access
 
 
 def _set_aside(folder: Path) -> None:
@@ -144,19 +179,18 @@ def _outcome(run: Run, report: AgentReport, error: BaseException | None, content
         ended_by, message = "agent_error", error.line()
     elif error is not None:
         raise error
-    submission = last_saved(content)
+    unsound = content_fault(content)
+    if unsound is not None:
+        ended_by, message = "agent_error", f"agent code left what cannot be submitted: {unsound}"
+    submission = last_saved(content) if unsound is None else None
+    with (content.parent / "usage.jsonl").open(encoding="utf-8") as lines:
+        used = sums(list(json_lines(lines)))
     return AttemptOutcome(
         attempt=attempt, ended_by=ended_by, submission=submission,
         submission_sha256=digest_tree(content) if submission is not None else None, tool_calls=run.calls,
-        wall_s=round(run.wall_s, 3), input_tokens=_total(report, "input_tokens"),
-        output_tokens=_total(report, "output_tokens"), cost_usd=_total(report, "cost_usd"),
+        wall_s=round(run.wall_s, 3), input_tokens=used["input_tokens"],
+        output_tokens=used["output_tokens"], cost_usd=used["cost_usd"],
         client_version=report.client_version, message=" ".join(message.split())[:2000])
-
-
-def _total(report: AgentReport, key: str) -> Any:
-    """The sum over the usage records that have the key; None where none has it."""
-    values = [record[key] for record in report.usage if record.get(key) is not None]
-    return sum(values) if values else None
 
 
 def last_saved(content: Path) -> str | None:

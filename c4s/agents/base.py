@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping
+import threading
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
+from c4s.agents.model import ModelAccess
 from c4s.case.package import AgentCase
 from c4s.errors import BadInput
 from c4s.run.records import Configuration
@@ -33,6 +35,10 @@ class AgentContext:
     """A folder of its own for logs and client state."""
     truth_package: str | None = None
     """Package of the truth level; given to ``oracle`` alone."""
+    model: ModelAccess | None = None
+    """The model's meter; given to clients that use a model."""
+    stopped: Callable[[float], bool] = lambda seconds: threading.Event().wait(seconds)
+    """Waits up to so many seconds; True once the run takes no more calls."""
 
     @property
     def options(self) -> Mapping[str, Any]:
@@ -65,9 +71,30 @@ class Agent(Protocol):
         ...
 
 
+@runtime_checkable
+class ModelClient(Protocol):
+    """An agent that uses a model: it says what it needs before an engine is started for it."""
+
+    endpoint: str
+    """Name of the model endpoint where its configuration names none."""
+
+    def wire_of(self, configuration: Configuration) -> str:
+        """The wire format that it speaks to its model."""
+        ...
+
+    def ready(self, configuration: Configuration) -> None:
+        """``BadInput`` or ``MachineryFault`` where it cannot be started here, with what to do."""
+        ...
+
+
 CLIENTS = {"noop": "c4s.agents.noop:NoOp", "random": "c4s.agents.random_agent:RandomAgent",
            "vandal": "c4s.agents.vandal:Vandal", "oracle": "c4s.agents.oracle:Oracle",
-           "planner": "c4s.agents.planner:Planner"}
+           "planner": "c4s.agents.planner:Planner", "replay": "c4s.agents.replay:Replay",
+           "api": "c4s.agents.api.agent:ApiAgent",
+           "codex": "c4s.agents.clients.codex:Codex", "claude_code": "c4s.agents.clients.claude_code:ClaudeCode",
+           "gemini": "c4s.agents.clients.gemini:GeminiCLI", "opencode": "c4s.agents.clients.opencode:OpenCode",
+           "hermes": "c4s.agents.clients.hermes:Hermes", "antigravity": "c4s.agents.clients.antigravity:Antigravity",
+           "command": "c4s.agents.clients.command:CommandClient"}
 """Client name to ``module:class``; the class is made without arguments."""
 
 

@@ -79,7 +79,8 @@ def attempt(trial: Trial, number: int) -> AttemptOutcome:
         return AttemptOutcome.read(folder / "outcome.json")
     started, given = time.perf_counter(), inputs(trial)
     outcome = run_attempt(given.case, given.agent_folder, trial.configuration, number, folder, given.packs,
-                          given.withheld_folder if trial.configuration.client == "oracle" else None)
+                          given.withheld_folder if trial.configuration.client == "oracle" else None,
+                          trial.run / "spending.jsonl")
     _timed(trial, f"attempt-{number}", started)
     return outcome
 

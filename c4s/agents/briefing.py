@@ -1,0 +1,31 @@
+"""What every agent with a model is told first, the same for all clients."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from c4s.case.package import AgentCase
+
+_TASK = """\
+{prompt}
+
+## How to work
+You work in a running Unreal Editor through the tools of the server `{server}`; you have no other tools, no shell and no
+files. Positions are in centimetres, rotations are [pitch, yaw, roll] in degrees, Z is up.
+You may make {calls} tool calls within {minutes:g} minutes. Each answer tells what is left.
+The start level is {start_map}. When you are done, save the scene with `save_scene_as`; what is not saved does not
+count. Save early and again: the last saved scene is your submission.
+"""
+_PICTURES = "The attached pictures show the scene as it should be, from {count} views.\n"
+
+
+def briefing(case: AgentCase, server: str, *, pictures: int) -> str:
+    """The first message: the case's prompt, the rules of work, and how many pictures are attached."""
+    text = _TASK.format(prompt=case.prompt.strip(), server=server, calls=case.budget.tool_calls,
+                        minutes=case.budget.wall_minutes, start_map=case.start_map)
+    return text + (_PICTURES.format(count=pictures) if pictures else "")
+
+
+def reference_pictures(case: AgentCase, agent_folder: Path) -> list[Path]:
+    """Files of the case's reference views."""
+    return [agent_folder / name for name in case.reference_views]

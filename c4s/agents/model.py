@@ -1,0 +1,64 @@
+"""How an agent reaches its model: through a meter that is open for one attempt."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from c4s.errors import BadInput, MachineryFault
+from c4s.meter.endpoints import key_of, model_endpoint, spending_limit
+from c4s.meter.meter import Meter
+from c4s.meter.prices import PriceTable
+from c4s.meter.record import UPSTREAM_FAULTS
+from c4s.meter.run import MeterRun
+from c4s.meter.spending import Ledger
+from c4s.run.records import Configuration
+
+
+@dataclass(frozen=True)
+class ModelAccess:
+    """What a client is given: an address and a token. ``run`` stays with the adapter."""
+
+    url: str
+    """Address of the meter, without a path."""
+    model: str
+    run: MeterRun
+
+    @property
+    def token(self) -> str:
+        """Stands for the key; worth nothing outside the meter."""
+        return self.run.token
+
+    def blame(self, what: str) -> None:
+        """Raise ``MachineryFault`` when the model endpoint, not the agent, is why it ended badly."""
+        last = self.run.last_generation
+        if last is None:
+            raise MachineryFault(f"{what}, before it asked its model anything", where=self.run.run_id,
+                                 todo="read the client's output in the attempt's agent folder")
+        if last.ending in UPSTREAM_FAULTS:
+            raise MachineryFault(f"{what} after the model endpoint failed ({last.ending} {last.status or ''}: "
+                                 f"{last.problem})", where=self.run.run_id, todo="run the same command again")
+
+
+@contextmanager
+def open_model(configuration: Configuration, default_endpoint: str, wire: str, *, usage: Path, ledger: Path | None,
+               at_limit: Callable[[], None]) -> Iterator[ModelAccess]:
+    """Open a meter for an attempt.
+
+    The configuration names ``model``; its options may name ``endpoint`` (of ``endpoints.yaml`` or a known one) and
+    ``side_models``, further models that the client may use. ``BadInput`` for what is missing.
+    """
+    if not configuration.model:
+        raise BadInput("the configuration names no model", where=configuration.name, todo="add `model:` to it")
+    name = str(configuration.options.get("endpoint", default_endpoint))
+    endpoint = model_endpoint(name)
+    if wire not in endpoint.formats:
+        raise BadInput(f"client {configuration.client!r} speaks {wire}, and endpoint {name!r} speaks "
+                       + ", ".join(endpoint.formats), where=configuration.name)
+    books = Ledger(ledger, spending_limit()) if ledger is not None else None
+    run = MeterRun(configuration.name, endpoint, key_of(name, endpoint), usage, prices=PriceTable.load(), ledger=books,
+                   models=(configuration.model, *configuration.options.get("side_models", ())), at_limit=at_limit)
+    with Meter() as meter:
+        yield ModelAccess(meter.open_run(run), configuration.model, run)

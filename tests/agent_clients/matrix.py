@@ -1,0 +1,161 @@
+"""Drives every agent client through a scripted model on a case of the starter suite, to a saved and scored scene.
+
+``python tests/agent_clients/matrix.py [--install] [CLIENT ...]`` prints the matrix client x (installed, drove tools,
+saved, scored, usage matched the endpoint's own count). ``--install`` installs what is missing under
+``C4S_HOME/clients``, from npm and PyPI. Exit 1 where an installed client fails.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import yaml
+
+sys.path.insert(0, str(Path(__file__).parent))
+from scripted_endpoint import ScriptedEndpoint, Use
+
+from c4s.agents.base import agent_of
+from c4s.agents.clients.client import ExternalClient
+from c4s.agents.clients.programs import find
+from c4s.case.package import AgentCase, SuiteFolder
+from c4s.errors import BadInput, C4SError
+from c4s.files import json_lines
+from c4s.home import home, runs_root, suites_root
+from c4s.run import stages
+from c4s.run.plan import DEFAULT_POLICY, Plan, make_plan, open_run, trials
+from c4s.run.records import Configuration
+
+CLIENTS = ("codex", "claude_code", "gemini", "opencode", "hermes", "api")
+MODELS = {"codex": "gpt-5.6-sol", "claude_code": "claude-opus-4-5", "gemini": "gemini-2.5-pro"}
+CASE = "text-flat-family"
+BUILD = """\
+import unreal
+mesh = unreal.load_asset("{mesh}")
+editor = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+for number in range(48):
+    actor = editor.spawn_actor_from_object(mesh, unreal.Vector(400 * (number % 8), 400 * (number // 8) + 500, 0))
+    actor.set_actor_label("Part_" + str(number))
+"""
+COLUMNS = ("installed", "drove tools", "saved", "scored", "usage matched")
+
+
+@dataclass
+class Row:
+    """One client's line of the matrix."""
+
+    client: str
+    cells: dict[str, str]
+    note: str = ""
+
+
+def script(case: AgentCase) -> list[list[Use]]:
+    """A small scene: look, place two things (two calls at once), 48 more by a script, a picture, environment, save."""
+    first, second = [path for path in case.catalog if "/SM_" in path][:2]
+    return [[Use("search_assets", {"query": "table", "k": 3})],
+            [Use("spawn_actor", {"name": "First", "static_mesh": first, "location": [0, 0, 0]}),
+             Use("spawn_actor", {"name": "Second", "static_mesh": second, "location": [300, 0, 0]})],
+            [Use("execute_python_script", {"script": BUILD.format(mesh=first),
+                                           "execution_mode": "sync"})],
+            [Use("take_screenshot", {})],
+            [Use("setup_environment", {})],
+            [Use("save_scene_as", {"name": "submission"})]]
+
+
+def drive(client: str, suite: Path, runs: Path) -> Row:
+    """One attempt of one client against a scripted endpoint, verified and scored."""
+    row = Row(client, dict.fromkeys(COLUMNS, "no"))
+    agent = agent_of(Configuration(name=client, client=client))
+    try:
+        program = find(agent.install, {}) if isinstance(agent, ExternalClient) else None
+    except BadInput as error:
+        row.note = error.line()
+        return row
+    row.cells["installed"] = program.version or "yes" if program else "built in"
+    case = SuiteFolder(suite).agent_case(CASE)
+    with ScriptedEndpoint(script(case)) as endpoint:
+        (home() / "endpoints.yaml").write_text(yaml.safe_dump({"endpoints": {"scripted": {
+            "url": f"{endpoint.url}", "formats": ["openai-chat", "openai-responses", "anthropic", "gemini"],
+            "key_env": "SCRIPTED_KEY"}}}))
+        os.environ["SCRIPTED_KEY"] = "the-real-key"
+        configuration = Configuration(name=client, client=client, model=MODELS.get(client, "scripted-1"),
+                                      options={"endpoint": "scripted"})
+        run = runs / f"clients-{client}-{int(time.time())}"
+        plan: Plan = open_run(run, make_plan(SuiteFolder(suite), [configuration], run_id=run.name,
+                                             policy=DEFAULT_POLICY, judge="rule", engine="headless", cases=[CASE]))
+        (trial,) = trials(run, suite, plan)
+        started = time.monotonic()
+        try:
+            outcome = stages.attempt(trial, 1)
+        except C4SError as error:
+            row.note = error.line()
+            outcome = None
+        seconds = time.monotonic() - started
+        served, missing = list(endpoint.served), list(endpoint.missing)
+    attempt = trial.folder.attempt(1)
+    if missing:
+        row.note += f" tools not offered: {', '.join(missing)}"
+    with (attempt / "trajectory.jsonl").open() as lines:
+        calls = [line for line in json_lines(lines) if line["event"] == "call" and line["outcome"] == "ok"]
+    wanted = sum(len(step) for step in script(case))
+    row.cells["drove tools"] = "yes" if len(calls) == wanted else f"{len(calls)} of {wanted}"
+    with (attempt / "usage.jsonl").open() as lines:
+        metered = [line for line in json_lines(lines) if line["wire"] is not None]
+    matched = len(metered) == len(served) and all(
+        sum(line[f"{name}_tokens"] or 0 for line in metered) == endpoint.totals()[count] for name, count in
+        (("fresh_input", "fresh"), ("cache_read", "cache_read"), ("cache_write", "cache_write"), ("output", "output")))
+    matched = matched and {one.key for one in served} == {"the-real-key"}
+    row.cells["usage matched"] = "yes" if matched else f"{len(metered)} of {len(served)}"
+    offered = sorted({tool for one in served for tool in one.tools})
+    own = [tool for tool in offered if "c4s" not in tool]
+    row.note += (f" {len(served)} requests ({sum(one.answered == 'side' for one in served)} beside the work), "
+                 f"{max((one.pictures for one in served), default=0)} pictures seen, {seconds:.0f} s"
+                 + (f", own tools: {', '.join(own)}" if own and isinstance(agent, ExternalClient) else ""))
+    if outcome is None:
+        return row
+    row.cells["saved"] = "yes" if outcome.submission else f"no ({outcome.ended_by}: {outcome.message})"
+    if outcome.submission and stages.integrity(trial, plan, 1):
+        stages.physics(trial, plan)
+        for verifier in stages.SEMANTIC:
+            stages.semantic(trial, plan, verifier)
+        score = stages.score(trial, plan)
+        row.cells["scored"] = f"{score.score:.2f}" if score.score is not None else score.status
+    return row
+
+
+def main() -> int:
+    """Print the matrix."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--install", action="store_true")
+    parser.add_argument("clients", nargs="*", default=CLIENTS)
+    chosen = parser.parse_args()
+    suite = suites_root() / "starter"
+    if not (suite / "suite.json").is_file():
+        subprocess.run([sys.executable, "-m", "c4s.cli", "suite", "build", "starter"], check=True)
+    rows = []
+    for client in chosen.clients:
+        agent = agent_of(Configuration(name=client, client=client))
+        if chosen.install and isinstance(agent, ExternalClient):
+            try:
+                find(agent.install, {})
+            except BadInput:
+                print(f"installing {agent.install.package}", flush=True)
+                subprocess.run(agent.install.command(), check=False, stdout=subprocess.DEVNULL)
+        rows.append(drive(client, suite, runs_root()))
+        row = rows[-1]
+        print(f"{row.client:12} " + "  ".join(f"{name}: {row.cells[name]:8}" for name in COLUMNS), flush=True)
+        if row.note:
+            print(f"{'':12} {row.note.strip()}", flush=True)
+    failed = [row for row in rows if row.cells["installed"] != "no"
+              and not (row.cells["drove tools"] == row.cells["saved"] == row.cells["usage matched"] == "yes"
+                       and row.cells["scored"] not in ("no", "pending"))]
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
