@@ -6,12 +6,13 @@ from typing import NoReturn
 
 import typer
 
-from c4s.cli import boundary, bundle, catalog, demo, doctor, engine, report, run, score, sql, suite, verify
+from c4s.cli import agent, boundary, bundle, catalog, demo, doctor, engine, report, run, score, sql, suite, verify
 
 app = typer.Typer(name="c4s", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
                   help="Run coding agents on 3D scene cases, score the scenes they save, publish leaderboards.")
 app.command("demo")(demo.demo)
 app.command("run")(run.run)
+app.add_typer(agent.app, name="agent")
 app.add_typer(verify.app, name="verify")
 app.command("score")(score.score)
 app.add_typer(bundle.app, name="bundle")

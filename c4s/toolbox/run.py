@@ -19,7 +19,7 @@ from typing import Any, Literal
 
 from c4s.case.package import Budget
 from c4s.errors import C4SError
-from c4s.files import append_json_line, canonical_json, digest_bytes
+from c4s.files import append_json_line, canonical_json, digest_bytes, write_bytes
 from c4s.toolbox.registry import TOOLS, VALIDATORS, tool_set
 from c4s.toolbox.tool import ToolRefused, ToolResult
 from c4s.toolbox.workbench import Workbench
@@ -158,6 +158,8 @@ class Run:
         stop = {"stop": self.end_message} if outcome == "ended" else {}
         answer = Answer({"result": result.data, "budget": self.left()} if result is not None
                         else {"error": error, "budget": self.left(), **stop}, error=result is None, image=image)
+        if image is not None:
+            self._keep(image)
         self._record("call", name, key, counted=True, outcome=outcome, call=number, arguments=arguments,
                      start_s=round(started, 4), duration_s=round(time.perf_counter() - clock, 4), error=error,
                      result=answer.text[:RECORDED_RESULT_CHARACTERS], result_characters=len(answer.text),
@@ -191,6 +193,12 @@ class Run:
 
     def _refusal(self, error: str, *, stop: bool = False) -> Answer:
         return Answer({"error": error, "budget": self.left(), **({"stop": error} if stop else {})}, error=True)
+
+    def _keep(self, image: bytes) -> None:
+        """Keep a picture beside the trajectory, which names it by its digest."""
+        path = self.trajectory.parent / "images" / f"{digest_bytes(image)}.png"
+        if not path.is_file():
+            write_bytes(path, image)
 
     def _record(self, event: str, name: str, key: str | None, **more: Any) -> None:
         self._records += 1

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import json
 import os
+import random
 import socket
 import sys
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from c4s.engine.confine import Confinement, confine
 
@@ -41,7 +44,14 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
         channel.send(connection, json.dumps({"refused": refused}).encode())
         return
     attach()
+    draw_the_same_lots()
     from c4s.editor.capture import frame_level  # needs the `unreal` that boot installs
 
     frame_level()
     Worker(connection, tick).run_forever()
+
+
+def draw_the_same_lots() -> None:
+    """Start Python's and NumPy's shared generators from fixed seeds, so that the same calls make the same scene."""
+    random.seed(0)
+    np.random.seed(0)
