@@ -120,6 +120,42 @@ def import_scene_file(
         print(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
 
 
+@app.command("make-cases")
+def make_cases(
+        scene: Annotated[str, typer.Argument(help="name of an imported scene")],
+        out: Annotated[str | None, typer.Option(help="id of the suite; else the scene's with `-cases`")] = None,
+        count: Annotated[int, typer.Option(min=1, max=200, help="number of cases")] = 3,
+        changes: Annotated[int, typer.Option(min=1, max=8, help="most changes of a case")] = 3,
+        seed: Annotated[int, typer.Option(help="another seed, other cases")] = 0,
+        outdoor: Annotated[bool, typer.Option(help="cases of the outdoor setting")] = False,
+        json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original."""
+    from dataclasses import replace
+
+    from c4s.scene.level import Level
+    from cases.generate import generated
+    from cases.importers.scene import LEVEL_FILE
+    from cases.suite import build_suite
+
+    document = suites_root() / scene / LEVEL_FILE
+    if not document.is_file():
+        raise BadInput(f"no imported scene {scene!r}", where=str(suites_root()), todo="see `c4s suite import-scene`")
+    with bars() as progress:
+        task = progress.add_task("looking at the scene", total=None)
+
+        def step(message: str) -> None:
+            progress.update(task, description=f"building {message:42.42}")
+            step_line(message)
+
+        definition = generated(scene, Level.read(document), packs_root(), [scene], count=count, changes=changes,
+                               seed=seed, environment="outdoor" if outdoor else "indoor")
+        definition = replace(definition, suite_id=out or definition.suite_id)
+        if definition.suite_id == scene:
+            raise BadInput("the suite cannot have the scene's own name", where=f"--out {scene}")
+        suite = build_suite(definition, suites_root() / definition.suite_id, packs_root(), step)
+    _tell(suite, suites_root() / suite.suite_id, json_output)
+
+
 def _tell(suite: Suite, root: Path, json_output: bool) -> None:
     if json_output:
         print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root)})

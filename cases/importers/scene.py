@@ -157,7 +157,8 @@ def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_fo
                 [(part.node, part.vertices, part.faces) for part in asset.parts], "piece"))
             name = shown[asset.name]
             record = writer.add(name, asset.parts, solid, category=kind_of(name) or (words(name) or ["props"])[-1],
-                                readable=readable(name), tags=search_words(name), source="authored" if asset.collision else "hull",
+                                readable=readable(name), tags=search_words(name),
+                                source="authored" if asset.collision else "hull",
                                 description=f"{readable(name)}; {', '.join(colours_of(asset.parts))}; "
                                             f"{count[key]} in the scene")
             paths[key] = record.path

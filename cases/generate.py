@@ -1,0 +1,177 @@
+"""Repair cases made from a source scene by chance: which actors, which changes, which views, all from one seed.
+
+Only actors that stand and fit in the original are changed, so that a perfect repair can score fully: a thing that hangs
+in the air or sinks into another in the scene as its makers left it would cost points that nobody can win.
+"""
+
+from __future__ import annotations
+
+import copy
+import random
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from c4s.engine.evidence import export_level
+from c4s.errors import BadInput
+from c4s.files import read_json
+from c4s.packs.manifest import Pack
+from c4s.scene.level import Level, Vector
+from c4s.verify.physics import verify_physics
+from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, Kind
+from cases.model import Group, RepairCase, Scene, SuiteDefinition, View
+from cases.views import orbit
+
+KINDS: tuple[Kind, ...] = ("removal", "move", "rotate", "rescale", "insertion", "duplication", "replacement", "mirror")
+GROUP: dict[Kind, Group] = {"removal": "Restore", "insertion": "Lifecycle", "duplication": "Lifecycle",
+                            "replacement": "Lifecycle", "move": "Layout", "rotate": "Transform", "rescale": "Transform",
+                            "mirror": "Symmetry"}
+MIN_SIDE_CM, MAX_SHARE = 15.0, 0.34
+"""Changed things are at least this large, and at most this share of the scene in plan: no crumbs, no floors."""
+ASIDE_CM = 1e7
+MIN_DISTANCE_CM, REACH = 220.0, 2.6
+"""A view stands this many times the radius of what changed away, at least this far."""
+
+
+@dataclass(frozen=True)
+class Thing:
+    """An actor that may be changed: name, middle and half extent of its box (cm), its mesh."""
+
+    name: str
+    origin: Vector
+    extent: Vector
+    mesh: str
+
+
+def generated(scene_id: str, level: Level, packs_root: Path, packs: Sequence[str], *, count: int, changes: int,
+              seed: int, environment: Literal["indoor", "outdoor"] = "indoor") -> SuiteDefinition:
+    """A suite of ``count`` repair cases of 1 to ``changes`` changes each (the first has one, the next two, and so on).
+
+    Args:
+        scene_id: name of the scene; the suite has the same id with ``-cases`` behind it.
+        level: the original.
+        packs_root: where the packs lie.
+        packs: ids of the packs that hold the scene's assets.
+        count: number of cases.
+        changes: most changes of a case.
+        seed: same scene, same seed, same cases.
+        environment: decides the setting and the budget.
+
+    Raises:
+        BadInput: too few actors stand and fit for what is asked.
+        MachineryFault: the engine cannot export the scene.
+    """
+    things = sound_things(level, [packs_root / pack for pack in packs])
+    if len(things) < changes + 1:
+        raise BadInput(f"{len(things)} actors of this scene stand and fit; {changes + 1} are needed", where=scene_id,
+                       todo="give fewer --changes")
+    meshes = [asset.path for pack in packs for asset in Pack.read(packs_root / pack / "pack.json").assets
+              if asset.kind == "static_mesh" and max(asset.size_m) < 3 and min(asset.size_m) > MIN_SIDE_CM / 100]
+    author, chance = Author(level, scene_id), random.Random(f"{scene_id}|{seed}")
+    scene = Scene(scene_id, environment, scene_id.replace("-", " ").capitalize(), level, tuple(packs))
+    cases = [_case(number, scene, author, things, meshes, 1 + (number % changes), chance) for number in range(count)]
+    return SuiteDefinition(f"{scene_id}-cases", f"Repairs of {scene_id}", f"Changes made by chance, seed {seed}.",
+                           tuple(packs), (scene,), tuple(cases))
+
+
+def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
+    """Static mesh actors of a handy size that are supported and sink into nothing, by name."""
+    with tempfile.TemporaryDirectory(prefix="c4s-generate-") as folder:
+        document, out = Path(folder) / "scene.level.json", Path(folder) / "snapshot.json"
+        level.write(document)
+        export_level(packs=packs, level=document, out=out)
+        snapshot: dict[str, Any] = read_json(out)
+    aside = copy.deepcopy(snapshot)
+    for actor in aside["actors"]:
+        actor["transform"]["location_cm"][0] += ASIDE_CM
+    leaves = {leaf["leaf_id"]: leaf for leaf in
+              verify_physics("image-to-scene/indoor", snapshot, aside).measurements["leaf_results"]}
+    bad = {*leaves["floating"]["floating_actors"], *leaves["floating"]["unresolved_actors"],
+           *(row["actor"] for row in leaves["solid_penetration"]["actors"] if row["state"] != "clean")}
+    known = {actor.name: actor for actor in level.actors if actor.class_path == STATIC_MESH_ACTOR}
+    boxes = {actor["name"]: (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"], actor.get("label"))
+             for actor in snapshot["actors"] if actor["name"] in known}
+    corners = np.array([[np.subtract(origin, extent), np.add(origin, extent)] for origin, extent, _ in boxes.values()])
+    whole = corners[:, 1].max(axis=0) - corners[:, 0].min(axis=0) if len(corners) else np.zeros(3)
+    found = []
+    for name, (origin, extent, label) in sorted(boxes.items()):
+        mesh = next((component.static_mesh for component in known[name].components if component.static_mesh), None)
+        small = 2 * max(extent) >= MIN_SIDE_CM and all(2 * extent[i] <= MAX_SHARE * whole[i] for i in (0, 1))
+        if mesh and small and name not in bad and label not in bad:
+            found.append(Thing(name, tuple(origin), tuple(extent), mesh))
+    return found
+
+
+def _case(number: int, scene: Scene, author: Author, things: list[Thing], meshes: list[str], changes: int,
+          chance: random.Random) -> RepairCase:
+    made: list[Corruption] = []
+    places: list[Thing] = []
+    removed: set[str] = set()
+    added: set[str] = set()
+    left = chance.sample(things, len(things))
+    kinds = [KINDS[(number + step) % len(KINDS)] for step in range(changes)]
+    for kind in kinds:
+        for thing in list(left):
+            change = _change(kind, thing, author, meshes, chance, removed, added)
+            if change is not None:
+                left.remove(thing)
+                made.append(change)
+                places.append(thing)
+                break
+    if not made:
+        raise BadInput(f"no actor can take the change {kinds[0]}", where=scene.scene_id, todo="give another --seed")
+    names = "-".join(dict.fromkeys(change.kind for change in made))
+    return RepairCase(f"{scene.scene_id}-{number + 1:02d}-{names}", scene.scene_id,
+                      f"{len(made)} change{'s' if len(made) > 1 else ''}", made, GROUP[made[0].kind],
+                      "easy" if len(made) == 1 else "medium" if len(made) < 4 else "hard", _views(places),
+                      "image-to-scene/indoor" if scene.environment == "indoor" else "image-to-scene/outdoor")
+
+
+def _change(kind: Kind, thing: Thing, author: Author, meshes: list[str], chance: random.Random, removed: set[str],
+            added: set[str]) -> Corruption | None:
+    """One change of a thing, or ``None`` where it would not be one or would spoil another."""
+    name, (x, y, _), (wide, deep, _) = thing.name, thing.origin, thing.extent
+    aside = (max(40.0, 2.2 * wide) * chance.choice((-1, 1)), max(40.0, 2.2 * deep) * chance.choice((-1, 0, 1)))
+    height = author.actor(name).transform.location_cm[2]
+    others = [mesh for mesh in meshes if mesh != thing.mesh and mesh not in removed]
+    match kind:
+        case "removal":
+            if thing.mesh in added:
+                return None
+            removed.add(thing.mesh)
+            return author.removal(name)
+        case "move":
+            return author.move(name, by_cm=(round(aside[0], 1), round(aside[1], 1), 0.0))
+        case "rotate":
+            return author.rotate(name, chance.choice((35.0, 65.0, 115.0, -50.0)))
+        case "rescale":
+            return author.rescale(name, chance.choice((1.4, 1.6, 0.6)))
+        case "mirror":
+            return author.mirror(name)
+        case "replacement":
+            return author.replacement(name, chance.choice(others)) if others else None
+        case "insertion":
+            if not others:
+                return None
+            added.add(mesh := chance.choice(others))
+            return author.insertion(mesh, (round(x + aside[0], 1), round(y + aside[1], 1), height))
+        case "duplication":
+            if thing.mesh in removed:
+                return None
+            added.add(thing.mesh)
+            px, py, pz = author.actor(name).transform.location_cm
+            return author.duplication(name, (round(px + aside[0], 1), round(py + aside[1], 1), pz))
+
+
+def _views(places: Sequence[Thing]) -> list[View]:
+    """Two views from opposite sides above all that changed."""
+    low = np.min([np.subtract(thing.origin, thing.extent) for thing in places], axis=0)
+    high = np.max([np.add(thing.origin, thing.extent) for thing in places], axis=0)
+    x, y, z = (float(round(value, 1)) for value in (low + high) / 2)
+    distance = round(max(MIN_DISTANCE_CM, REACH * float(np.linalg.norm(high - low)) / 2 + 100), 1)
+    return [orbit("view-01", (x, y, z), distance_cm=distance, yaw_deg=-60, pitch_deg=42),
+            orbit("view-02", (x, y, z), distance_cm=distance, yaw_deg=125, pitch_deg=52)]
