@@ -9,12 +9,14 @@ from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.lights import (
     DirectionalLightComponent,
     ExponentialHeightFogComponent,
+    LightComponent,
     PointLightComponent,
     RectLightComponent,
     SkyAtmosphereComponent,
     SkyLightComponent,
     SpotLightComponent,
 )
+from c4s.engine.headless.unreal.structs import LinearColor
 
 
 @public
@@ -23,15 +25,51 @@ class Light(Actor):
 
     _declares = {"light_component": Prop("LightComponent", get="_get_root", writable=False, saved=False)}
 
+    def _shining(self) -> LightComponent:
+        root = self._root()
+        assert isinstance(root, LightComponent)
+        return root
+
     @api
     def set_brightness(self, new_brightness: float) -> None:
         """Set the intensity."""
-        self._root().set_intensity(new_brightness)
+        self._shining().set_intensity(new_brightness)
 
     @api
     def get_brightness(self) -> float:
         """The intensity."""
-        return float(self._root().get_editor_property("intensity"))
+        return float(self._shining().get_editor_property("intensity"))
+
+
+    @api
+    def set_light_color(self, new_light_color: LinearColor) -> None:
+        """Set the colour from linear numbers."""
+        self._shining().set_light_color(new_light_color)
+
+    @api
+    def get_light_color(self) -> LinearColor:
+        """Colour, sRGB decoded."""
+        return self._shining().get_light_color()
+
+    @api
+    def set_cast_shadows(self, new_value: bool) -> None:
+        """Set whether it casts shadows."""
+        self._shining().set_cast_shadows(new_value)
+
+    @api
+    def set_enabled(self, set_enabled: bool) -> None:
+        """Switch on or off."""
+        self._shining().set_visibility(set_enabled)
+
+    @api
+    def is_enabled(self) -> bool:
+        """Whether it is on."""
+        return self._shining().is_visible()
+
+    @api
+    def toggle_enabled(self) -> None:
+        """Switch."""
+        self.set_enabled(not self.is_enabled())
 
 
 @public

@@ -13,7 +13,7 @@ from c4s.engine.headless.unreal.assets import (
     AssetObject,
 )
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import Object, Prop, api, deprecated, public
+from c4s.engine.headless.unreal.core import TYPES, Object, Prop, api, deprecated, public
 from c4s.engine.headless.unreal.structs import StructBase
 
 
@@ -105,6 +105,13 @@ def data_of(asset: AssetObject) -> AssetData:
     return AssetData._for(asset._path(), asset._class()._path())
 
 
+def _below(class_path: str) -> set[str]:
+    """Paths of the classes that derive from a native one, in lower case."""
+    kinds = [kind for kind in TYPES.values() if issubclass(kind, Object)]
+    base = next((kind for kind in kinds if kind._class_path().casefold() == class_path.casefold()), None)
+    return {kind._class_path().casefold() for kind in kinds if base is not None and issubclass(kind, base)}
+
+
 @public
 class AssetRegistry(Object):
     """Everything that paths resolve to."""
@@ -124,6 +131,8 @@ class AssetRegistry(Object):
         """Assets that fit a filter."""
         wanted: Any = filter
         classes = {p._text().casefold() for p in wanted.class_paths}
+        if wanted.recursive_classes:
+            classes |= {below for name in list(classes) for below in _below(name)}
         names = {str(n).casefold() for n in wanted.class_names}
         packages = {str(n).casefold() for n in wanted.package_names}
         folders = [str(p) for p in wanted.package_paths]
@@ -146,7 +155,10 @@ class AssetRegistry(Object):
     @api
     def get_assets_by_class(self, class_path_name: TopLevelAssetPath, search_sub_classes: bool = False) -> Array | None:
         """Assets of a class."""
-        return self._list(lambda a: a._class()._path() == class_path_name._text())
+        wanted = {class_path_name._text().casefold()}
+        if search_sub_classes:
+            wanted |= _below(class_path_name._text())
+        return self._list(lambda a: a._class()._path().casefold() in wanted)
 
     @api
     def get_assets_by_package_name(self, package_name: Name | str,

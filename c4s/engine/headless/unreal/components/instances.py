@@ -1,5 +1,7 @@
 """Meshes shown many times."""
 
+# ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -8,13 +10,16 @@ from c4s.engine.headless.pose import Pose, compose, relative_to
 from c4s.engine.headless.unreal.components.frames import Bounds, finite
 from c4s.engine.headless.unreal.components.meshes import StaticMeshComponent
 from c4s.engine.headless.unreal.containers import Array
-from c4s.engine.headless.unreal.core import Object, api, public
-from c4s.engine.headless.unreal.structs import Transform, Vector
+from c4s.engine.headless.unreal.core import Object, Prop, api, public
+from c4s.engine.headless.unreal.structs import Box, Transform, Vector
 
 
 @public
 class InstancedStaticMeshComponent(StaticMeshComponent):
     """Shows a static mesh many times."""
+
+    _declares = {"instance_start_cull_distance": Prop("int", 0), "instance_end_cull_distance": Prop("int", 0),
+                 "instancing_random_seed": Prop("int", 0)}
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)
@@ -85,6 +90,78 @@ class InstancedStaticMeshComponent(StaticMeshComponent):
         del self._instances[instance_index]
         self._changed("instances")
         return True
+
+    @api
+    def remove_instances(self, instances_to_remove: Sequence[int]) -> bool:
+        """Remove instances; False, and none is removed, when one does not exist."""
+        gone = set(instances_to_remove)
+        if not all(0 <= i < len(self._instances) for i in gone):
+            return False
+        self._instances = [pose for i, pose in enumerate(self._instances) if i not in gone]
+        self._changed("instances")
+        return True
+
+    @api
+    def add_instance_world_space(self, world_transform: Transform) -> int:
+        """Add an instance placed in the world."""
+        return self.add_instance(world_transform, True)
+
+    @api
+    def batch_update_instances_transforms(self, start_instance_index: int,
+                                          new_instances_transforms: Sequence[Transform], world_space: bool = False,
+                                          mark_render_state_dirty: bool = False, teleport: bool = False) -> bool:
+        """Move instances from an index on; False, and none is moved, when one does not exist."""
+        if not 0 <= start_instance_index <= len(self._instances) - len(new_instances_transforms):
+            return False
+        return all(self.update_instance_transform(start_instance_index + i, t, world_space)
+                   for i, t in enumerate(new_instances_transforms))
+
+    @api
+    def batch_update_instances_transform(self, start_instance_index: int, num_instances: int,
+                                         new_instances_transform: Transform, world_space: bool = False,
+                                         mark_render_state_dirty: bool = False, teleport: bool = False) -> bool:
+        """Move instances from an index on to one place."""
+        return self.batch_update_instances_transforms(start_instance_index, [new_instances_transform] * num_instances,
+                                                      world_space)
+
+    @api
+    def is_valid_instance(self, instance_index: int) -> bool:
+        """Whether an instance exists."""
+        return 0 <= instance_index < len(self._instances)
+
+    def _inside(self, low: Vector, high: Vector, in_world: bool) -> list[int]:
+        mesh = StaticMeshComponent._local_bounds(self)
+        found = []
+        for index, pose in enumerate(self._instances if mesh is not None else []):
+            origin, extent = (compose(pose, self._world_pose()) if in_world else pose).box(*mesh)  # type: ignore[misc]
+            if all(o - e <= b and o + e >= a for o, e, a, b in zip(origin, extent, low._triple(), high._triple(),
+                                                                   strict=True)):
+                found.append(index)
+        return found
+
+    @api
+    def get_instances_overlapping_box(self, box: Box, box_in_world_space: bool = True) -> Array:
+        """Indices of the instances whose bounds touch a box."""
+        return Array._of("int", self._inside(box.min, box.max, box_in_world_space))
+
+    @api
+    def get_instances_overlapping_sphere(self, center: Vector, radius: float,
+                                         sphere_in_world_space: bool = True) -> Array:
+        """Indices of the instances whose bounds touch the box around a sphere."""
+        half = Vector(radius, radius, radius)
+        return Array._of("int", self._inside(center - half, center + half, sphere_in_world_space))
+
+    @api
+    def set_cull_distances(self, start_cull_distance: int, end_cull_distance: int) -> None:
+        """Set where instances fade out (cm from the camera); pictures here show all of them."""
+        self.set_editor_property("instance_start_cull_distance", start_cull_distance)
+        self.set_editor_property("instance_end_cull_distance", end_cull_distance)
+
+    @api
+    def get_cull_distances(self) -> tuple[int, int]:
+        """Where instances fade out (cm from the camera)."""
+        return (self.get_editor_property("instance_start_cull_distance"),
+                self.get_editor_property("instance_end_cull_distance"))
 
     @api
     def clear_instances(self) -> None:
