@@ -239,11 +239,11 @@ def test_starts_inside_lengths_of_zero_and_numbers_that_are_none(scene: Scene, c
     assert scene.ball((0, 0, 130), (0, 0, 130), 30) is None
     assert scene.ball((0, 0, 130.0005), (300, 0, 130.0005), 30) is None
     assert scene.ball((0, 0, 500), (0, 0, 0), 0.0).to_tuple()[3] == pytest.approx(400)
-    for bad in (math.nan, math.inf):
+    for bad in (math.nan, math.inf, 1e200):
         assert scene.line((0, 0, bad), (0, 0, 0)) is None and scene.ball((0, 0, 500), (0, 0, 0), bad) is None
         assert scene.library.sphere_overlap_actors(scene.world, scene.vector((bad, 0, 0)), 10.0, scene.statics, None,
                                                    []) is None
-    assert capsys.readouterr().out.count("not finite") == 6
+    assert capsys.readouterr().out.count("not finite") == 9
     assert scene.library.line_trace_single(None, scene.vector((0, 0, 500)), scene.vector((0, 0, 0)),
                                            scene.unreal.TraceTypeQuery.TRACE_TYPE_QUERY1, False, [],
                                            *scene.tail) is None
@@ -477,3 +477,18 @@ def test_navigation_answers_as_in_a_level_without_a_mesh(scene: Scene, capsys: A
     assert capsys.readouterr().out.count("builds no navigation mesh") == 2
     with pytest.raises(TypeError):
         navigation.project_point_to_navigation(scene.world, here)
+
+
+@pytest.mark.parametrize("scale", [(1e30, 1e30, 1e30), (1e300, 1.0, 1.0), (1e-30, 1.0, 1.0), (1.0, 0.0, 0.0)])
+@pytest.mark.parametrize("x", [0.0, 1e6, 1e12, 1e30, 1e300])
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+def test_actors_of_absurd_size_or_place_do_no_harm(scene: Scene, x: float, scale: Any) -> None:
+    for shape in ("Cube", "Sphere", "Cylinder"):
+        scene.put(shape, (x, 0, 0), (0, 0, 0), scale)
+    near = scene.put("Cube", (0, 0, -500))
+    for triangles in (False, True):
+        hit = scene.line((30, 30, -300), (30, 30, -900), triangles=triangles)
+        assert hit.to_tuple()[9] is near or max(scale) > 1 or x == 0
+        assert scene.ball((0, 900, 100), (0, 900, -1000), 10, triangles=triangles) is None
+    assert scene.library.sphere_overlap_actors(scene.world, scene.vector((0, 0, -500)), 10.0, scene.statics, None,
+                                               []) is not None

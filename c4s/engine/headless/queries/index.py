@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from c4s.engine.headless.world import World
 
 _ROOM = 256
+WORLD_CM = 8.8e12
+"""Half of Unreal's largest world: nothing out there is met, and no query starts there."""
 _Corners = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
@@ -80,7 +82,8 @@ class SpatialIndex:
                 self._low[:, row], self._high[:, row] = np.inf, -np.inf
                 self._free.append(row)
             if actors.get(actor._name) is actor:
-                found = [self._add(target) for target in self._of(actor)]
+                boxes = [(target, self._box(target)) for target in self._of(actor)]
+                found = [self._add(target, *box) for target, box in boxes if box is not None]
                 if found:
                     self._rows[actor] = found
 
@@ -99,8 +102,7 @@ class SpatialIndex:
             return [Target(component._outer, component, -1, pose, None, None)]
         return []
 
-    def _add(self, target: Target) -> int:
-        low, high = self._box(target)
+    def _add(self, target: Target, low: Array, high: Array) -> int:
         if self._free:
             row = self._free.pop()
             self._targets[row] = target
@@ -113,11 +115,13 @@ class SpatialIndex:
         self._low[:, row], self._high[:, row] = low, high
         return row
 
-    def _box(self, target: Target) -> tuple[Array, Array]:
-        """World box of the mesh and of its bodies."""
+    def _box(self, target: Target) -> tuple[Array, Array] | None:
+        """World box of the mesh and of its bodies; None when it reaches out of the world."""
         low, high = target.component._local_bounds() if target.asset is None else self._corners(target.asset)
         origin, extent = target.pose.box(low, high)
         corners = np.array(origin) - extent, np.array(origin) + extent
+        if not max(np.abs(corners[0]).max(), np.abs(corners[1]).max()) < WORLD_CM:
+            return None
         sides = [abs(side) for side in target.pose.scale]
         if min(sides) == max(sides) or target.asset is None or not any(
                 isinstance(body, CapsuleBody) for body in target.asset.collision):

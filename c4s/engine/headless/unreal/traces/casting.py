@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -14,6 +13,7 @@ from c4s.engine.headless.pose import Triple
 from c4s.engine.headless.queries import cast
 from c4s.engine.headless.queries.channels import OBJECT_TYPES, TRACE_TYPES
 from c4s.engine.headless.queries.filters import Answer, Wanted, to_channel, to_object_types, to_profile
+from c4s.engine.headless.queries.index import WORLD_CM
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Class, as_class, subclass_of
@@ -63,13 +63,13 @@ def row(value: Vector) -> Any:
 
 
 def usable(what: str, context: Any, *numbers: float) -> bool:
-    """Whether there is a world to look in and all numbers are finite; a warning is logged when not."""
+    """Whether there is a world to look in and all numbers lie in it; a warning is logged when not."""
     if context is None:
         world().log.warning(f"{what}: A null object was passed as a world context object")
         return False
-    if all(math.isfinite(number) for number in numbers):
+    if all(abs(number) < WORLD_CM for number in numbers):
         return True
-    world().log.warning(f"{what}: the query has numbers that are not finite and finds nothing")
+    world().log.warning(f"{what}: the query has numbers that are not finite or outside the world, and finds nothing")
     return False
 
 
