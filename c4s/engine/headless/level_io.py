@@ -34,6 +34,14 @@ if TYPE_CHECKING:
 
 _GUID = re.compile(r"[0-9A-Fa-f]{32}")
 _DYNAMIC = "dynamic_materials"
+MOST_BYTES = 64 << 20
+MOST_RECORDS = 600_000
+"""Actors, components, transforms and instances: what takes time and memory to read."""
+MOST_ACTORS = 100_000
+LARGEST = 1e12
+"""Largest number of a transform: beyond Unreal's largest world, and far from where bounds overflow."""
+DEEPEST = 100
+"""Longest chain of attachment."""
 
 
 class DynamicMaterial(Record):
@@ -55,21 +63,31 @@ def _dynamic(properties: dict[str, Any], where: str) -> dict[int, DynamicMateria
 
 
 def read(path: Path) -> Level:
-    """Read and validate a level document; ``BadInput`` when it is missing, truncated or wrong."""
+    """Read and validate a level document; ``BadInput`` when it is missing, truncated, wrong or too large."""
     try:
-        return Level.model_validate_json(path.read_bytes())
-    except FileNotFoundError:
-        raise BadInput("no such level", where=str(path)) from None
+        size = path.stat().st_size
+        if size > MOST_BYTES:
+            raise BadInput(f"this level document has {size >> 20} MiB, more than {MOST_BYTES >> 20}", where=str(path))
+        data = path.read_bytes()
+        records = data.count(b"{")
+        if records > MOST_RECORDS:
+            raise BadInput(f"this level document has {records} records, more than {MOST_RECORDS}", where=str(path))
+        level = Level.model_validate_json(data)
+    except OSError as error:
+        raise BadInput(f"no such level ({error.strerror})", where=str(path)) from None
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(str(part) for part in first["loc"]) or "value"
         raise BadInput(f"this level document is wrong at {field}: {first['msg']}", where=str(path)) from None
+    if len(level.actors) > MOST_ACTORS:
+        raise BadInput(f"this level has {len(level.actors)} actors, more than {MOST_ACTORS}", where=str(path))
+    return level
 
 
-def _pose(transform: Transform) -> Pose:
+def _pose(transform: Transform, where: str = "") -> Pose:
     numbers = (*transform.location_cm, *transform.rotation_deg, *transform.scale)
-    if not all(math.isfinite(number) for number in numbers):
-        raise BadInput("a transform must be finite numbers", where=str(numbers))
+    if not all(math.isfinite(number) and abs(number) <= LARGEST for number in numbers):
+        raise BadInput(f"a transform must be finite numbers of at most {LARGEST:g}, not {numbers}", where=where)
     return Pose.from_rotator(transform.location_cm, transform.rotation_deg, transform.scale)
 
 
@@ -118,12 +136,12 @@ def _fill(world: World, actor: Actor, component: ActorComponent, doc: LevelCompo
             component._materials[slot] = made
         properties.pop(_DYNAMIC, None)
     if isinstance(component, InstancedStaticMeshComponent):
-        component._instances = [_pose(t) for t in doc.instances]
+        component._instances = [_pose(t, where) for t in doc.instances]
     codec.restore(component._properties, component._values, properties, where)
     if isinstance(component, PrimitiveComponent) and not doc.collision_enabled:
         component._values["collision_enabled"] = CollisionEnabled.NO_COLLISION
     if isinstance(component, SceneComponent) and component is not actor._components[0]:
-        component._relative = _pose(doc.relative)
+        component._relative = _pose(doc.relative, where)
         component._stale()
 
 
@@ -167,7 +185,7 @@ def build(world: World, level: Level, where: str) -> dict[str, Actor]:
         for part in doc.components:
             _fill(world, actor, _component_for(world, actor, part, free, spot), part, f"{spot}.{part.name}")
         root = actor._root()
-        root._relative = _pose(doc.transform)
+        root._relative = _pose(doc.transform, spot)
         root._stale()
         root._world = root._relative
         actors[doc.name] = actor
@@ -175,16 +193,26 @@ def build(world: World, level: Level, where: str) -> dict[str, Actor]:
     return actors
 
 
+def _check_parents(level: Level, actors: dict[str, Actor], where: str) -> None:
+    """Every parent is in the level, none is below its own child, and no chain is longer than ``DEEPEST``."""
+    parents = {doc.name: doc.parent for doc in level.actors if doc.name in actors}
+    for name, parent in parents.items():
+        if parent is not None and parent not in parents:
+            raise BadInput(f"its parent {parent!r} is not in the level", where=f"{where}: {name}")
+        above, depth = parent, 1
+        while above is not None:
+            if above == name or depth > DEEPEST:
+                raise BadInput(f"its parent {parent!r} is below it" if above == name else
+                               f"it is attached more than {DEEPEST} deep, or below a circle", where=f"{where}: {name}")
+            above, depth = parents.get(above), depth + 1
+
+
 def _attach(level: Level, actors: dict[str, Actor], where: str) -> None:
+    _check_parents(level, actors, where)
     for doc in level.actors:
         if doc.parent is None or doc.name not in actors:
             continue
-        parent = actors.get(doc.parent)
-        above = parent
-        while above is not None and above is not actors[doc.name]:
-            above = above.get_attach_parent_actor()
-        if parent is None or above is not None:
-            raise BadInput(f"its parent {doc.parent!r} is not in the level, or below it", where=f"{where}: {doc.name}")
+        parent = actors[doc.parent]
         root = actors[doc.name]._root()
         world_pose = root._world_pose()
         root._attach(parent._root())

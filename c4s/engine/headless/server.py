@@ -78,6 +78,8 @@ class BridgeServer:
             connection.settimeout(self._read_s)
             try:
                 connection.sendall(orjson.dumps(reply, option=orjson.OPT_APPEND_NEWLINE))
+                connection.shutdown(socket.SHUT_WR)
+                _discard(connection)
             except (BrokenPipeError, ConnectionResetError, TimeoutError):
                 return
 
@@ -171,6 +173,13 @@ class BridgeServer:
     def _shutdown(self, _: Params) -> dict[str, Any]:
         self._board.stop()
         return {"status": "ok"}
+
+
+def _discard(connection: socket.socket) -> None:
+    """Read away what is left of a refused request: a socket that is closed on unread data takes its reply with it."""
+    left = MAX_REQUEST_BYTES
+    while left > 0 and (part := connection.recv(1 << 20)):
+        left -= len(part)
 
 
 def _same_user(connection: socket.socket) -> bool:
