@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from cases.model import TextCase
 from cases.requirements import Entity, Predicate, Quantity, RequirementSpec
 from cases.starter import flat_scene, office_scene
@@ -26,7 +28,7 @@ FLAT_TEXT = (
     "large wardrobe. The child's room has a small bed, a writing desk with a globe under the window, and toys on a "
     "blue rug. The bathroom holds a bathtub, a toilet and a washbasin. Rust-coloured curtains hang at the windows.")
 
-_EXACT = "exact"
+_EXACT: Final = "exact"
 
 OFFICE_REQUIREMENTS = RequirementSpec(
     entities=(

@@ -126,7 +126,7 @@ def _bathtub(b: Builder) -> None:
     rim = Polygon([(-85, -37.5), (85, -37.5), (85, 37.5), (-85, 37.5)], [_oval(156, 62, 0.45)[::-1]])
     b.add("Ceramic", extrude(rim, 58), body=None)
     b.box("Ceramic", (168, 73, 12), (0, 0, 1))
-    b.box("Water", (154, 60, 0.5), (0, 0, 34), body=None)
+    b.box("BathLiquid", (154, 60, 0.5), (0, 0, 34), body=None)
     b.tube("Steel", [(-72, -33, 58), (-72, -33, 70), (-70, -26, 73), (-68, -18, 69)], 1.5)
     for x in (-82, -62):
         b.cylinder("Steel", 2.4, 4, (x, -34, 58), segments=12, body=None)

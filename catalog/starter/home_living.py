@@ -173,4 +173,4 @@ def _tv(b: Builder) -> None:
     b.panel("TvScreen", 120, 67.5, (0, 2.6, 7))
     for x in (-42, 42):
         b.box("DarkMetal", (3, 26, 1.5), (x, 0, 0), bevel=0.4)
-        b.box("DarkMetal", (3, 4, 6), (x, 0, 0), body=None)
+        b.box("DarkMetal", (3, 4, 6), (x, 0, 0))

@@ -90,7 +90,7 @@ HOME = [
     MaterialSpec("BlueRug", texture=carpet((78, 108, 148), (226, 220, 204), (196, 204, 214), 72)),
     MaterialSpec("Worktop", texture=mottled((88, 86, 84), 73, strength=0.15, fine=0.12), tile_m=0.5, roughness=0.3),
     MaterialSpec("CabinetSage", (0.34, 0.44, 0.36), 0.5),
-    MaterialSpec("Water", (0.35, 0.60, 0.72), 0.05, opacity=0.6),
+    MaterialSpec("BathLiquid", (0.35, 0.60, 0.72), 0.05, opacity=0.6),
     MaterialSpec("MirrorGlass", (0.62, 0.70, 0.74), 0.03, 0.8),
     MaterialSpec("TvScreen", texture=painting(74, sky=(70, 130, 200), hills=((40, 90, 60), (24, 54, 40))),
                  emissive=(0.08, 0.1, 0.12)),
