@@ -115,18 +115,13 @@ def _light_properties(actor: Any) -> dict[str, Any]:
     return found
 
 
-def _component(component: Any, mesh: Any) -> dict[str, Any]:
-    record = {"name": component.get_name(), "class": component.get_class().get_path_name(), "mesh": _path(mesh),
-              "transform": _place(component.get_world_transform()), "collision_enabled": _collides(component)}
+def _component(component: Any, name: str, kind: str, mesh_path: str | None, collides: bool) -> dict[str, Any]:
+    record: dict[str, Any] = {"name": name, "class": kind, "mesh": mesh_path,
+                              "transform": _place(component.get_world_transform()), "collision_enabled": collides}
     if isinstance(component, unreal.InstancedStaticMeshComponent):
         record["instances"] = [_place(component.get_instance_transform(i, True))
                                for i in range(component.get_instance_count())]
     return record
-
-
-def _collides(component: Any) -> bool:
-    return (isinstance(component, unreal.PrimitiveComponent)
-            and component.get_collision_enabled() != unreal.CollisionEnabled.NO_COLLISION)
 
 
 def _origin_tag(tags: list[str]) -> str | None:
@@ -140,18 +135,21 @@ def export_actor(actor: Any, meshes: dict[str, Any]) -> dict[str, Any]:
     for component in actor.get_components_by_class(unreal.SceneComponent):
         kind = component.get_class().get_path_name()
         identities.append(kind)
-        identity = f"{component.get_name()}|{kind}"
-        mesh = None
+        called = component.get_name()
+        identity = f"{called}|{kind}"
+        collides, mesh_path = False, None
         if isinstance(component, unreal.PrimitiveComponent):
             primitives += 1
-            if _collides(component):
+            collides = component.get_collision_enabled() != unreal.CollisionEnabled.NO_COLLISION
+            if collides:
                 colliding.append(identity)
             mesh = _mesh_of(component)
-        if mesh is not None:
-            assets.add(mesh.get_path_name())
-            meshes[mesh.get_path_name()] = mesh
-            slots += _slots(component, identity)
-        components.append(_component(component, mesh))
+            if mesh is not None:
+                mesh_path = mesh.get_path_name()
+                assets.add(mesh_path)
+                meshes[mesh_path] = mesh
+                slots += _slots(component, identity)
+        components.append(_component(component, called, kind, mesh_path, collides))
     name, tags = actor.get_name(), [str(tag) for tag in actor.get_editor_property("tags")]
     asset_paths = sorted(assets)
     transform = actor.get_actor_transform()

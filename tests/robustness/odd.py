@@ -8,9 +8,10 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-ODD: st.SearchStrategy[Any] = st.sampled_from([None, True, 0, -1, 2**70, 1e308, -1e308, 1e-320, float("nan"), float("inf"), "", "/Game/../..",
-                       "\x00", "ü" * 2000, [], {}, [[]], {"a": {}}, [1, 2], ["x"] * 4, "NaN", "/Script/Engine.Actor",
-                       "/Game/Made/None.None"])
+ODD: st.SearchStrategy[Any] = st.sampled_from([
+    None, True, 0, -1, 2**70, 1e308, -1e308, 1e-320, float("nan"), float("inf"), "", "/Game/../..", "\x00", "ü" * 2000,
+    [], {}, [[]], {"a": {}}, [1, 2], ["x"] * 4, "NaN", "/Script/Engine.Actor",
+    "/Game/Made/None.None"])
 
 
 def places(value: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:

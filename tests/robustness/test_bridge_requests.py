@@ -1,4 +1,4 @@
-"""Requests that are wrong, cut off or too large, and clients that misbehave: a clear answer, and the engine stays up."""
+"""Wrong, cut off and oversized requests, and clients that misbehave: a clear answer, and the engine stays up."""
 
 from __future__ import annotations
 
@@ -68,7 +68,8 @@ def test_an_oversized_request_is_refused_before_its_end(engine: EngineSession) -
 @pytest.mark.parametrize("name", ["wait_s", "offset"])
 def test_numbers_that_are_none(engine: EngineSession, name: str, value: str) -> None:
     job = engine.execute("print(1)")["job_id"]
-    reply = exchange(engine, f'{{"type": "read_job_log", "params": {{"job_id": "{job}", "{name}": {value}}}}}\n'.encode())
+    request = f'{{"type": "read_job_log", "params": {{"job_id": "{job}", "{name}": {value}}}}}\n'
+    reply = exchange(engine, request.encode())
     assert reply["fault"] == "BadRequest" and reply["error"]
 
 

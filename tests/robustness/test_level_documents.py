@@ -85,7 +85,7 @@ def test_attachment_is_a_forest_or_bad_input(parents: dict[str, str | None]) -> 
     if all(leads_up(name) for name in parents):
         assert opened(data)["actor_count"] == 4
     else:
-        with pytest.raises(BadInput, match="parent|attached"):
+        with pytest.raises(BadInput, match=r"parent|attached"):
             opened(data)
 
 
