@@ -29,8 +29,11 @@ PARAMETERS: dict[str, Any] = {"threshold": 0.05, "max_convex_hull": 32, "preproc
 MOST_SECONDS = 300.0
 MOST_PIECES = 64
 """A mesh of more pieces is cut as a whole: the many little ones of a decoration are no bodies of their own."""
-BULGE = 0.01
-"""A piece is convex when no point lies further outside the plane of a face than this share of its size."""
+BULGE = 0.025
+"""A piece is convex when no point lies further outside the plane of a face than this share of its size: about what
+coacd's threshold, which is told in half sizes, lets pass."""
+LITTLE = 0.1
+"""Pieces below this share of the whole keep a hull."""
 HIDDEN_CM = 1.0
 """A piece that lies in another's hull, within this much, adds no body."""
 
@@ -50,11 +53,12 @@ def decompose(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
         pieces = [(corners, welded)]
     pieces.sort(key=lambda piece: -float(np.linalg.norm(np.ptp(piece[0], axis=0))))
     found: list[Points] = []
+    little = LITTLE * float(np.linalg.norm(np.ptp(corners, axis=0)))
     notes: list[str] = []
     for points, triangles in pieces:
         if any(_holds(other, points) for other in found):
             continue
-        if is_convex(points, triangles):
+        if float(np.linalg.norm(np.ptp(points, axis=0))) < little or is_convex(points, triangles):
             found.append(points)
             continue
         parts, note = _cut(points, triangles, cache_folder or cache_root() / "convex")
