@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 from c4s.engine.headless.unreal.assets import AssetObject
-from c4s.engine.headless.unreal.containers import Array, Name
+from c4s.engine.headless.unreal.containers import Array, Name, Text
 from c4s.engine.headless.unreal.core import TYPES, EnumBase, Prop, converted, copied, need
 from c4s.engine.headless.unreal.structs import Color, Rotator, StructBase
 from c4s.errors import BadInput
@@ -14,7 +14,7 @@ from c4s.errors import BadInput
 
 def encode(value: Any) -> Any:
     """A property value as JSON data."""
-    if isinstance(value, Name):
+    if isinstance(value, (Name, Text)):
         return str(value)
     if isinstance(value, EnumBase):
         return value.name
@@ -48,7 +48,7 @@ def decode(raw: Any, kind: str, where: str) -> Any:
 
 
 def _decode(raw: Any, kind: str) -> Any:
-    if raw is None or kind in ("float", "int", "bool", "str", "Name"):
+    if raw is None or kind in ("float", "int", "bool", "str", "Name", "Text"):
         need(raw, kind, "value")
         return converted(raw, kind) if raw is not None else None
     if kind.startswith("Sequence"):
