@@ -59,7 +59,7 @@ def scene_actors(snapshot: Any, role: Role) -> list[Entry]:
     where = f"{role} snapshot"
     scene = snapshot if isinstance(snapshot, Scene) else _plain(snapshot, where)
     metadata = scene.export_metadata
-    if metadata is None or (role == "candidate" and metadata == {}):
+    if not metadata and (role == "candidate" or not isinstance(metadata, dict)):
         return scene.actors
     status = metadata.get("status") if isinstance(metadata, dict) else None
     if status != "success":

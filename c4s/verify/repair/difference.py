@@ -6,6 +6,7 @@ but for their identity, and what makes an actor changed (input against candidate
 
 from __future__ import annotations
 
+import json
 from math import isfinite
 from typing import Any
 
@@ -48,12 +49,18 @@ def transform_differences(reference: Record, other: Record, *, as_quaternion: bo
     return found
 
 
-def surely_finite(transform: Any) -> bool:
-    """A fast yes for a transform of finite numbers. NaN equals nothing, even where it is one object."""
+def surely_finite(transform: Record) -> bool:
+    """A fast yes for a transform of lists of finite numbers. What is no number equals nothing, itself included."""
+    vectors = list(transform.values())
     try:
-        return isfinite(sum(map(sum, transform.values())))
-    except (TypeError, AttributeError, OverflowError):
+        return set(map(type, vectors)) == {list} and isfinite(sum(map(sum, vectors)))
+    except (TypeError, OverflowError):
         return False
+
+
+def written(value: Any) -> str:
+    """A recorded value as canonical text: 5000 and 5000.0 are written differently, NaN like NaN."""
+    return json.dumps(value, sort_keys=True)
 
 
 def _visible(properties: Any) -> dict[str, Any]:
@@ -62,16 +69,14 @@ def _visible(properties: Any) -> dict[str, Any]:
     return {key.lower(): value for key, value in properties.items() if key.lower() in VISIBLE_PROPERTIES}
 
 
-def _same_text(a: Any, b: Any) -> bool:
-    return bool(a == b) or (not a and not b)
-
-
-def _same_list(a: Any, b: Any) -> bool:
+def _same_or_empty(a: Any, b: Any) -> bool:
     return bool(a == b) or (not a and not b)
 
 
 def property_differences(reference: Record, other: Record, *, target: bool) -> list[str]:
     """Recorded fields of ``reference``, transform and bounds aside, that ``other`` does not reproduce.
+
+    Component assets, material slots and visible properties are compared as they are written.
 
     ``target`` True: classes may differ in their package, and only visible light, fog, sky and exposure properties
     count. False: the class must be equal as recorded, and the whole property dictionary too.
@@ -79,25 +84,21 @@ def property_differences(reference: Record, other: Record, *, target: bool) -> l
     found = []
     if "class" in reference:
         a, b = reference["class"], other.get("class")
-        if not _same_text(a, b) and not (target and short_class(a) == short_class(b)):
+        if not _same_or_empty(a, b) and not (target and short_class(a) == short_class(b)):
             found.append("property.class")
-    if "asset_path" in reference and not _same_text(reference["asset_path"], other.get("asset_path")):
+    if "asset_path" in reference and not _same_or_empty(reference["asset_path"], other.get("asset_path")):
         found.append("property.asset_path")
-    if "component_asset_paths" in reference and not _same_list(reference["component_asset_paths"],
-                                                               other.get("component_asset_paths")):
+    if "component_asset_paths" in reference and written(reference["component_asset_paths"] or []) != written(
+            other.get("component_asset_paths") or []):
         found.append("property.component_asset_paths")
-    slots_same = reference.get("component_material_slots") == other.get("component_material_slots")
-    if "material_paths" in reference:
-        raw_same = slots_same and reference["material_paths"] == other.get("material_paths")
-        if not raw_same and comparable_materials(reference) != comparable_materials(other):
-            found.append("property.material_paths")
-    if "component_material_slots" in reference and not slots_same \
-            and comparable_slots(reference) != comparable_slots(other):
+    if "material_paths" in reference and comparable_materials(reference) != comparable_materials(other):
+        found.append("property.material_paths")
+    if "component_material_slots" in reference and written(comparable_slots(reference)) != written(
+            comparable_slots(other)):
         found.append("property.component_material_slots")
     if "properties" in reference:
         mine, theirs = reference["properties"], other.get("properties")
-        same = _visible(mine) == _visible(theirs) if target else mine == theirs
-        if not same:
+        if written(_visible(mine)) != written(_visible(theirs)) or not (target or mine == theirs):
             found.append("property.properties")
     return found
 

@@ -24,23 +24,23 @@ _COMPARED = itemgetter("transform", "class", "asset_path", "component_asset_path
 
 
 def identity(record: Record) -> str:
-    """The actor's identity key: stable id, else GUID, else label, else its path inside the level.
+    """The actor's identity key: stable id, else GUID, else label, else its path inside the level (scorer fact 1).
 
+    Stable id and label count only as text; the label and the path are taken as they stand, blanks and all.
     Raises ``BadInput`` when the record has none of them.
     """
-    stable = record.get("stable_actor_id")
-    if type(stable) is str and (stable := stable.strip()):
+    stable, label = record.get("stable_actor_id"), record.get("label")
+    if isinstance(stable, str) and (stable := stable.strip()):
         return f"stable:{stable}"
-    for field, name in (("stable_actor_id", "stable"), ("actor_guid", "guid"), ("label", "label")):
-        value = record.get(field)
-        if value is not None:
-            text = str(value).strip()
-            if text:
-                return f"{name}:{text}"
-    path = str(record.get("actor_path") or "").strip()
+    guid = str("" if (value := record.get("actor_guid")) is None else value).strip()
+    if guid:
+        return f"guid:{guid}"
+    if isinstance(label, str) and label:
+        return f"label:{label}"
+    path = str(record.get("actor_path") or "").rpartition(_LEVEL_MARK)[2]
     if not path:
         raise BadInput("an actor has no id, GUID, label or path", todo="export the scene again")
-    return f"path:{path.rpartition(_LEVEL_MARK)[2]}"
+    return f"path:{path}"
 
 
 class Entry(Protocol):
@@ -57,9 +57,9 @@ class Entry(Protocol):
         """What its descriptor is made of, as a key; None when it cannot be one."""
 
     def alike(self, other: Entry) -> bool:
-        """A fast yes: all fields that are ever compared are equal as recorded.
+        """A fast yes: all fields that are ever compared are written alike.
 
-        Equal is not yet the same where a transform holds NaN, which equals nothing.
+        Alike is not yet the same where a transform holds what is no number, which equals nothing, itself included.
         """
 
 
@@ -85,7 +85,7 @@ class PlainEntry:
     def alike(self, other: Entry) -> bool:
         """See ``Entry``."""
         try:
-            return bool(_COMPARED(self.record) == _COMPARED(other.record))
+            return repr(_COMPARED(self.record)) == repr(_COMPARED(other.record))
         except KeyError:
             return False
 

@@ -17,14 +17,14 @@ _HELPERS = frozenset({"cameraactor", "cinecameraactor", "scenecapture2d", "scene
 @lru_cache(maxsize=65536)
 def _normalized_text(text: str) -> str:
     text = text.strip()
-    if text.endswith("'") and "'" in text[:-1]:
+    if text.endswith("'"):
         text = text[text.index("'") + 1:-1]
     return text.casefold()
 
 
 def normalized_path(value: Any) -> str:
-    """An asset or class path without export quotes, case-folded; empty for null."""
-    return "" if value is None else _normalized_text(str(value))
+    """An asset or class path without export quotes, case-folded; empty for null and other empty values."""
+    return _normalized_text(str(value or ""))
 
 
 def short_class(value: Any) -> str:
@@ -37,7 +37,7 @@ def _descriptor(class_path: Any, asset: Any, components: tuple[Any, ...]) -> Des
     kind = normalized_path(class_path)
     blueprint = kind if kind.startswith("/game/") else ""
     mesh = "" if blueprint else normalized_path(asset)
-    return kind, mesh, blueprint, tuple(sorted({normalized_path(part) for part in components}))
+    return kind, mesh, blueprint, tuple(sorted({path for part in components if (path := normalized_path(part))}))
 
 
 def descriptor(record: Record) -> Descriptor:
@@ -50,11 +50,16 @@ def descriptor(record: Record) -> Descriptor:
         return _descriptor(str(raw[0] or ""), str(raw[1] or ""), tuple(map(str, raw[2])))
 
 
+def _package_name(path: Any) -> str:
+    """Name of the package of an asset path: up to the first ``.``, after the last ``/``."""
+    return str(path or "").strip().partition(".")[0].rpartition("/")[2]
+
+
 def is_semantic(record: Record) -> bool:
     """False for capture helpers (cameras, scene captures); everything else counts, lights and volumes included."""
     name = short_class(record.get("class")).casefold()
     return not (name in _HELPERS or name.endswith("cameraactor") or name.startswith("scenecapture")
-                or short_class(_normalized_text(str(record.get("asset_path") or ""))) == "matineecam_sm")
+                or _package_name(record.get("asset_path")).casefold() == "matineecam_sm")
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,41 +10,52 @@ from typing import Any, TypeAlias
 
 _LEVEL_MARK = ":PersistentLevel."
 _TRANSIENT = "/engine/transient."
-_NUMBER = re.compile(r"_\d+$")
+_NUMBER = re.compile(r"_[0-9]+$")
 
 SlotMap: TypeAlias = dict[tuple[str, int], str]
 
 
-def _reduced(path: Any, dynamic: bool) -> Any:
-    if not isinstance(path, str):
-        return path
-    if dynamic and path.casefold().startswith(_TRANSIENT):
-        return "<dynamic>"
-    if _LEVEL_MARK in path:
-        tail = path.rpartition(_LEVEL_MARK)[2]
-        return _NUMBER.sub("", tail) if dynamic else tail
-    return path
+Identity: TypeAlias = tuple[str, str]
+"""What kind of path it is, and the part of it that survives a save."""
 
 
-def _slots(record: dict[str, Any]) -> list[Any]:
-    slots = record.get("component_material_slots")
-    return slots if isinstance(slots, list) else []
+def _identity(path: Any, dynamic: bool) -> Identity:
+    text = str(path)
+    if dynamic and text.casefold().startswith(_TRANSIENT):
+        return "transient", ""
+    if _LEVEL_MARK in text:
+        owned = text.rpartition(_LEVEL_MARK)[2]
+        if not dynamic:
+            return "owned by the level", owned
+        owner, _, name = owned.rpartition(".")
+        return "dynamic, owned by the level", f"{owner}.{_NUMBER.sub('', name)}"
+    return "asset", text
 
 
-def comparable_slots(record: dict[str, Any]) -> list[Any]:
+def _slots(record: dict[str, Any]) -> Any:
+    return record.get("component_material_slots") or []
+
+
+def _is_dynamic(slot: Any) -> bool:
+    return isinstance(slot, dict) and slot.get("is_dynamic") is True
+
+
+def comparable_slots(record: dict[str, Any]) -> Any:
     """The material slots in order, with level-owned and dynamic paths reduced to what survives a save."""
-    return [{**slot, "material_path": _reduced(slot.get("material_path"), slot.get("is_dynamic") is True)}
-            if isinstance(slot, dict) else slot for slot in _slots(record)]
+    slots = _slots(record)
+    if not isinstance(slots, list):
+        return slots
+    return [{**slot, "material_path": _identity(slot["material_path"], _is_dynamic(slot))}
+            if isinstance(slot, dict) and slot.get("material_path") else slot for slot in slots]
 
 
-def comparable_materials(record: dict[str, Any]) -> list[str]:
+def comparable_materials(record: dict[str, Any]) -> list[Identity]:
     """The material paths as a sorted multiset, reduced alike. A path is dynamic if a dynamic slot names it."""
-    paths = record.get("material_paths")
-    dynamic = {slot.get("material_path") for slot in _slots(record)
-               if isinstance(slot, dict) and slot.get("is_dynamic") is True
-               and isinstance(slot.get("material_path"), str)}
-    return sorted(str(_reduced(path, isinstance(path, str) and path in dynamic))
-                  for path in (paths if isinstance(paths, list) else []))
+    paths, slots = record.get("material_paths") or [], _slots(record)
+    dynamic = {str(slot.get("material_path")).casefold() for slot in (slots if isinstance(slots, list) else [])
+               if _is_dynamic(slot)}
+    return sorted(_identity(path, str(path).casefold() in dynamic) for path in (
+        paths if isinstance(paths, list) else [paths]))
 
 
 def material_set(paths: Any) -> frozenset[str] | None:

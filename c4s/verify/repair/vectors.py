@@ -6,6 +6,7 @@ from itertools import chain
 from math import isfinite
 from typing import Any, TypeAlias
 
+from c4s.errors import BadInput
 from c4s.scene.transform import quat_angle_deg, quat_from_rotator
 
 Vector3: TypeAlias = tuple[float, float, float]
@@ -39,17 +40,18 @@ def all_valid(vectors: list[Any]) -> bool:
 def same_within(a: Any, b: Any, tolerance: float) -> bool:
     """Whether two recorded vectors agree component-wise, limit inclusive.
 
-    Numeric strings and booleans count as numbers. What cannot be read as numbers must be equal as recorded.
-    NaN agrees with nothing.
+    Numeric strings and booleans count as numbers. What cannot be read as numbers differs from everything, itself
+    included. Raises ``BadInput`` for a number beyond the range of a float.
     """
-    if not isinstance(a, (list, tuple)) or not isinstance(b, (list, tuple)):
-        return bool(a == b)
-    if len(a) != len(b):
+    if not isinstance(a, (list, tuple)) or not isinstance(b, (list, tuple)) or len(a) != len(b):
         return False
     try:
         return all(abs(float(p) - float(q)) <= tolerance for p, q in zip(a, b, strict=True))
-    except (TypeError, ValueError, OverflowError):
-        return a == b
+    except (TypeError, ValueError):
+        return False
+    except OverflowError:
+        raise BadInput("a transform holds a number beyond the range of a float", todo="export the scene again"
+                       ) from None
 
 
 def angle_deg(a: Vector3, b: Vector3) -> float:
