@@ -56,6 +56,8 @@ class StubClass:
     name: str
     bases: tuple[str, ...]
     methods: dict[str, Signature]
+    nodes: dict[str, ast.FunctionDef]
+    """The methods as written, for their defaults and results."""
     properties: frozenset[str]
     """Properties that scripts see as attributes."""
     editor_properties: frozenset[str]
@@ -120,18 +122,20 @@ class StubIndex:
         node = ast.parse(self._block(self._starts[name])).body[0]
         assert isinstance(node, ast.ClassDef)
         text = (ast.get_docstring(node) or "").partition("**Editor Properties:**")[2]
-        methods, properties, constants = {}, set(), set()
+        methods, nodes, properties, constants = {}, {}, set(), set()
         for item in node.body:
             if isinstance(item, ast.FunctionDef):
                 if any(isinstance(d, ast.Name) and d.id == "property" for d in item.decorator_list):
                     properties.add(item.name)
                 elif not any(isinstance(d, ast.Attribute) for d in item.decorator_list):
                     methods.setdefault(item.name, signature_of(item))
+                    nodes.setdefault(item.name, item)
             elif isinstance(item, ast.AnnAssign) and isinstance(item.target, ast.Name):
                 constants.add(item.target.id)
             elif isinstance(item, ast.Assign):
                 constants |= {target.id for target in item.targets if isinstance(target, ast.Name)}
         return StubClass(name, tuple(base.id for base in node.bases if isinstance(base, ast.Name)), methods,
+                         nodes,
                          frozenset(properties), frozenset(_LISTED.findall(text)), frozenset(constants))
 
     def lineage(self, name: str) -> list[StubClass]:
@@ -144,6 +148,10 @@ class StubIndex:
     def method(self, name: str, method: str) -> Signature | None:
         """Parameters of a method, its own or inherited, or None."""
         return next((c.methods[method] for c in self.lineage(name) if method in c.methods), None)
+
+    def node(self, name: str, method: str) -> ast.FunctionDef | None:
+        """A method as written, its own or inherited, or None."""
+        return next((c.nodes[method] for c in self.lineage(name) if method in c.nodes), None)
 
     def has(self, name: str, member: str) -> bool:
         """Whether a class shows a method, property or constant, its own or inherited."""

@@ -192,7 +192,8 @@ def paints(s: Scene) -> None:
 
 
 def organized(s: Scene) -> None:
-    assert {"Tree_01", "Tree_02", "Tree_03", "Rock_01", "Building_01", "Light_01", "Misc_01", "Misc_02"} == set(s.actors)
+    assert set(s.actors) == {"Tree_01", "Tree_02", "Tree_03", "Rock_01", "Building_01", "Light_01", "Misc_01",
+                             "Misc_02"}
 
 
 def repaired(s: Scene) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import inspect
+import re
 from collections.abc import Iterator
 from enum import Enum
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any
 
 import pytest
 from stub_index import Parameter, Signature, StubIndex
+from used_names import table
 
 from c4s.engine.headless.unreal import build
 from c4s.engine.headless.unreal.structs import StructBase
@@ -129,6 +131,75 @@ def test_classes_follow_the_stub(stub, ours):
             wrong += field_differences(stub, name, getattr(cls, "_properties", {}))
     assert not wrong
     assert calls > 1000
+
+
+def plain(result: str) -> str:
+    """A result of the stub in the words of ours: items of containers and the module's name aside."""
+    result = result.removeprefix("unreal.")
+    if result.startswith("Optional["):
+        return f"{plain(result[len('Optional['):-1])} | None"
+    return re.sub(r"\b(Array|Map|Set)\[[^\]]*\]*?\]", r"\1", result).replace("Tuple", "tuple")
+
+
+OTHER_RESULTS = {"popitem", "items", "keys", "values", "to_tuple", "cast", "get_default_object", "copy", "__copy__"}
+"""Methods whose result the stub gives with type variables."""
+
+
+def result_differences(stub: StubIndex, name: str, cls: type) -> Iterator[str]:
+    """Results that differ from Unreal's. Ours may be looser (``None`` for no object, ``Any``), never another thing."""
+    for member, value in members(cls):
+        node = stub.node(name, member)
+        function = inspect.unwrap(getattr(value, "__func__", value))
+        if node is None or node.returns is None or not callable(function) or member in OTHER_RESULTS:
+            continue
+        theirs, mine = plain(ast.unparse(node.returns)), str(inspect.signature(function).return_annotation)
+        mine = mine.replace(" | None,", ",")
+        if mine not in ("Any", theirs, f"{theirs} | None") and theirs not in ("Any", f"{mine} | None"):
+            yield f"{name}.{member} gives {mine}, not {theirs}"
+
+
+def default_differences(stub: StubIndex, name: str, cls: type) -> Iterator[str]:
+    """Numbers, texts and structs that stand for a parameter left out."""
+    for member, value in members(cls):
+        node = stub.node(name, member)
+        function = inspect.unwrap(getattr(value, "__func__", value))
+        if node is None or not inspect.isfunction(function):
+            continue
+        arguments = node.args
+        theirs = dict(zip([a.arg for a in arguments.args][len(arguments.args) - len(arguments.defaults):],
+                          arguments.defaults, strict=True))
+        for parameter in inspect.signature(function).parameters.values():
+            if parameter.default is parameter.empty or parameter.name not in theirs:
+                continue
+            if not same_default(parameter.default, ast.unparse(theirs[parameter.name])):
+                yield f"{name}.{member}: {parameter.name}={parameter.default!r}, {ast.unparse(theirs[parameter.name])}"
+
+
+def same_default(mine: Any, theirs: str) -> bool:
+    """Whether a default is the one that the stub writes (numbers to six places, enums by name)."""
+    if theirs in ("...", "Ellipsis"):
+        return True
+    if isinstance(mine, Enum):
+        return theirs.rsplit(".", 1)[-1] == mine.name
+    wanted = ast.literal_eval(theirs)
+    if isinstance(wanted, list):
+        given = mine if isinstance(mine, tuple) else mine.to_tuple()
+        return bool(list(given) == pytest.approx(wanted, abs=1e-4))
+    if isinstance(wanted, float):
+        return bool(mine == pytest.approx(wanted, abs=1e-6))
+    return bool(mine == wanted)
+
+
+def test_results_and_defaults_are_unreals(stub, ours):
+    classes = {n: c for n, c in ours.items() if isinstance(c, type) and not issubclass(c, Enum)}
+    wrong = [w for n, c in classes.items() for w in (*result_differences(stub, n, c), *default_differences(stub, n, c))]
+    assert not wrong
+
+
+def test_what_others_use_is_here(stub, ours):
+    rows = table(stub, ours)
+    assert [row.name for row in rows if row.in_unreal and not row.here] == []
+    assert len(rows) > 100
 
 
 COMMON = {

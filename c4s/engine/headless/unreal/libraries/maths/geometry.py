@@ -315,6 +315,11 @@ def hsv_to_rgb(h: float, s: float, v: float, a: float = 1.0) -> LinearColor:
     return LinearColor(h, s, v, a).hsv_to_rgb()
 
 
+def break_color(color: LinearColor) -> tuple[float, float, float, float]:
+    """Red, green, blue and alpha."""
+    return color.r, color.g, color.b, color.a
+
+
 def to_hex_linear_color(color: LinearColor) -> str:
     """Eight hex digits of the sRGB bytes: r, g, b, a."""
     found: Color = color.to_color()

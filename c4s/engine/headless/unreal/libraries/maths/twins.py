@@ -141,7 +141,7 @@ PLAIN: dict[str, tuple[type, str, str]] = {
     "equal_equal_linear_color_linear_color": (_C, "equals", "a b"),
     "not_equal_linear_color_linear_color": (_C, "not_equal", "a b"),
     "rgb_to_hsv": (_C, "rgb_into_hsv_components", "color"), "rgb_linear_to_hsv": (_C, "rgb_to_hsv", "rgb"),
-    "hsv_to_rgb_linear": (_C, "hsv_to_rgb", "hsv"), "break_color": (_C, "to_tuple", "color"),
+    "hsv_to_rgb_linear": (_C, "hsv_to_rgb", "hsv"),
     "conv_linear_color_to_color": (_C, "to_color", "linear_color use_srgb"),
     "conv_linear_color_to_vector": (_C, "to_rgb_vector", "linear_color"),
     "c_interp_to": (_C, "interpolate_to", "current target delta_time interp_speed"),
