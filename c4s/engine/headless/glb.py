@@ -8,9 +8,10 @@ left out.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import trimesh
@@ -28,6 +29,7 @@ from c4s.scene.transform import Array
 _METRE_CM = 100.0
 _SWAP = [0, 2, 1]
 _MIN_VOLUME = 1e-9
+_VERTICES, _INDICES = 34962, 34963
 
 
 def write_glb(world: World, path: Path) -> dict[str, int]:
@@ -55,6 +57,18 @@ def to_gltf(matrix_cm: Array) -> Array:
     return out
 
 
+@dataclass(frozen=True)
+class Pictures:
+    """Texture files of a material, and what the alpha of the base colour does."""
+
+    base: Path | None = None
+    normal: Path | None = None
+    roughness_metal: Path | None = None
+    emissive: Path | None = None
+    alpha: Literal["opaque", "mask", "blend"] = "opaque"
+    alpha_cutoff: float = 0.5
+
+
 class _Scene:
     """Collects nodes and meshes; one geometry for each mesh, slot and material."""
 
@@ -64,8 +78,9 @@ class _Scene:
         self.nodes: list[str] = []
         """Names of the nodes by their number, which is their key in the scene: labels are not unique."""
         self.geometries: dict[tuple[str, int, str], str] = {}
-        self._materials: dict[tuple[Material, Path | None], tuple[str, PBRMaterial]] = {}
-        self._exact: dict[str, tuple[str, Material]] = {}
+        self._materials: dict[tuple[Material, Pictures], tuple[str, PBRMaterial]] = {}
+        self._opened: dict[tuple[Path, bool], Image.Image] = {}
+        self._exact: dict[str, tuple[str, Material, Pictures]] = {}
         self.triangles = 0
 
     def add(self, parts: list[Drawable]) -> None:
@@ -99,7 +114,7 @@ class _Scene:
         mesh = self._store.mesh(part.mesh)
         for slot in np.unique(mesh.face_slots):
             surface = part.materials[slot] if slot < len(part.materials) else Material(path="")
-            material_key, material = self._material(surface, self._texture(part.component, int(slot)))
+            material_key, material = self._material(surface, self._pictures(part.component, int(slot)))
             key = (part.mesh, int(slot), material_key)
             if key not in self.geometries:
                 self.geometries[key] = f"mesh_{len(self.geometries)}"
@@ -107,20 +122,34 @@ class _Scene:
             self.triangles += int(np.count_nonzero(mesh.face_slots == slot))
             yield self.geometries[key]
 
-    def _texture(self, component: StaticMeshComponent, slot: int) -> Path | None:
+    def _pictures(self, component: StaticMeshComponent, slot: int) -> Pictures:
+        """Texture files of the pack material that a slot shows, or of the one that it was made of."""
         material = component.get_material(slot) if slot < component.get_num_materials() else None
         packed = self._store.material(material._origin_path()) if material is not None else None
-        return self._store.texture_file(packed) if packed is not None else None
+        if packed is None:
+            return Pictures()
+        base, normal, roughness_metal, emissive = (self._store.pack_file(packed, name) for name in (
+            packed.texture, packed.normal_texture, packed.roughness_metal_texture, packed.emissive_texture))
+        return Pictures(base, normal, roughness_metal, emissive, packed.alpha, packed.alpha_cutoff)
 
-    def _material(self, surface: Material, texture: Path | None) -> tuple[str, PBRMaterial]:
-        known = (surface, texture)
+    def _material(self, surface: Material, pictures: Pictures) -> tuple[str, PBRMaterial]:
+        known = (surface, pictures)
         if known not in self._materials:
             key = f"material_{len(self._materials)}"
-            picture = Image.open(texture).convert("RGB") if texture is not None else None
-            self._exact[key] = (surface.path.rsplit(".", 1)[-1] or "Default", surface)
+            self._exact[key] = (surface.path.rsplit(".", 1)[-1] or "Default", surface, pictures)
             self._materials[known] = key, PBRMaterial(  # type: ignore[no-untyped-call]
-                name=key, baseColorTexture=picture, doubleSided=True)
+                name=key, baseColorTexture=self._picture(pictures.base, pictures.alpha != "opaque"),
+                normalTexture=self._picture(pictures.normal), emissiveTexture=self._picture(pictures.emissive),
+                metallicRoughnessTexture=self._picture(pictures.roughness_metal), doubleSided=True)
         return self._materials[known]
+
+    def _picture(self, file: Path | None, alpha: bool = False) -> Image.Image | None:
+        """A picture, opened once, so that it is stored once."""
+        if file is None:
+            return None
+        if (file, alpha) not in self._opened:
+            self._opened[file, alpha] = Image.open(file).convert("RGBA" if alpha else "RGB")
+        return self._opened[file, alpha]
 
     def bytes(self) -> bytes:
         """The finished file."""
@@ -135,14 +164,17 @@ class _Scene:
         for mesh in tree["meshes"]:
             path = next(key[0] for key, name in self.geometries.items() if name == mesh["name"])
             mesh["name"] = path.rsplit(".", 1)[-1]
+        _tell_targets(tree)
         strong = False
         for material in tree["materials"]:
-            name, surface = self._exact[material["name"]]
+            name, surface, pictures = self._exact[material["name"]]
             material["name"] = name
             material.setdefault("pbrMetallicRoughness", {}).update(
                 baseColorFactor=[*surface.base_color, surface.opacity], roughnessFactor=surface.roughness,
                 metallicFactor=surface.metallic)
-            material["alphaMode"] = "BLEND" if surface.opacity < 1 else "OPAQUE"
+            material["alphaMode"] = "BLEND" if surface.opacity < 1 else pictures.alpha.upper()
+            if material["alphaMode"] == "MASK":
+                material["alphaCutoff"] = pictures.alpha_cutoff
             strength = max(1.0, *surface.emissive)
             material["emissiveFactor"] = [value / strength for value in surface.emissive]
             if strength > 1:
@@ -150,6 +182,15 @@ class _Scene:
                 strong = True
         if strong:
             tree["extensionsUsed"] = [*tree.get("extensionsUsed", []), "KHR_materials_emissive_strength"]
+
+
+def _tell_targets(tree: dict[str, Any]) -> None:
+    """Say of each buffer view whether it holds vertices or indices, as validators ask for."""
+    for mesh in tree["meshes"]:
+        for primitive in mesh["primitives"]:
+            for accessor, target in [(index, _VERTICES) for index in primitive["attributes"].values()] + [
+                    (primitive["indices"], _INDICES)]:
+                tree["bufferViews"][tree["accessors"][accessor]["bufferView"]]["target"] = target
 
 
 def _geometry(mesh: Mesh, slot: int, material: PBRMaterial) -> trimesh.Trimesh:
@@ -164,4 +205,7 @@ def _geometry(mesh: Mesh, slot: int, material: PBRMaterial) -> trimesh.Trimesh:
     u, v = mesh.uvs[used].T
     visual = trimesh.visual.TextureVisuals(uv=np.column_stack((u, 1 - v)),  # type: ignore[no-untyped-call]
                                             material=material)
+    if mesh.colors is not None:
+        shown = np.column_stack((mesh.colors[used], np.ones(len(used))))
+        visual.vertex_attributes["color"] = np.round(255 * shown).astype(np.uint8)
     return trimesh.Trimesh(points, faces, vertex_normals=normals, visual=visual, process=False)
