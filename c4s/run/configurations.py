@@ -20,8 +20,13 @@ def configuration(name: str) -> Configuration:
         return Configuration(name=name, client=name)
     path = Path(name)
     if path.suffix in (".yaml", ".yml") and path.is_file():
-        return Configuration.parse(yaml.safe_load(path.read_text()), where=str(path))
-    raise BadInput(f"unknown agent {name!r}", todo=f"use one of {', '.join(BASELINES)}, or a configuration file")
+        try:
+            value = yaml.safe_load(path.read_text())
+        except yaml.YAMLError as error:
+            raise BadInput(f"this configuration is not YAML: {error}", where=name) from None
+        return Configuration.parse(value, where=name)
+    raise BadInput(f"unknown agent {name!r}",
+                   todo=f"use one of {', '.join(BASELINES)}, or a configuration file (docs/agents.md)")
 
 
 def is_ranked(chosen: Configuration) -> bool:

@@ -92,8 +92,10 @@ def _start(command: Command, home: Path, folder: Path, doors: Mapping[int, Path]
     for file, text in _ETC.items():
         (folder / file).write_text(text)
         line += ["--ro-bind", str(folder / file), f"/etc/{file}"]
+    starter = _INSIDE / "inside.py"
+    line += ["--ro-bind", inside.__file__, str(starter)]
     python = Path(sys.executable).resolve()
-    visible = [Path(inside.__file__), *command.read_only]
+    visible = list(command.read_only)
     if not python.is_relative_to("/usr"):
         visible.append(Path(sys.base_prefix))
     for path in dict.fromkeys(visible):
@@ -104,7 +106,7 @@ def _start(command: Command, home: Path, folder: Path, doors: Mapping[int, Path]
     for key, value in {"PATH": "/usr/local/bin:/usr/bin:/bin", "HOME": str(HOME), "LANG": "C.UTF-8", "USER": "agent",
                        "TMPDIR": "/tmp", **command.environment}.items():
         line += ["--setenv", key, value]
-    line += ["--remount-ro", "/", "--chdir", str(HOME), "--", str(python), "-I", "-S", str(inside.__file__)]
+    line += ["--remount-ro", "/", "--chdir", str(HOME), "--", str(python), "-I", "-S", str(starter)]
     line += [f"{port}={_INSIDE / path.name}" for port, path in doors.items()]
     return subprocess.Popen([*line, "--", *command.arguments], stdin=subprocess.PIPE, stdout=told, stderr=errors,
                             env={}, start_new_session=True)

@@ -1,0 +1,158 @@
+"""Attempts of agents that use a model, on a real engine: the API loop, and a program of its own in the sandbox."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from canned import CannedUpstream, Reply
+from scripted_endpoint import ScriptedEndpoint, Use
+
+from c4s.engine.sandbox import faults
+from c4s.errors import BadInput, MachineryFault
+from c4s.files import json_lines
+from c4s.meter.spending import Ledger, SpendingLimitReached
+from c4s.run.records import AttemptOutcome
+
+Attempt = Callable[..., tuple[AttemptOutcome, Path]]
+SAVE = [Use("save_scene_as", {"name": "submission"})]
+SCRIPT = [[Use("search_assets", {"query": "table"}), Use("get_categories")],
+          [Use("get_asset_preview", {"id": "crate"})], SAVE]
+confined = pytest.mark.skipif(faults()["bubblewrap"] is not None, reason=f"no bubblewrap: {faults()['bubblewrap']}")
+
+
+def lines(path: Path) -> list[dict[str, Any]]:
+    with path.open() as source:
+        return list(json_lines(source))
+
+
+def test_the_api_loop_plays_a_case(attempt: Attempt) -> None:
+    with ScriptedEndpoint(SCRIPT) as endpoint:
+        outcome, folder = attempt("api", endpoint.url, options={"thinking": False, "seed": 4})
+        total = endpoint.totals()
+        assert endpoint.bodies[-1]["seed"] == 4 and endpoint.served[-1].pictures == 1
+        assert endpoint.bodies[-1]["chat_template_kwargs"] == {"enable_thinking": False}
+        roles = [message["role"] for message in endpoint.bodies[-1]["messages"]]
+    assert roles == ["user", "assistant", "tool", "tool", "assistant", "tool", "user", "assistant", "tool"]
+    assert (outcome.ended_by, outcome.submission, outcome.tool_calls, outcome.message) == (
+        "finished", "/Game/SavedScenes/submission", 4, "The scene is saved.")
+    assert outcome.input_tokens == total["fresh"] + total["cache_read"] + total["cache_write"]
+    assert outcome.output_tokens == total["output"] and outcome.cost_usd == pytest.approx(
+        (10 * total["fresh"] + total["cache_read"] + 12 * total["cache_write"] + 100 * total["output"]) / 1e6)
+    turns = [line for line in lines(folder / "agent/api.jsonl") if line["event"] == "turn"]
+    pictures = [line["images"] for line in lines(folder / "trajectory.jsonl") if line["images"]]
+    assert turns[1]["pictures"] == [pictures[0][0]["sha256"]]
+    assert Ledger(folder.parent / "spending.jsonl", None).spent().settled_usd == pytest.approx(outcome.cost_usd)
+
+
+def test_a_full_context_is_trimmed_and_recorded_and_bad_arguments_are_counted(attempt: Attempt) -> None:
+    class Rambling(ScriptedEndpoint):
+        """Asks for picture after picture, and with arguments that are none."""
+
+        def _next(self, results: list[str], tools: dict[str, Any]) -> tuple[list[tuple[Any, Any]], str]:
+            done = len(self.bodies)
+            if done <= 8:
+                return [("get_asset_preview", {"id": "crate"}), ("get_categories", ["none " * 1000, done])], ""
+            return ([("save_scene_as", {"name": "submission"})], "") if done == 9 else ([], self.text)
+    with Rambling([]) as endpoint:
+        outcome, folder = attempt("api", endpoint.url, options={"context_tokens": 8_000, "max_tokens": 1000})
+    trims = [line for line in lines(folder / "agent/api.jsonl") if line["event"] == "trim"]
+    assert trims and sum(trim["pictures_removed"] for trim in trims) > 0 and outcome.submission is not None
+    assert outcome.tool_calls == 17
+    errors = [line for line in lines(folder / "trajectory.jsonl") if line["tool"] == "get_categories"]
+    assert len(errors) == 8 and all(line["outcome"] == "error" and line["counted"] for line in errors)
+
+
+def test_a_model_in_a_loop_is_stopped(attempt: Attempt) -> None:
+    with ScriptedEndpoint([SAVE, *[[Use("get_categories")]] * 9]) as endpoint:
+        outcome, _ = attempt("api", endpoint.url, options={"same_calls": 3})
+    assert (outcome.ended_by, outcome.tool_calls) == ("finished", 3) and "same call 3 times" in outcome.message
+
+
+def test_an_endpoint_that_fails_leaves_the_trial_pending(attempt: Attempt) -> None:
+    with CannedUpstream(Reply([b'{"error": {"message": "bad key"}}'], status="401 No")) as upstream, pytest.raises(
+            MachineryFault, match="bad key"):
+        attempt("api", upstream.url)
+
+
+def test_the_spending_limit_leaves_the_trial_pending_and_a_higher_one_completes_it(
+        attempt: Attempt, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    with ScriptedEndpoint(SCRIPT) as endpoint:
+        monkeypatch.setenv("C4S_SPENDING_LIMIT_USD", "0.02")
+        with pytest.raises(SpendingLimitReached, match="spending limit"):
+            attempt("api", endpoint.url)
+        assert not (tmp_path / "run/attempt-1/outcome.json").exists()
+        spent = lines(tmp_path / "run/attempt-1/usage.jsonl")
+        assert 1 <= len([line for line in spent if line["ending"] == "ok"]) < 4 and spent[-1]["ending"] == "refused"
+        monkeypatch.setenv("C4S_SPENDING_LIMIT_USD", "5")
+        outcome, folder = attempt("api", endpoint.url)
+    assert outcome.ended_by == "finished" and (folder.parent / "attempt-1.interrupted-1/usage.jsonl").is_file()
+
+
+PLAIN = Path(__file__).with_name("plain_client.py").absolute()
+
+
+def plain(*probes: str) -> dict[str, Any]:
+    python = Path(sys.executable).resolve()
+    return {"command": [str(python), str(PLAIN), "{model}", "{model_url}", "{model_token}", "{tools_url}",
+                        "{tools_token}", *probes], "environment": {"TOKEN": "{tools_token}"},
+            "read_only": [str(PLAIN), *([] if python.is_relative_to("/usr") else [str(python.parents[1])])],
+            "version": "plain 7"}
+
+
+@confined
+def test_a_program_of_its_own_plays_a_case_and_sees_nothing_else(attempt: Attempt, tmp_path: Path) -> None:
+    (tmp_path / "suite/withheld/room").mkdir(parents=True)
+    (tmp_path / "suite/withheld/room/truth.level.json").write_text("{}")
+    hidden = [str(tmp_path / "suite/withheld/room/truth.level.json"), str(tmp_path / "suite"), str(tmp_path / "home"),
+              str(Path(__file__).parents[2] / "c4s"), "/etc/shadow", "/proc/1/root" + str(tmp_path / "suite")]
+    with ScriptedEndpoint(SCRIPT) as endpoint:
+        addresses = [f"127.0.0.1:{endpoint.port}", "127.0.0.1:22", "10.255.255.1:80"]
+        outcome, folder = attempt("command", endpoint.url, options=plain(*hidden, *addresses))
+        assert {one.key for one in endpoint.served} == {"the-real-key"} and not endpoint.missing
+    assert (outcome.ended_by, outcome.submission, outcome.tool_calls) == ("finished", "/Game/SavedScenes/submission", 4)
+    assert outcome.client_version == "command plain 7" and outcome.output_tokens == endpoint.totals()["output"]
+    told = json.loads((folder / "agent/command.stdout").read_text().splitlines()[0])
+    assert "reached" not in told["probes"].values() and len(told["probes"]) == 9
+    assert set(told["environment"]) <= {"PATH", "HOME", "LANG", "USER", "TMPDIR", "TOKEN", "PWD", "LC_CTYPE"}
+    assert "the-real-key" not in json.dumps(told) and told["home"] == ["mcp.json"]
+
+
+@confined
+def test_a_program_that_fails_is_the_agents_doing_only_after_its_model_answered(attempt: Attempt) -> None:
+    options = {**plain(), "command": ["sh", "-c", "echo broken >&2; exit 3"]}
+    with pytest.raises(MachineryFault, match="status 3: broken, before it asked its model"):
+        attempt("command", "http://127.0.0.1:1", options=options)
+
+
+@confined
+def test_a_program_that_goes_on_after_its_budget_is_ended(attempt: Attempt) -> None:
+    with ScriptedEndpoint([SAVE, *[[Use("get_categories")]] * 500]) as endpoint:
+        outcome, _ = attempt("command", endpoint.url, options=plain(), calls=3)
+    assert (outcome.ended_by, outcome.tool_calls, outcome.submission) == (
+        "call_budget", 3, "/Game/SavedScenes/submission")
+
+
+@pytest.mark.parametrize(("client", "options", "text"), [
+    ("codex", {"program": "/nowhere/codex"}, "npm install .*@openai/codex"),
+    ("claude_code", {"program": "/nowhere/claude"}, "npm install .*@anthropic-ai/claude-code"),
+    ("gemini", {"program": "/nowhere/gemini"}, "npm install .*@google/gemini-cli"),
+    ("opencode", {"program": "/nowhere/opencode"}, "npm install .*opencode-ai"),
+    ("hermes", {"program": "/nowhere/hermes"}, r"pip.*hermes-agent\[mcp\]"),
+    ("antigravity", {"command": ["/nowhere/agy"]}, "not installed.*Antigravity"),
+    ("command", {"command": ["/nowhere/agent"]}, "not installed"), ("command", {}, "needs its command line")])
+def test_a_client_that_is_not_installed_says_how_to_install_it(attempt: Attempt, client: str, options: dict[str, Any],
+                                                               text: str) -> None:
+    with pytest.raises(BadInput, match=text):
+        attempt(client, "http://127.0.0.1:1", options=options)
+
+
+@pytest.mark.parametrize(("options", "text"), [({"endpoint": "nowhere"}, "unknown model endpoint"),
+                                               ({"endpoint": "anthropic"}, "speaks openai-chat")])
+def test_an_endpoint_that_does_not_fit_is_named(attempt: Attempt, options: dict[str, Any], text: str) -> None:
+    with pytest.raises(BadInput, match=text):
+        attempt("api", "http://127.0.0.1:1", options=options)
