@@ -135,14 +135,19 @@ def _ray_triangles(index: SpatialIndex, target: Target, start: Array, direction:
     if triangles is None:
         return None
     matrix, inverse = target.matrices()
-    rows = np.arange(len(triangles.faces)) if inverse is None else triangles.along(
-        inverse @ (start - matrix[:3, 3]), inverse @ (direction * length))
-    corners = _world_corners(triangles, rows, matrix)
-    found = first_on_segment(corners, start, direction * length) if len(rows) else None
+    step = direction * length
+    if inverse is None:
+        rows = np.arange(len(triangles.faces))
+        found = first_on_segment(_world_corners(triangles, rows, matrix), start, step) if len(rows) else None
+    else:  # the fraction of the way is the same in the frame of the mesh
+        begin, way = inverse @ (start - matrix[:3, 3]), inverse @ step
+        rows = triangles.along(begin, way)
+        found = first_on_segment(triangles.corners[rows], begin, way) if len(rows) else None
     if found is None:
         return None
     fraction, row = found
-    place, normal = start + fraction * length * direction, facing(corners[row], direction)
+    place = start + fraction * step
+    normal = facing(_world_corners(triangles, rows[row:row + 1], matrix)[0], direction)
     return Hit(target, fraction * length, place, place, normal, normal, face=int(triangles.faces[rows[row]]))
 
 

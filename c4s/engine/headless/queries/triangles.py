@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -76,16 +78,22 @@ def segment_meets(low: Array, high: Array, start: Array, step: Array) -> tuple[N
     return meets & (first <= last), first
 
 
+def cross(a: Array, b: Array) -> Array:
+    """Vector products of rows: ``numpy.cross`` without what it does to small arrays first."""
+    return np.stack([a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1], a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2],
+                     a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]], axis=1)
+
+
 def first_on_segment(corners: Array, start: Array, step: Array) -> tuple[float, int] | None:
     """Fraction of the way and row of the first triangle (n, 3, 3) that a segment meets, from either side."""
     a, b, c = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    across = np.cross(step, c)
+    across = cross(step[None], c)
     det = np.einsum("ij,ij->i", b, across)
-    steep = np.abs(det) > 1e-12 * np.linalg.norm(b, axis=1) * np.linalg.norm(across, axis=1)
-    safe = np.where(steep & (det != 0), det, np.inf)
+    sizes = np.einsum("ij,ij->i", b, b) * np.einsum("ij,ij->i", across, across)
+    safe = np.where((det * det > 1e-24 * sizes) & (det != 0), det, np.inf)
     offset = start - a
     u = np.einsum("ij,ij->i", offset, across) / safe
-    turned = np.cross(offset, b)
+    turned = cross(offset, b)
     v = turned @ step / safe
     t = np.einsum("ij,ij->i", turned, c) / safe
     hit = np.isfinite(safe) & (u >= -EDGE) & (v >= -EDGE) & (u + v <= 1 + EDGE) & (t >= 0) & (t <= 1)
@@ -97,7 +105,7 @@ def first_on_segment(corners: Array, start: Array, step: Array) -> tuple[float, 
 
 def facing(triangle: Array, direction: Array) -> Array:
     """Unit normal of a triangle (3, 3) against a direction."""
-    normal = np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0])
-    normal /= np.linalg.norm(normal)
+    normal = cross((triangle[1] - triangle[0])[None], (triangle[2] - triangle[0])[None])[0]
+    normal /= math.sqrt(float(normal @ normal))
     turned: Array = -normal if normal @ direction > 0 else normal
     return turned

@@ -55,12 +55,15 @@ class HitResult(ClosedStruct):
     @classmethod
     def _of(cls, hit: Hit, start: Vector, end: Vector) -> HitResult:
         length = start.distance(end)
-        made = cls(blocking_hit=hit.blocking, initial_overlap=hit.initial, distance=hit.distance,
-                   time=hit.distance / length if length > 0 else 0.0, location=_vector(hit.location),
-                   impact_point=_vector(hit.point), normal=_vector(hit.normal), impact_normal=_vector(hit.face_normal),
-                   hit_actor=hit.target.actor, hit_component=hit.target.component, hit_item=hit.target.item,
-                   element_index=hit.element, face_index=hit.face, trace_start=start, trace_end=end)
-        object.__setattr__(made, "_depth", hit.depth)
+        made = cls.__new__(cls)
+        made.__dict__.update({
+            "blocking_hit": hit.blocking, "initial_overlap": hit.initial,
+            "time": hit.distance / length if length > 0 else 0.0, "distance": hit.distance,
+            "location": _vector(hit.location), "impact_point": _vector(hit.point), "normal": _vector(hit.normal),
+            "impact_normal": _vector(hit.face_normal), "phys_mat": None, "hit_actor": hit.target.actor,
+            "hit_component": hit.target.component, "hit_bone_name": Name(), "bone_name": Name(),
+            "hit_item": hit.target.item, "element_index": hit.element, "face_index": hit.face,
+            "trace_start": start.copy(), "trace_end": end.copy(), "_depth": hit.depth})
         return made
 
     def to_dict(self) -> dict[str, Any]:
