@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 from c4s.verify.repair.acceptance import measure
 from c4s.verify.repair.counts import RepairResult
 from c4s.verify.repair.difference import same_but_for_identity, target_differences
+from c4s.verify.repair.explanation import best_attempt
 from c4s.verify.repair.materials import slot_map
 from c4s.verify.repair.policy import NOMINAL
+
+_LEVEL_MARK = ":PersistentLevel."
+_BOX_TESTS = {"bounds_center", "bounds_extent"}
 
 
 def _advisory(code: str, text: str, actors: list[str]) -> dict[str, Any]:
@@ -49,8 +54,39 @@ def advisories(result: RepairResult) -> list[dict[str, Any]]:
     if hopeless:
         found.append(_advisory("unreachable-target",
                                "the truth itself does not pass its acceptance tests: no candidate can pass", hopeless))
-    if result.rebound:
+    if result.rebounds:
         found.append(_advisory("rebound-survivor",
                                "an actor that should have gone was moved into the place of one to be restored; it "
-                               "counts as both done", []))
+                               "counts as both done",
+                               [targets[i].label for pair in result.rebounds for i in pair]))
+    return found + _of_the_outcome(result)
+
+
+def _of_the_outcome(result: RepairResult) -> list[dict[str, Any]]:
+    """Advisories that depend on what the candidate did, and those on what no target asks for."""
+    case, found = result.case, []
+    local = [t.label for t in case.targets if t.truth is not None and _LEVEL_MARK in json.dumps(
+        [t.truth.get("material_paths"), t.truth.get("component_material_slots")])]
+    if local:
+        found.append(_advisory("level-local-material",
+                               "a material of these belongs to the level: under another package its path differs, and "
+                               "the target cannot be matched", local))
+    if case.beside:
+        found.append(_advisory("restored-property-charged",
+                               "these differ from the truth in properties that make no target; to restore them counts "
+                               "as a change of the background", case.beside))
+    missed = [(i, best_attempt(result, i)) for i, t in enumerate(case.targets)
+              if t.truth is not None and i not in result.accepted]
+    boxes = [case.targets[i].label for i, attempt in missed if attempt is not None
+             and (failed := attempt[1].failed(result.tolerances)) and set(failed) <= _BOX_TESTS]
+    if boxes:
+        found.append(_advisory("box-alone-fails",
+                               "pose, kind and materials of these are right within the limits; only their box is not",
+                               boxes))
+    cleared = [case.targets[i].label for i in sorted(result.removed_targets)
+               if case.start_index.get(case.targets[i].key) in case.replaced]
+    if cleared:
+        found.append(_advisory("cleared-removal",
+                               "the mesh of these was cleared or swapped in place: they count as removed, and what "
+                               "stands there as a false positive", cleared))
     return found

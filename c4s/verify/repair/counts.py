@@ -23,6 +23,8 @@ class Repair:
     """All of a case that does not depend on the tolerance profile."""
 
     targets: list[Target]
+    beside: list[str]
+    """Labels of actors that differ from the truth in properties which make no target."""
     start: list[Actor]
     candidate: list[Actor]
     matched: Correspondence
@@ -65,7 +67,7 @@ class RepairResult:
         accepted: index of a target to index of the candidate actor that satisfies it.
         removed_targets: indices of removal targets that succeeded.
         losses: input actors of the background that were lost or repurposed (o).
-        rebound: removal targets whose actor was reused for a repair target.
+        rebounds: index of a repair target, and of the removal target whose actor was reused for it.
     """
 
     case: Repair
@@ -77,7 +79,12 @@ class RepairResult:
     removed_targets: frozenset[int]
     losses: tuple[int, ...]
     repurposed: frozenset[int]
-    rebound: int
+    rebounds: tuple[tuple[int, int], ...]
+
+    @property
+    def rebound(self) -> int:
+        """Removal targets whose actor was reused for a repair target."""
+        return len(self.rebounds)
 
     @property
     def precision(self) -> float:
@@ -102,7 +109,7 @@ def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     kinds = Kinds()
     start_by_key = by_identity(start_entries, "input")
     before = prepare(start_entries, start_by_key, list(map(kinds.of, start_entries)))
-    targets = find_targets(start_by_key, by_identity(truth_entries, "truth"),
+    targets, beside = find_targets(start_by_key, by_identity(truth_entries, "truth"),
                            {actor.key for actor in before if actor.location is not None})
     candidate_kinds = list(map(kinds.of, candidate_entries))
     outputs = [entry for entry, kind in zip(candidate_entries, candidate_kinds, strict=True) if kind.semantic]
@@ -116,7 +123,7 @@ def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     pool.sort(key=lambda c: after[c].order())
     replaced = {p.start for p in matched.pairs if p.method == "pose_anchored_asset_change"
                 and before[p.start].descriptor != after[p.candidate].descriptor}
-    return Repair(targets, before, after, matched, pool, start_of,
+    return Repair(targets, beside, before, after, matched, pool, start_of,
                   {pair.start: pair.candidate for pair in matched.pairs}, target_of_start, index_of, replaced)
 
 
@@ -140,7 +147,7 @@ def count(case: Repair, limits: Tolerances = NOMINAL) -> RepairResult:
     """Counts of a prepared case under a tolerance profile."""
     accepted = _accepted(case, limits)
     start_index, lost = case.start_index, set(case.matched.lost)
-    rebound = 0
+    rebounds = []
     for i, c in accepted.items():
         target = case.targets[i]
         own = start_index.get(target.key) if target.operation == "repair" else None
@@ -151,7 +158,7 @@ def count(case: Repair, limits: Tolerances = NOMINAL) -> RepairResult:
         if other is not None and other.operation == "remove" and pair.start not in lost:
             lost.discard(own)
             lost.add(pair.start)
-            rebound += 1
+            rebounds.append((i, case.targets.index(other)))
     done = frozenset(i for i, t in enumerate(case.targets)
                      if t.operation == "remove" and start_index.get(t.key) in lost | case.replaced)
     repurposed = {pair.start for c in accepted.values() if (pair := case.start_of.get(c)) is not None
@@ -159,7 +166,7 @@ def count(case: Repair, limits: Tolerances = NOMINAL) -> RepairResult:
     losses = sorted((lost - set(case.target_of_start)) | repurposed)
     m, d = len(accepted), len(done)
     return RepairResult(case, limits, m + d, len(case.pool) - m + len(losses), len(case.targets) - m - d, accepted,
-                        done, tuple(losses), frozenset(repurposed), rebound)
+                        done, tuple(losses), frozenset(repurposed), tuple(rebounds))
 
 
 def repair(start: Any, truth: Any, candidate: Any, profile: Tolerances = NOMINAL) -> RepairResult:

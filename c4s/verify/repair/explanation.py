@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.verify.repair.acceptance import Errors
+from c4s.verify.repair.acceptance import Errors, measure
 from c4s.verify.repair.actors import Actor
 from c4s.verify.repair.counts import RepairResult
 
@@ -22,13 +22,17 @@ def _label(actor: Actor) -> str:
     return str(actor.record.get("label") or actor.record.get("name") or actor.key)
 
 
-def _numbers(errors: Errors) -> dict[str, Any]:
+def _pose_numbers(errors: Errors) -> dict[str, Any]:
     return {"position_cm": _rounded(errors.position_cm), "rotation_deg": _rounded(errors.rotation_deg),
-            "scale_pct": _rounded(errors.scale_pct), "bounds_center_cm": _rounded(errors.bounds_center_cm),
+            "scale_pct": _rounded(errors.scale_pct)}
+
+
+def _numbers(errors: Errors) -> dict[str, Any]:
+    return {**_pose_numbers(errors), "bounds_center_cm": _rounded(errors.bounds_center_cm),
             "bounds_extent_pct": _rounded(errors.bounds_extent_pct)}
 
 
-def _best_attempt(result: RepairResult, target: int) -> tuple[int, Errors] | None:
+def best_attempt(result: RepairResult, target: int) -> tuple[int, Errors] | None:
     """The candidate actor that comes nearest to a missed target: its own actor, else the fewest failed tests."""
     case = result.case
     wanted = case.targets[target]
@@ -51,7 +55,7 @@ def _best_attempt(result: RepairResult, target: int) -> tuple[int, Errors] | Non
 
 
 def _missed(result: RepairResult, target: int) -> dict[str, Any]:
-    attempt = _best_attempt(result, target)
+    attempt = best_attempt(result, target)
     if attempt is None:
         return {"reason": "no actor of this kind was added or changed"}
     candidate, errors = attempt
@@ -83,7 +87,10 @@ def target_rows(result: RepairResult) -> list[dict[str, Any]]:
 
 
 def false_positive_rows(result: RepairResult) -> list[dict[str, Any]]:
-    """One row a false positive: wrong candidate outputs first, then losses of background actors."""
+    """One row a false positive: wrong candidate outputs first, then losses of background actors.
+
+    ``moved`` tells how far an actor is from its input actor, ``errors`` how far from the target it stands for.
+    """
     case, used = result.case, set(result.accepted.values())
     rows: list[dict[str, Any]] = []
     for c in case.pool:
@@ -99,7 +106,10 @@ def false_positive_rows(result: RepairResult) -> list[dict[str, Any]]:
             kind = ("background_changed" if target is None else
                     "removal_target_changed" if target.operation == "remove" else "repair_target_wrong")
             reason = ("left as it was" if not pair.fields else "changed: " + ", ".join(pair.fields))
-            row |= {"kind": kind, "reason": reason, "input_actor": _label(origin), "method": pair.method}
+            row |= {"kind": kind, "reason": reason, "input_actor": _label(origin), "method": pair.method,
+                    "moved": _pose_numbers(measure(origin.record, actor.record))}
+            if target is not None and target.truth is not None:
+                row["errors"] = _numbers(case.errors(case.targets.index(target), c))
         rows.append(row)
     for s in result.losses:
         repurposed = s in result.repurposed

@@ -58,8 +58,8 @@ def _without_identity_pairs(added: dict[str, Record], removed: dict[str, Record]
             same_class.pop(partner, None)
 
 
-def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[str]) -> list[Target]:
-    """All targets, in their fixed order.
+def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[str]) -> tuple[list[Target], list[str]]:
+    """All targets, in their fixed order, and the labels of actors that differ in properties which make no target.
 
     Args:
         before: actors of the input by identity.
@@ -77,15 +77,20 @@ def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[
     found = [Target(key, "add", ("existence",), record, None) for key, record in added.items() if is_semantic(record)]
     found += [Target(key, "remove", ("existence",), None, record) for key, record in removed.items()
               if is_semantic(record)]
+    beside = []
     for key, entry in after.items():
         old = before.get(key)
         if old is None or (entry.alike(old) and key in finite):
             continue
         cut = _shared_evidence(entry.record, old.record)
         fields = target_differences(cut, old.record)
-        if fields and (is_semantic(entry.record) or is_semantic(old.record)):
+        if not (is_semantic(entry.record) or is_semantic(old.record)):
+            continue
+        if fields:
             found.append(Target(key, "repair", tuple(fields), cut, old.record))
+        elif "properties" in cut and cut["properties"] != old.record["properties"]:
+            beside.append(str(old.record.get("label") or key))
     if not found:
         raise BadInput("input and truth define no repair target", where="truth snapshot",
                        todo="a case needs at least one difference")
-    return sorted(found, key=lambda t: (t.key.casefold(), t.key, t.operation))
+    return sorted(found, key=lambda t: (t.key.casefold(), t.key, t.operation)), beside
