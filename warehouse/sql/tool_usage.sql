@@ -1,0 +1,15 @@
+-- How many tool calls does a recorded run make, status checks left out? Means over retained attempts, runs without a
+-- call included, with the split into Python and other tools.
+SELECT
+    a.suite, a.configuration, s.setting, count(*) AS runs,
+    avg(a.tool_calls - a.polling_calls) AS mean_calls,
+    avg(a.python_calls) AS mean_python_calls,
+    avg(a.tool_calls - a.polling_calls - a.python_calls) AS mean_other_calls,
+    avg(a.polling_calls) AS mean_polling_calls,
+    sum(a.failed_calls) AS failed_calls,
+    sum(a.named_transform_calls) AS named_transform_calls
+FROM attempts AS a
+JOIN schedule AS s USING (trial_id)
+WHERE a.retained
+GROUP BY ALL
+ORDER BY a.suite, s.setting, mean_calls DESC, a.configuration
