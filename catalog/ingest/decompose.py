@@ -32,6 +32,8 @@ MOST_PIECES = 64
 BULGE = 0.025
 """A piece is convex when no point lies further outside the plane of a face than this share of its size: about what
 coacd's threshold, which is told in half sizes, lets pass."""
+FINE_CM = 1.0
+"""Notches and chamfers up to this depth do not matter: contacts are scored from 5 cm on."""
 LITTLE = 0.1
 """Pieces below this share of the whole keep a hull."""
 HIDDEN_CM = 1.0
@@ -68,12 +70,12 @@ def decompose(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
 
 
 def is_convex(points: Points, faces: Faces) -> bool:
-    """Whether no part of a surface (open ones too) bulges inwards by more than ``BULGE`` of its size."""
+    """Whether no part of a surface (open or not) bulges inwards by more than ``BULGE`` of its size and ``FINE_CM``."""
     a, b, c = (points[faces[:, i]] for i in range(3))
     normals = np.cross(b - a, c - a)
     areas = np.linalg.norm(normals, axis=1)
     normals, a = normals[areas > 0] / areas[areas > 0, None], a[areas > 0]
-    allowed = BULGE * float(np.linalg.norm(np.ptp(points, axis=0)))
+    allowed = max(FINE_CM, BULGE * float(np.linalg.norm(np.ptp(points, axis=0))))
     for start in range(0, len(a), 512):
         heights = (points[None] - a[start:start + 512, None]) @ normals[start:start + 512, :, None]
         if (np.minimum(heights.max(axis=1), -heights.min(axis=1)) > allowed).any():
