@@ -23,7 +23,8 @@ def pack(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The small pack of the toolbox tests."""
     from made_case import make_pack
 
-    return make_pack(tmp_path_factory.mktemp("packs"))
+    folder: Path = make_pack(tmp_path_factory.mktemp("packs"))
+    return folder
 
 
 class Attacker:

@@ -33,7 +33,7 @@ MAX_LOG_BYTES = 256 << 20
 WATCH_S = 0.5
 _SEND_S = 60.0
 _CHUNK = 1 << 18
-_TAIL_BYTES = 2000
+_TAIL_BYTES = 4000
 
 
 class Job:
