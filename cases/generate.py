@@ -47,13 +47,14 @@ class Thing:
     mesh: str
 
 
-def generated(scene_id: str, level: Level, packs_root: Path, packs: Sequence[str], *, count: int, changes: int,
-              seed: int, environment: Literal["indoor", "outdoor"] = "indoor") -> SuiteDefinition:
+def generated(scene_id: str, level: Level, things: Sequence[Thing], packs_root: Path, packs: Sequence[str], *,
+              count: int, changes: int, seed: int, environment: Literal["indoor", "outdoor"] = "indoor") -> SuiteDefinition:
     """A suite of ``count`` repair cases of 1 to ``changes`` changes each (the first has one, the next two, and so on).
 
     Args:
         scene_id: name of the scene; the suite has the same id with ``-cases`` behind it.
         level: the original.
+        things: the actors that may be changed (``sound_things``).
         packs_root: where the packs lie.
         packs: ids of the packs that hold the scene's assets.
         count: number of cases.
@@ -63,9 +64,7 @@ def generated(scene_id: str, level: Level, packs_root: Path, packs: Sequence[str
 
     Raises:
         BadInput: too few actors stand and fit for what is asked.
-        MachineryFault: the engine cannot export the scene.
     """
-    things = sound_things(level, [packs_root / pack for pack in packs])
     if len(things) < changes + 1:
         raise BadInput(f"{len(things)} actors of this scene stand and fit; {changes + 1} are needed", where=scene_id,
                        todo="give fewer --changes")
@@ -79,7 +78,10 @@ def generated(scene_id: str, level: Level, packs_root: Path, packs: Sequence[str
 
 
 def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
-    """Static mesh actors of a handy size that are supported and sink into nothing, by name."""
+    """Static mesh actors of a handy size that are supported and sink into nothing, by name.
+
+    Raises ``MachineryFault`` when the engine cannot export the scene.
+    """
     with tempfile.TemporaryDirectory(prefix="c4s-generate-") as folder:
         document, out = Path(folder) / "scene.level.json", Path(folder) / "snapshot.json"
         level.write(document)
@@ -106,7 +108,7 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
     return found
 
 
-def _case(number: int, scene: Scene, author: Author, things: list[Thing], meshes: list[str], changes: int,
+def _case(number: int, scene: Scene, author: Author, things: Sequence[Thing], meshes: list[str], changes: int,
           chance: random.Random) -> RepairCase:
     made: list[Corruption] = []
     places: list[Thing] = []

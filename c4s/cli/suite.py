@@ -133,7 +133,7 @@ def make_cases(
     from dataclasses import replace
 
     from c4s.scene.level import Level
-    from cases.generate import generated
+    from cases.generate import generated, sound_things
     from cases.importers.scene import LEVEL_FILE
     from cases.suite import build_suite
 
@@ -147,7 +147,9 @@ def make_cases(
             progress.update(task, description=f"building {message:42.42}")
             step_line(message)
 
-        definition = generated(scene, Level.read(document), packs_root(), [scene], count=count, changes=changes,
+        level = Level.read(document)
+        things = sound_things(level, [packs_root() / scene])
+        definition = generated(scene, level, things, packs_root(), [scene], count=count, changes=changes,
                                seed=seed, environment="outdoor" if outdoor else "indoor")
         definition = replace(definition, suite_id=out or definition.suite_id)
         if definition.suite_id == scene:

@@ -167,6 +167,20 @@ def test_real_worlds_stand_where_their_tables_say(file: str, table: str, expecte
 
 
 @here
+def test_lost_meshes_of_the_office_can_be_replaced_by_parts_that_are_there(tmp_path: Path) -> None:
+    parts = {"door/meshes/door_frame.obj": "door/meshes/door.obj#Door_Frame",
+             "door/meshes/door_door.obj": "door/meshes/door.obj#Door,Door_Handle",
+             "cubicle_wall/meshes/cubicle_closed.obj": "cubicle_wall/meshes/cubicle_wall.obj#closed"}
+    report = import_scene(SCENES / "osrf-servicesim-office/worlds/example.world", "whole", suites=tmp_path / "suites",
+                          packs=tmp_path / "packs", without=["*Cubicle*", "ceiling"],
+                          replace=[f"model://{lost}=model://{there}" for lost, there in parts.items()])
+    assert {row["reason"] for row in report["skipped"]} == {"animated people are not part of a still scene"}
+    assert report["actors"] + report["left_out"] == 314
+    names = {actor.name for actor in Level.read(Path(report["level"])).actors}
+    assert {"PrivateOfficeD_door", "PrivateOfficeD_door_frame"} <= names
+
+
+@here
 def test_the_city_builder_sample_comes_in_by_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
                                                          capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setenv("C4S_HOME", str(tmp_path))
