@@ -368,6 +368,9 @@ def test_overlaps_name_each_actor_and_component_once(scene: Scene) -> None:
     cube.set_actor_location(scene.vector((0, 0, 140)), False, False)
     part.set_collision_profile_name("OverlapAll")
     assert list(part.get_overlapping_actors()) == [table] and part.is_overlapping_actor(table)
+    assert list(cube.get_overlapping_actors()) == [table] and table.is_overlapping_actor(cube)
+    assert list(table.get_overlapping_components()) == [part]
+    assert list(table.get_overlapping_actors(unreal.Light)) == []
 
 
 def test_a_component_can_be_asked_alone(scene: Scene) -> None:
