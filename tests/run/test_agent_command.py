@@ -18,6 +18,7 @@ CASE = "text-flat-family"
 
 
 def test_a_try_is_watched_scored_and_shown_apart_from_the_leaderboard(c4s: Command, home: Path) -> None:
+    published = {name: sorted((home / name).rglob("*")) for name in ("runs", "site", "warehouse")}
     done = c4s("agent", "try", "planner", "--case", CASE, "--suite", "small", "--no-open")
     assert done.returncode == 0, done.stderr
     calls = re.findall(r"^ +(\d+)  (\w+) .*  (ok|error)(?: \d+ ms)?.*\[(\d+) calls, \d+ min \d+ s left", done.stdout,
@@ -28,7 +29,7 @@ def test_a_try_is_watched_scored_and_shown_apart_from_the_leaderboard(c4s: Comma
     page = Path(urlparse(done.stdout.strip().splitlines()[-1]).path)
     assert page.is_relative_to(home / "tries") and CASE in page.name
     assert "planner" in page.read_text()
-    assert not (home / "runs").exists() and not (home / "site").exists()
+    assert published == {name: sorted((home / name).rglob("*")) for name in published}
 
     attempt = next((home / "tries").glob("planner-*/run/planner/*/r1/attempt-1"))
     stored = attempt.parents[4] / "warehouse"
