@@ -138,6 +138,11 @@ class StubIndex:
                          nodes,
                          frozenset(properties), frozenset(_LISTED.findall(text)), frozenset(constants))
 
+    def numbers(self, name: str) -> dict[str, int]:
+        """Numbers of an enum's members."""
+        rows = re.findall(r"(?m)^    (\w+): \w+ = \.\.\. *#: (\d+)", self._block(self._starts[name]))
+        return {member: int(number) for member, number in rows}
+
     def lineage(self, name: str) -> list[StubClass]:
         """A class and its bases, nearest first, as far as the stub declares them."""
         found = [self.cls(name)]

@@ -202,6 +202,15 @@ def test_what_others_use_is_here(stub, ours):
     assert len(rows) > 100
 
 
+def test_enums_have_unreals_numbers(stub, ours):
+    """Of those enums whose numbers the stub tells."""
+    enums = {n: c for n, c in ours.items() if isinstance(c, type) and issubclass(c, Enum)}
+    told = {(n, member): number for n in enums for member, number in stub.numbers(n).items()}
+    wrong = {key: number for key, number in told.items()
+             if key[1] in enums[key[0]].__members__ and enums[key[0]][key[1]].value != number}
+    assert not wrong and len(told) > 50
+
+
 COMMON = {
     "": "get_editor_subsystem log log_warning log_error load_asset load_class load_object Name Array Text Vector "
         "Rotator Transform LinearColor Color ARFilter TopLevelAssetPath AssetImportTask StaticMeshActor "

@@ -77,6 +77,7 @@ class LightUnits(EnumBase):
     CANDELAS = 1
     LUMENS = 2
     EV = 3
+    NITS = 4
 
 
 @public
@@ -97,11 +98,18 @@ class MaterialProperty(EnumBase):
     MP_EMISSIVE_COLOR = 0
     MP_OPACITY = 1
     MP_OPACITY_MASK = 2
-    MP_BASE_COLOR = 3
-    MP_METALLIC = 4
-    MP_SPECULAR = 5
-    MP_ROUGHNESS = 6
-    MP_NORMAL = 8
+    MP_BASE_COLOR = 5
+    MP_METALLIC = 6
+    MP_SPECULAR = 7
+    MP_ROUGHNESS = 8
+    MP_ANISOTROPY = 9
+    MP_NORMAL = 10
+    MP_TANGENT = 11
+    MP_WORLD_POSITION_OFFSET = 12
+    MP_SUBSURFACE_COLOR = 15
+    MP_AMBIENT_OCCLUSION = 18
+    MP_REFRACTION = 19
+    MP_FRONT_MATERIAL = 30
 
 
 @public
@@ -114,6 +122,9 @@ class BlendMode(EnumBase):
     BLEND_TRANSLUCENT = 2
     BLEND_ADDITIVE = 3
     BLEND_MODULATE = 4
+    BLEND_ALPHA_COMPOSITE = 5
+    BLEND_ALPHA_HOLDOUT = 6
+    BLEND_TRANSLUCENT_COLORED_TRANSMITTANCE = 7
 
 
 @public
@@ -185,3 +196,12 @@ class ComparisonTolerance(EnumBase):
     MEDIUM = 2
     HIGH = 3
     CUSTOM = 4
+
+
+@public
+@unique
+class SkyLightSourceType(EnumBase):
+    """What a sky light shines with; here always what is drawn of the sky."""
+
+    SLS_CAPTURED_SCENE = 0
+    SLS_SPECIFIED_CUBEMAP = 1

@@ -7,6 +7,7 @@ from __future__ import annotations
 from c4s.engine.headless.unreal.components import Bounds, PrimitiveComponent, SceneComponent
 from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.enums import AutoExposureMethod, CollisionEnabled, ComponentMobility, LightUnits
+from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.structs import Color, LinearColor, StructBase, Vector4
 
 
@@ -14,8 +15,8 @@ from c4s.engine.headless.unreal.structs import Color, LinearColor, StructBase, V
 class LightComponentBase(SceneComponent):
     """What all lights have."""
 
-    _declares = {
-        "intensity": Prop("float", 3.1415927), "light_color": Prop("Color", lambda: Color(255, 255, 255, 255)),
+    _declares = {**KEPT["LightComponentBase"],
+                 "intensity": Prop("float", 3.1415927), "light_color": Prop("Color", lambda: Color(255, 255, 255, 255)),
         "affects_world": Prop("bool", True), "cast_shadows": Prop("bool", True),
         "cast_static_shadows": Prop("bool", True), "cast_dynamic_shadows": Prop("bool", True),
         "indirect_lighting_intensity": Prop("float", 1.0), "volumetric_scattering_intensity": Prop("float", 1.0),
@@ -43,7 +44,8 @@ class LightComponentBase(SceneComponent):
 class LightComponent(LightComponentBase):
     """Directional and local lights."""
 
-    _declares = {"temperature": Prop("float", 6500.0), "use_temperature": Prop("bool", False),
+    _declares = {**KEPT["LightComponent"],
+                 "temperature": Prop("float", 6500.0), "use_temperature": Prop("bool", False),
                  "specular_scale": Prop("float", 1.0), "cast_volumetric_shadow": Prop("bool", True)}
 
     @api
@@ -86,7 +88,8 @@ class LightComponent(LightComponentBase):
 class DirectionalLightComponent(LightComponent):
     """A sun; it shines along its +X; intensity in lux."""
 
-    _declares = {"intensity": Prop("float", 10.0), "light_source_angle": Prop("float", 0.5357),
+    _declares = {**KEPT["DirectionalLightComponent"],
+                 "intensity": Prop("float", 10.0), "light_source_angle": Prop("float", 0.5357),
                  "atmosphere_sun_light": Prop("bool", True)}
 
     @api
@@ -104,7 +107,8 @@ class DirectionalLightComponent(LightComponent):
 class LocalLightComponent(LightComponent):
     """A light with a place and a reach."""
 
-    _declares = {"intensity": Prop("float", 5000.0), "intensity_units": Prop("LightUnits", LightUnits.UNITLESS),
+    _declares = {**KEPT["LocalLightComponent"],
+                 "intensity": Prop("float", 5000.0), "intensity_units": Prop("LightUnits", LightUnits.UNITLESS),
                  "attenuation_radius": Prop("float", 1000.0)}
 
     @api
@@ -171,7 +175,8 @@ class RectLightComponent(LocalLightComponent):
 class SkyLightComponent(LightComponentBase):
     """Light of the sky."""
 
-    _declares = {"intensity": Prop("float", 1.0), "real_time_capture": Prop("bool", False),
+    _declares = {**KEPT["SkyLightComponent"],
+                 "intensity": Prop("float", 1.0), "real_time_capture": Prop("bool", False),
                  "lower_hemisphere_is_black": Prop("bool", True),
                  "lower_hemisphere_color": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1))}
 
@@ -194,8 +199,8 @@ class SkyLightComponent(LightComponentBase):
 class ExponentialHeightFogComponent(SceneComponent):
     """Fog that thins out with height."""
 
-    _declares = {
-        "fog_density": Prop("float", 0.02), "fog_height_falloff": Prop("float", 0.2),
+    _declares = {**KEPT["ExponentialHeightFogComponent"],
+                 "fog_density": Prop("float", 0.02), "fog_height_falloff": Prop("float", 0.2),
         "start_distance": Prop("float", 0.0), "fog_max_opacity": Prop("float", 1.0),
         "fog_cutoff_distance": Prop("float", 0.0), "enable_volumetric_fog": Prop("bool", False),
         "fog_inscattering_luminance": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1)),
@@ -237,7 +242,8 @@ class ExponentialHeightFogComponent(SceneComponent):
 class SkyAtmosphereComponent(SceneComponent):
     """The air."""
 
-    _declares = {"rayleigh_scattering_scale": Prop("float", 0.0331), "mie_scattering_scale": Prop("float", 0.003996),
+    _declares = {**KEPT["SkyAtmosphereComponent"],
+                 "rayleigh_scattering_scale": Prop("float", 0.0331), "mie_scattering_scale": Prop("float", 0.003996),
                  "atmosphere_height": Prop("float", 60.0), "bottom_radius": Prop("float", 6360.0),
                  "multi_scattering_factor": Prop("float", 1.0),
                  "sky_luminance_factor": Prop("LinearColor", lambda: LinearColor(1, 1, 1, 1))}

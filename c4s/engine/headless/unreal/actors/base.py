@@ -17,20 +17,22 @@ from c4s.engine.headless.unreal.components import (
 )
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, deprecated, public
+from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.structs import Guid, Vector
+from c4s.engine.headless.unreal.traces.notice import Noticing
 
 Parts = tuple[tuple[str, type[SceneComponent]], ...]
 
 
 @public
-class Actor(Attached):
+class Actor(Attached, Noticing):
     """Base of everything that is placed in a level."""
 
     _parts: ClassVar[Parts] = (("DefaultSceneRoot", SceneComponent),)
     """Default components by name; the first is the root."""
 
-    _declares = {
-        "root_component": Prop("SceneComponent | None", get="_get_root", writable=False, saved=False),
+    _declares = {**KEPT["Actor"],
+                 "root_component": Prop("SceneComponent | None", get="_get_root", writable=False, saved=False),
         "tags": Prop("Sequence[Name]", lambda: Array._of("Name", []), saved=False),
         "actor_guid": Prop("Guid", get="_get_guid", writable=False, saved=False),
         "hidden": Prop("bool", False, saved=False),

@@ -11,6 +11,7 @@ from c4s.engine.headless.unreal.assets.base import AssetObject
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Object, Prop, api, public
 from c4s.engine.headless.unreal.enums import BlendMode
+from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.structs import LinearColor
 from c4s.packs import manifest
 
@@ -46,7 +47,8 @@ class MaterialInterface(AssetObject):
 class Material(MaterialInterface):
     """A material: of a pack, or made by a script."""
 
-    _declares = {"two_sided": Prop("bool", False, attribute=False),
+    _declares = {**KEPT["Material"],
+                 "two_sided": Prop("bool", False, attribute=False),
                  "blend_mode": Prop("BlendMode", BlendMode.BLEND_OPAQUE)}
 
     def _bind(self, record: manifest.Material, origin: str | None = None) -> Any:

@@ -9,6 +9,7 @@ from c4s.engine.headless.unreal.components.frames import Bounds
 from c4s.engine.headless.unreal.components.primitive import PrimitiveComponent
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Object, Prop, api, public
+from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.structs import Vector
 
 
@@ -121,7 +122,8 @@ class MeshComponent(PrimitiveComponent):
 class StaticMeshComponent(MeshComponent):
     """Shows a static mesh."""
 
-    _declares = {"static_mesh": Prop("StaticMesh | None", get="_get_mesh", set="_set_mesh", saved=False)}
+    _declares = {**KEPT["StaticMeshComponent"],
+                 "static_mesh": Prop("StaticMesh | None", get="_get_mesh", set="_set_mesh", saved=False)}
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)

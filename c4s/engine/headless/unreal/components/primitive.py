@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.core import Prop, api, public
+from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.traces.own import ComponentQueries
 
 
@@ -12,7 +13,8 @@ from c4s.engine.headless.unreal.traces.own import ComponentQueries
 class PrimitiveComponent(ComponentQueries):
     """A component with geometry: bounds, collision and materials."""
 
-    _declares = {"cast_shadow": Prop("bool", True), "hidden_in_scene_capture": Prop("bool", False)}
+    _declares = {**KEPT["PrimitiveComponent"],
+                 "cast_shadow": Prop("bool", True), "hidden_in_scene_capture": Prop("bool", False)}
 
     @api
     def set_simulate_physics(self, simulate: bool) -> None:

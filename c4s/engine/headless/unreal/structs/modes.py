@@ -25,7 +25,7 @@ class AxisType(EnumBase):
     NONE = 0
     X = 1
     Y = 2
-    Z = 4
+    Z = 3
 
 
 @public
