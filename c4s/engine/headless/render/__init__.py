@@ -3,6 +3,8 @@
 from c4s.engine.headless.render.renderer import Renderer
 from c4s.engine.headless.render.types import (
     Camera,
+    Fog,
+    Grade,
     Instance,
     Lights,
     LocalLight,
@@ -12,4 +14,5 @@ from c4s.engine.headless.render.types import (
     SurfaceMaterial,
 )
 
-__all__ = ["Camera", "Instance", "Lights", "LocalLight", "Picture", "Renderer", "Sky", "Sun", "SurfaceMaterial"]
+__all__ = ["Camera", "Fog", "Grade", "Instance", "Lights", "LocalLight", "Picture", "Renderer", "Sky", "Sun",
+           "SurfaceMaterial"]

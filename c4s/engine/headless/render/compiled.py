@@ -14,6 +14,7 @@ import hashlib
 import os
 import shutil
 import tempfile
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
@@ -23,6 +24,7 @@ import numba
 from c4s.home import cache_root
 
 _Kernel = TypeVar("_Kernel", bound=Callable[..., Any])
+_STALE_S = 86400.0
 
 
 @functools.cache
@@ -43,6 +45,15 @@ def _writable(folder: Path) -> bool:
         return False
 
 
+def _prune(chosen: Path) -> None:
+    """Delete what earlier sources left in this package's own cache a day ago or longer."""
+    if chosen.parent != Path(__file__).parent / "__pycache__":
+        return
+    for folder in chosen.parent.glob("kernels-*"):
+        if folder != chosen and folder.stat().st_mtime < time.time() - _STALE_S:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
 @functools.cache
 def code_folder() -> Path | None:
     """A writable folder for compiled code, with the code in it if any candidate has it; ``None`` when there is none."""
@@ -52,6 +63,8 @@ def code_folder() -> Path | None:
     holders = [folder for folder in folders if next(folder.glob("*/*.nbi"), None)]
     for folder in [*holders[:1], *([] if holders else folders)]:
         if _writable(folder):
+            if not holders:
+                _prune(folder)
             return folder
     try:
         scratch = Path(tempfile.mkdtemp(prefix="c4s-kernels-"))
@@ -86,3 +99,18 @@ def inner(function: _Kernel) -> _Kernel:
     """
     compile_: Any = numba.njit
     return cast(_Kernel, compile_(nogil=True, _nrt=False, error_model="numpy")(function))
+
+
+def callback(signature: Any, function: Callable[..., Any]) -> Any:
+    """Compile a function that a C library calls, and keep the machine code; its ``address`` is what the library gets."""
+    compile_: Any = numba.cfunc
+    config: Any = numba.config
+    folder = code_folder()
+    if folder is None:
+        return compile_(signature, error_model="numpy")(function)
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(folder)
+    try:
+        return compile_(signature, cache=True, error_model="numpy")(function)
+    finally:
+        config.CACHE_DIR = before

@@ -7,15 +7,17 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from c4s.engine.headless.render.compiled import kernel
+from c4s.engine.headless.render.compiled import inner, kernel
 from c4s.engine.headless.render.packets import Buffers
 from c4s.engine.headless.render.textures import ENCODE_STEPS
+from c4s.engine.headless.render.types import Grade
+from c4s.errors import BadInput
 
-BINS_PER_STOP, LOWEST_STOP, BINS = 4, -12, 96
-"""The luminance histogram: quarter stops from 2^-12 to 2^12."""
+BINS_PER_STOP, LOWEST_STOP, BINS = 4, -14, 132
+"""The luminance histogram: quarter stops from 2^-14 to 2^19."""
 _KEY = 0.30
 _HIGHLIGHT = 3.0
-_LOWEST_EV, _HIGHEST_EV = -6.0, 5.0
+_LOWEST_EV, _HIGHEST_EV = -17.0, 5.0
 _OCCLUSION_FLOOR = 0.12
 
 
@@ -80,13 +82,13 @@ def combine_rows(first: int, last: int, width: int, height: int, buffers: Buffer
                 light[here, channel] = value
                 luminance += value * (0.2126 if channel == 0 else (0.7152 if channel == 1 else 0.0722))
             if seen:
-                bounded = min(luminance, 1e6) if luminance > 1e-6 else 1e-6
+                bounded = min(luminance, 5e5) if luminance > 1e-6 else 1e-6
                 step = math.floor((math.log2(bounded) - LOWEST_STOP) * BINS_PER_STOP)
                 histogram[min(max(step, 0), BINS - 1)] += 1
 
 
-def exposure_for(histogram: NDArray[np.int64]) -> float:
-    """Exposure in stops that brings the median surface to mid tone without burning out the brightest twentieth."""
+def exposure_for(histogram: NDArray[np.int64], lowest_ev: float, highest_ev: float) -> float:
+    """Exposure in stops that brings the median surface to mid tone without burning out the brightest twentieth, within limits."""
     total = int(histogram.sum())
     if total == 0:
         return 0.0
@@ -98,18 +100,55 @@ def exposure_for(histogram: NDArray[np.int64]) -> float:
 
     wanted = math.log2(_KEY) - stop(0.5)
     bounded = min(wanted, math.log2(_HIGHLIGHT) - stop(0.95))
-    return round(min(max(bounded, _LOWEST_EV), _HIGHEST_EV) * BINS_PER_STOP) / BINS_PER_STOP
+    steps = round(min(max(bounded, _LOWEST_EV), _HIGHEST_EV) * BINS_PER_STOP) / BINS_PER_STOP
+    return min(max(steps, lowest_ev), highest_ev)
 
+
+SATURATION, CONTRAST, GAMMA, GAIN, OFFSET = 3, 4, 5, 6, 7
+"""Rows of a grade's table after the white balance."""
+
+
+def grade_table(grade: Grade) -> NDArray[np.float64]:
+    """(8, 3) numbers of a grade; of no rows for one that changes no colour.
+
+    Raises:
+        BadInput: a number that is not finite.
+    """
+    table = np.array([*grade.white_balance, grade.saturation, grade.contrast, grade.gamma, grade.gain, grade.offset],
+                     dtype=np.float64)
+    if not np.isfinite(table).all():
+        raise BadInput("the grade has a value that is not finite", where="renderer")
+    plain = Grade()
+    same = np.array([*plain.white_balance, plain.saturation, plain.contrast, plain.gamma, plain.gain, plain.offset])
+    return np.zeros((0, 3)) if (table == same).all() else table
+
+
+@inner
+def _graded(color: NDArray[np.float64], grade: NDArray[np.float64]) -> None:
+    red, green, blue = color[0], color[1], color[2]
+    for channel in range(3):
+        color[channel] = max(0.0, grade[channel, 0] * red + grade[channel, 1] * green + grade[channel, 2] * blue)
+    grey = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]
+    for channel in range(3):
+        value = max(0.0, grey + (color[channel] - grey) * grade[SATURATION, channel])
+        value = 0.18 * (value / 0.18) ** grade[CONTRAST, channel]
+        value = value ** (1.0 / max(grade[GAMMA, channel], 0.01))
+        color[channel] = value * grade[GAIN, channel] + grade[OFFSET, channel]
 
 @kernel
 def develop_pixels(first: int, last: int, light: NDArray[np.float32], gain: float, curve: bool,
-                   encode: NDArray[np.uint8], rgb: NDArray[np.uint8]) -> None:
-    """sRGB bytes of some pixels; ``curve`` applies the filmic tone curve (Narkowicz 2015), else values are clamped."""
+                   grade: NDArray[np.float64], encode: NDArray[np.uint8], rgb: NDArray[np.uint8]) -> None:
+    """sRGB bytes of some pixels; ``curve`` grades and applies the filmic tone curve (Narkowicz 2015), else values are
+    clamped."""
+    color = np.zeros(3)
     for pixel in range(first, last):
         for channel in range(3):
-            value = light[pixel, channel] * gain
+            color[channel] = light[pixel, channel] * gain * (0.6 if curve else 1.0)
+        if curve and len(grade):
+            _graded(color, grade)
+        for channel in range(3):
+            value = color[channel]
             if curve:
-                value = value * 0.6
                 value = value * (2.51 * value + 0.03) / (value * (2.43 * value + 0.59) + 0.14)
             value = min(value, 1.0) if value > 0.0 else 0.0
             rgb[pixel, channel] = encode[int(math.sqrt(value) * ENCODE_STEPS + 0.5)]

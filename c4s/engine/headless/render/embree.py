@@ -18,6 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.engine.headless.render import layout
+from c4s.engine.headless.render.holes import filter_address, user_data
+from c4s.engine.headless.render.tables import Holes
 from c4s.errors import MachineryFault
 
 _TRIANGLES, _INSTANCE_GEOMETRY = 0, 121
@@ -63,6 +65,9 @@ def library() -> ctypes.CDLL:
         "rtcSetGeometryInstancedScene": (None, [pointer, pointer]),
         "rtcSetGeometryTransform": (None, [pointer, uint, integer, pointer]),
         "rtcSetGeometryMask": (None, [pointer, uint]),
+        "rtcSetGeometryUserData": (None, [pointer, pointer]),
+        "rtcSetGeometryIntersectFilterFunction": (None, [pointer, pointer]),
+        "rtcSetGeometryOccludedFilterFunction": (None, [pointer, pointer]),
         "rtcAttachGeometry": (uint, [pointer, pointer]),
         "rtcAttachGeometryByID": (None, [pointer, pointer, uint]),
         "rtcIntersect8": (None, [pointer, pointer, pointer, pointer]),
@@ -95,20 +100,21 @@ class RayScene:
         mesh_of: mesh index of each instance.
         matrices: (k, 3, 4) float32 rows of the instances' matrices.
         masks: geometry mask of each instance.
+        holes: what cuts holes into each mesh, if anything does.
         threads: threads that build.
     """
 
     def __init__(self, vertices: Sequence[NDArray[np.float32]], faces: Sequence[NDArray[np.int32]],
                  mesh_of: NDArray[np.int32], matrices: NDArray[np.float32], masks: NDArray[np.int32],
-                 threads: int) -> None:
+                 holes: Sequence[Holes | None], threads: int) -> None:
         lib = library()
         self._device = lib.rtcNewDevice(_INSTRUCTION_SET + b",threads=%d" % max(1, threads))
         if not self._device:
             raise MachineryFault("Embree needs a processor with AVX2", where="renderer")
         self._scenes: list[int] = []
         self._buffers: list[NDArray[Any]] = []
-        for mesh_vertices, mesh_faces in zip(vertices, faces, strict=True):
-            self._scenes.append(self._mesh_scene(mesh_vertices, mesh_faces))
+        for mesh_vertices, mesh_faces, mesh_holes in zip(vertices, faces, holes, strict=True):
+            self._scenes.append(self._mesh_scene(mesh_vertices, mesh_faces, mesh_holes))
         self.handle: int = lib.rtcNewScene(self._device)
         lib.rtcSetSceneFlags(self.handle, _ROBUST)
         rows = np.ascontiguousarray(matrices, dtype=np.float32)
@@ -126,7 +132,7 @@ class RayScene:
         if code:
             raise MachineryFault(f"Embree could not build the scene (error {code})", where="renderer")
 
-    def _mesh_scene(self, vertices: NDArray[np.float32], faces: NDArray[np.int32]) -> int:
+    def _mesh_scene(self, vertices: NDArray[np.float32], faces: NDArray[np.int32], holes: Holes | None) -> int:
         lib = library()
         padded = np.zeros((len(vertices) + 1, 3), dtype=np.float32)
         padded[:-1] = vertices
@@ -138,6 +144,12 @@ class RayScene:
         share(geometry, _INDEX_BUFFER, 0, _UINT3, indices.ctypes.data, 0, 12, len(indices))
         share(geometry, _VERTEX_BUFFER, 0, _FLOAT3, padded.ctypes.data, 0, 12, len(vertices))
         lib.rtcSetGeometryMask(geometry, layout.OPAQUE_MASK | layout.TRANSLUCENT_MASK)
+        if holes is not None:
+            data = user_data(holes, indices)
+            self._buffers += [data, holes.uvs, holes.alpha]
+            lib.rtcSetGeometryUserData(geometry, data.ctypes.data)
+            lib.rtcSetGeometryIntersectFilterFunction(geometry, filter_address())
+            lib.rtcSetGeometryOccludedFilterFunction(geometry, filter_address())
         lib.rtcCommitGeometry(geometry)
         lib.rtcAttachGeometry(scene, geometry)
         lib.rtcReleaseGeometry(geometry)
@@ -178,7 +190,7 @@ def _prove_layout() -> None:
     matrices[:, 0, 3] = (50, 5, 3)
     scene = RayScene([other, triangle], [np.array([[0, 1, 2]], dtype=np.int32)] * 2,
                      np.array([0, 1, 1], dtype=np.int32), matrices,
-                     np.array([layout.OPAQUE_MASK, layout.OPAQUE_MASK, layout.TRANSLUCENT_MASK], dtype=np.int32), 1)
+                     np.array([layout.OPAQUE_MASK, layout.OPAQUE_MASK, layout.TRANSLUCENT_MASK], dtype=np.int32), [None, None], 1)
     try:
         rays, valid = aligned_words(layout.RAYHIT_WORDS), aligned_words(layout.LANES).view(np.int32)
         numbers = rays.view(np.int32)

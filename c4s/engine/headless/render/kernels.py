@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from c4s.engine.headless.render.compiled import inner, kernel
 from c4s.engine.headless.render.layout import GEOMETRY, INSTANCE, LANES, PRIMITIVE, TFAR, TNEAR
-from c4s.engine.headless.render.lighting import LightTables, sky_radiance
+from c4s.engine.headless.render.lighting import LightTables, fog_passes, fog_radiance, sky_radiance
 from c4s.engine.headless.render.packets import FAR, Buffers, Scratch, View, aim, query
 from c4s.engine.headless.render.sampling import Patterns
 from c4s.engine.headless.render.shade import shade
@@ -67,8 +67,11 @@ def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Text
             continue
         if primary.numbers[GEOMETRY + k] == -1:
             if view.lit:
+                clear = fog_passes(lights, view.axes[0], lanes.ray[k], FAR)
                 for channel in range(3):
-                    lanes.direct[k, channel] += through[k] * sky_radiance(lights.sky, lanes.ray[k, 2], channel)
+                    lanes.direct[k, channel] += through[k] * (
+                        clear * sky_radiance(lights.sky, lanes.ray[k, 2], channel)
+                        + (1.0 - clear) * fog_radiance(lights, lanes.ray[k], channel))
             primary.valid[k] = 0
             continue
         opacity = read_hit(primary, k, lanes, scene, textures, pixel_size, blend)
@@ -90,6 +93,13 @@ def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Text
         if not view.lit:
             for channel in range(3):
                 lanes.direct[k, channel] += lanes.weight[k] * lanes.albedo[k, channel]
+        else:
+            clear = fog_passes(lights, view.axes[0], lanes.ray[k], distance)
+            if clear < 1.0:
+                for channel in range(3):
+                    lanes.direct[k, channel] += (lanes.weight[k] * (1.0 - clear)
+                                                 * fog_radiance(lights, lanes.ray[k], channel))
+                lanes.weight[k] *= clear
         through[k] *= 1.0 - opacity
         if through[k] < 0.004:
             primary.valid[k] = 0

@@ -14,10 +14,16 @@ from numpy.typing import NDArray
 
 from c4s.engine.headless.render.compiled import inner
 from c4s.engine.headless.render.layout import LANES
-from c4s.engine.headless.render.types import Lights, LocalLight, Rgb, Sun
+from c4s.engine.headless.render.types import Fog, Lights, LocalLight, Rgb
 from c4s.errors import BadInput
 
-POSITION, POWER, RADIUS, AXIS, INNER_COS, OUTER_COS, SOURCE, LOCAL_COLUMNS = 0, 3, 6, 7, 10, 11, 12, 13
+POSITION, POWER, RADIUS, AXIS, INNER_COS, OUTER_COS, SOURCE, ACROSS, UPWARDS, FALLOFF, SHADOWS, LOCAL_COLUMNS = (
+    0, 3, 6, 7, 10, 11, 12, 13, 16, 19, 20, 21)
+DENSITY, HALVING, START, CUTOFF, LEAST, FOG_COLOR, GLOW, GLOW_EXPONENT, FOG_COLUMNS = 0, 1, 2, 3, 4, 5, 8, 11, 12
+"""Columns of ``LightTables.fog``: exponents of 2 per cm, the least share of light that passes, radiances."""
+_FOG_CM = 1000.0
+_SKY_CM = 1e7
+"""Distance of the sky behind fog."""
 _CM2_PER_M2 = 10000.0
 
 
@@ -25,13 +31,20 @@ class LightTables(NamedTuple):
     """All lights of a scene, for the kernels; points are relative to the tables' origin."""
 
     to_sun: NDArray[np.float64]
+    """(suns, 3)."""
     sun_disk: NDArray[np.float64]
-    """(2, 3) tangents of the sun's disk at distance 1."""
+    """(suns, 2, 3) tangents of a sun's disk at distance 1."""
     sun: NDArray[np.float64]
-    """Irradiance; zeros without a sun."""
+    """(suns, 3) irradiance."""
+    sun_shadows: NDArray[np.int64]
+    """1 for a sun that casts shadows."""
     sky: NDArray[np.float64]
     """(3, 3) radiance of zenith, horizon and ground."""
-    sky_light: float
+    sky_light: NDArray[np.float64]
+    """Share of the sky's radiance that lights surfaces, by channel."""
+    fog: NDArray[np.float64]
+    """FOG_COLUMNS numbers; ``density`` 0 without fog. Its height is relative to the origin's."""
+    fog_height: float
     ambient: NDArray[np.float64]
     fill: float
     local: NDArray[np.float64]
@@ -66,6 +79,8 @@ class Lanes(NamedTuple):
     """A number for the instance and slot that was hit."""
     clear: NDArray[np.int64]
     """1 for a translucent surface, which takes no ambient occlusion: behind it may be nothing to smooth it over."""
+    texel: NDArray[np.float64]
+    """(LANES, 4) a texture's value."""
     reached: NDArray[np.int64]
     """A sum of numbers of the lights that arrived."""
 
@@ -75,7 +90,8 @@ def new_lanes() -> Lanes:
     return Lanes(np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros((LANES, 3)),
                  np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES), np.zeros(LANES),
                  np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES),
-                 np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64))
+                 np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64), np.zeros((LANES, 4)),
+                 np.zeros(LANES, dtype=np.int64))
 
 
 def _unit(vector: tuple[float, float, float]) -> NDArray[np.float64]:
@@ -94,9 +110,19 @@ def _tangents(axis: NDArray[np.float64]) -> NDArray[np.float64]:
 def _local_row(light: LocalLight, origin: NDArray[np.float64]) -> list[float]:
     outer = min(max(light.outer_cone_deg, 0.5), 180.0)
     inner_cone = min(max(light.inner_cone_deg, 0.0), outer)
-    return [*(np.asarray(light.position) - origin), *(c * light.intensity_cd * _CM2_PER_M2 for c in light.color),
+    unit = 1.0 if light.falloff_exponent > 0 else _CM2_PER_M2
+    return [*(np.asarray(light.position) - origin), *(c * light.intensity_cd * unit for c in light.color),
             max(light.attenuation_radius, 1.0), *_unit(light.direction), math.cos(math.radians(inner_cone)),
-            math.cos(math.radians(outer)), max(light.source_radius, 0.0)]
+            math.cos(math.radians(outer)), max(light.source_radius, 0.0), *light.across, *light.upwards,
+            max(light.falloff_exponent, 0.0), float(light.casts_shadows)]
+
+
+def _fog_row(fog: Fog | None) -> list[float]:
+    if fog is None:
+        return [0.0] * FOG_COLUMNS
+    return [max(fog.density, 0.0) / _FOG_CM, max(fog.falloff, 0.0) / _FOG_CM, max(fog.start_cm, 0.0),
+            max(fog.cutoff_cm, 0.0), 1.0 - min(max(fog.max_opacity, 0.0), 1.0), *fog.color, *fog.glow,
+            max(fog.glow_exponent, 0.0)]
 
 
 def light_tables(lights: Lights, origin: NDArray[np.float64]) -> LightTables:
@@ -105,8 +131,10 @@ def light_tables(lights: Lights, origin: NDArray[np.float64]) -> LightTables:
     Raises:
         BadInput: a number that is not finite.
     """
-    sun = lights.sun or Sun(intensity=0.0)
-    to_sun = -_unit(sun.direction)
+    suns = [*([lights.sun] if lights.sun is not None else []), *lights.other_suns]
+    to_sun = [-_unit(sun.direction) for sun in suns]
+    disks = [_tangents(towards) * math.tan(math.radians(min(max(sun.angle_deg, 0.0), 90.0) / 2))
+             for towards, sun in zip(to_sun, suns, strict=True)]
     sky = lights.sky
 
     def radiance(color: Rgb) -> list[float]:
@@ -114,10 +142,14 @@ def light_tables(lights: Lights, origin: NDArray[np.float64]) -> LightTables:
 
     rows = np.array([_local_row(light, origin) for light in lights.local], dtype=np.float64)
     tables = LightTables(
-        to_sun=to_sun, sun_disk=_tangents(to_sun) * math.tan(math.radians(min(max(sun.angle_deg, 0.0), 90.0) / 2)),
-        sun=np.array([c * sun.intensity for c in sun.color], dtype=np.float64),
+        to_sun=np.array(to_sun, dtype=np.float64).reshape(-1, 3),
+        sun_disk=np.array(disks, dtype=np.float64).reshape(-1, 2, 3),
+        sun=np.array([[c * sun.intensity for c in sun.color] for sun in suns], dtype=np.float64).reshape(-1, 3),
+        sun_shadows=np.array([sun.casts_shadows for sun in suns], dtype=np.int64),
         sky=np.array([radiance(sky.zenith), radiance(sky.horizon), radiance(sky.ground)], dtype=np.float64),
-        sky_light=float(sky.light), ambient=np.array(lights.ambient, dtype=np.float64),
+        sky_light=np.array(sky.light_color, dtype=np.float64) * sky.light,
+        fog=np.array(_fog_row(lights.fog), dtype=np.float64),
+        fog_height=float((lights.fog.height_cm if lights.fog is not None else 0.0) - origin[2]), ambient=np.array(lights.ambient, dtype=np.float64),
         fill=float(lights.camera_fill), local=rows.reshape(-1, LOCAL_COLUMNS),
         occlusion_cm=max(float(lights.ambient_occlusion_cm), 1.0))
     if not all(np.isfinite(part).all() for part in tables):
@@ -132,6 +164,34 @@ def sky_radiance(sky: NDArray[np.float64], height: float, channel: int) -> float
     if height >= 0.0:
         return horizon + (float(sky[0, channel]) - horizon) * math.sqrt(min(height, 1.0))
     return horizon + (float(sky[2, channel]) - horizon) * min(1.0, -height * 6.0)
+
+
+@inner
+def fog_passes(lights: LightTables, eye: NDArray[np.float64], ray: NDArray[np.float64], distance: float) -> float:
+    """Share of the light that passes the fog between the eye and a point ``distance`` cm along a unit ray."""
+    fog = lights.fog
+    if fog[DENSITY] <= 0.0 or (fog[CUTOFF] > 0.0 and distance > fog[CUTOFF]):
+        return 1.0
+    length = min(distance, _SKY_CM) - fog[START]
+    if length <= 0.0:
+        return 1.0
+    low = eye[2] + ray[2] * fog[START] - lights.fog_height
+    at_eye = fog[DENSITY] * 2.0 ** min(max(-fog[HALVING] * low, -60.0), 60.0)
+    fall = min(max(fog[HALVING] * ray[2] * length, -60.0), 60.0)
+    mean = (1.0 - 2.0 ** -fall) / fall if abs(fall) > 1e-4 else math.log(2.0)
+    return max(2.0 ** max(-at_eye * length * mean, -60.0), fog[LEAST])
+
+
+@inner
+def fog_radiance(lights: LightTables, ray: NDArray[np.float64], channel: int) -> float:
+    """Radiance of dense fog along a ray."""
+    fog = lights.fog
+    found = fog[FOG_COLOR + channel]
+    if len(lights.to_sun) > 0 and fog[GLOW + channel] > 0.0:
+        sun = lights.to_sun[0]
+        along = max(ray[0] * sun[0] + ray[1] * sun[1] + ray[2] * sun[2], 0.0)
+        found += fog[GLOW + channel] * along ** fog[GLOW_EXPONENT]
+    return float(found)
 
 
 @inner
@@ -178,8 +238,8 @@ def add_surroundings(lanes: Lanes, k: int, lights: LightTables) -> None:
         albedo = lanes.albedo[k, channel]
         above = 0.5 * (lights.sky[0, channel] + lights.sky[1, channel])
         below = lights.sky[2, channel]
-        diffuse = lights.sky_light * (below + (above - below) * up) + lights.ambient[channel]
-        seen = lights.sky_light * sky_radiance(lights.sky, blurred, channel) + lights.ambient[channel]
+        diffuse = lights.sky_light[channel] * (below + (above - below) * up) + lights.ambient[channel]
+        seen = lights.sky_light[channel] * sky_radiance(lights.sky, blurred, channel) + lights.ambient[channel]
         base = 0.04 + (albedo - 0.04) * metal
         mirror = base + (max(1.0 - rough, base) - base) * grazing
         lanes.ambient[k, channel] += weight * (albedo * (1.0 - metal) * diffuse + mirror * seen * (1.0 - 0.5 * rough))

@@ -11,11 +11,12 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
-from c4s.engine.headless.render.types import Camera, Instance, Lights, Mode, Picture
+from c4s.engine.headless.render.types import Camera, Grade, Instance, Lights, Mode, Picture
 from c4s.errors import BadInput
 from c4s.packs.meshes import Mesh
 from c4s.scene.transform import rotation_matrix
 
+PLAIN = Grade()
 _PIXELS = 4096
 _ROWS = 16
 
@@ -56,7 +57,7 @@ class Renderer:
         self._tables, geometry, self._textures, self._origin = build_tables(meshes, instances)
         self._light_tables = light_tables(lights, self._origin)
         self._scene = RayScene(geometry.vertices, geometry.faces, geometry.piece_of, geometry.matrices,
-                               geometry.masks, self._threads)
+                               geometry.masks, geometry.holes, self._threads)
         self._release = weakref.finalize(self, self._scene.close)
 
     def close(self) -> None:
@@ -64,7 +65,7 @@ class Renderer:
         self._release()
 
     def render(self, camera: Camera, *, mode: Mode = "lit", samples: int = 4,
-               exposure_bias_ev: float = 0.0) -> Picture:
+               exposure_bias_ev: float = 0.0, grade: Grade = PLAIN) -> Picture:
         """Take a picture.
 
         Args:
@@ -73,8 +74,16 @@ class Renderer:
             samples: rays a pixel where surfaces or shadows meet, the first through its centre; elsewhere one. 4 is
                 twice the resolution each way.
             exposure_bias_ev: stops added to the exposure of a lit picture.
+            grade: exposure and colours of a lit picture.
         """
-        from c4s.engine.headless.render.develop import BINS, combine_rows, develop_pixels, exposure_for, mark_edges
+        from c4s.engine.headless.render.develop import (
+            BINS,
+            combine_rows,
+            develop_pixels,
+            exposure_for,
+            grade_table,
+            mark_edges,
+        )
         from c4s.engine.headless.render.kernels import trace_pixels
         from c4s.engine.headless.render.packets import Buffers, View, new_scratch
         from c4s.engine.headless.render.sampling import patterns_for, tile_order
@@ -115,12 +124,13 @@ class Renderer:
                 trace(order[edge[order]], 1, samples)
             _in_bands(pool, height, _ROWS, lambda first, last: combine_rows(
                 first, last, width, height, buffers, light, histograms[first // _ROWS]))
-            exposure = self._lights.exposure_ev
+            exposure = self._lights.exposure_ev if grade.exposure_ev is None else grade.exposure_ev
             if exposure is None:
-                exposure = exposure_for(histograms.sum(axis=0))
-            gain = 2.0 ** (exposure + exposure_bias_ev) if lit else 1.0
+                exposure = exposure_for(histograms.sum(axis=0), grade.lowest_ev, grade.highest_ev)
+            gain = 2.0 ** min(max(exposure + exposure_bias_ev + grade.bias_ev, -60.0), 60.0) if lit else 1.0
+            colors = grade_table(grade)
             _in_bands(pool, pixels, 16 * _PIXELS, lambda first, last: develop_pixels(
-                first, last, light, gain, lit, encode_table(), rgb))
+                first, last, light, gain, lit, colors, encode_table(), rgb))
         return Picture(rgb.reshape(height, width, 3), buffers.actor.reshape(height, width),
                        buffers.depth.reshape(height, width))
 

@@ -17,26 +17,27 @@ from c4s.engine.headless.render.sampling import Patterns
 
 @inner
 def _add_sun(shadow: Packet, lanes: Lanes, lights: LightTables, view: View, disk: NDArray[np.float64],
-             cell: NDArray[np.int64]) -> None:
-    sun, any_lane = lights.to_sun, False
+             cell: NDArray[np.int64], number: int) -> None:
+    sun, tangents, power, any_lane = lights.to_sun[number], lights.sun_disk[number], lights.sun[number], False
     for k in range(LANES):
         shadow.valid[k] = 0
         if lanes.weight[k] == 0.0:
             continue
         facing = lanes.facing[k]
         a, b = disk[cell[k], 0], disk[cell[k], 1]
-        x = sun[0] + lights.sun_disk[0, 0] * a + lights.sun_disk[1, 0] * b
-        y = sun[1] + lights.sun_disk[0, 1] * a + lights.sun_disk[1, 1] * b
-        z = sun[2] + lights.sun_disk[0, 2] * a + lights.sun_disk[1, 2] * b
+        x = sun[0] + tangents[0, 0] * a + tangents[1, 0] * b
+        y = sun[1] + tangents[0, 1] * a + tangents[1, 1] * b
+        z = sun[2] + tangents[0, 2] * a + tangents[1, 2] * b
         if facing[0] * x + facing[1] * y + facing[2] * z > 0.0:
             aim(shadow, k, lanes.point[k], 0.0, x, y, z, FAR, OPAQUE_MASK)
             any_lane = True
     if any_lane:
-        query(view.occluded, shadow.valid_address, view.scene, shadow.address)
+        if lights.sun_shadows[number] != 0:
+            query(view.occluded, shadow.valid_address, view.scene, shadow.address)
         for k in range(LANES):
             if shadow.valid[k] != 0 and shadow.words[TFAR + k] >= 0.0:
-                lanes.reached[k] += 1
-                add_light(lanes, k, sun[0], sun[1], sun[2], lights.sun[0], lights.sun[1], lights.sun[2])
+                lanes.reached[k] += 1 + 4096 * number
+                add_light(lanes, k, sun[0], sun[1], sun[2], power[0], power[1], power[2])
 
 
 @inner
@@ -58,21 +59,33 @@ def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], view: V
         x, y, z = x / distance, y / distance, z / distance
         fade = square / (radius * radius)
         fade = 1.0 - fade * fade
-        strength = fade * fade / max(square, max(25.0, source * source))
+        if light[li.FALLOFF] > 0.0:
+            strength = (1.0 - square / (radius * radius)) ** light[li.FALLOFF]
+        else:
+            strength = fade * fade / max(square, max(25.0, source * source))
         if light[li.OUTER_COS] > -0.9999:
             along = -(x * light[li.AXIS] + y * light[li.AXIS + 1] + z * light[li.AXIS + 2])
             edge = (along - light[li.OUTER_COS]) / max(light[li.INNER_COS] - light[li.OUTER_COS], 1e-4)
             edge = min(max(edge, 0.0), 1.0)
             strength *= edge * edge
+        wide = (light[li.ACROSS] != 0.0 or light[li.ACROSS + 1] != 0.0 or light[li.ACROSS + 2] != 0.0)
+        if wide:
+            strength *= max(0.0, -(x * light[li.AXIS] + y * light[li.AXIS + 1] + z * light[li.AXIS + 2]))
         if strength <= 0.0:
             continue
         arriving[k, 0], arriving[k, 1], arriving[k, 2], arriving[k, 3] = x, y, z, strength
         spread = source / distance
         sx, sy, sz = x + disk[cell[k], 0] * spread * (1.0 - x * x), y + disk[cell[k], 1] * spread * (1.0 - y * y), z
+        if wide:
+            da, db = disk[cell[k], 0] / distance, disk[cell[k], 1] / distance
+            sx = x + light[li.ACROSS] * da + light[li.UPWARDS] * db
+            sy = y + light[li.ACROSS + 1] * da + light[li.UPWARDS + 1] * db
+            sz = z + light[li.ACROSS + 2] * da + light[li.UPWARDS + 2] * db
         aim(shadow, k, point, 0.0, sx, sy, sz, max(distance - source - 1.0, 0.0), OPAQUE_MASK)
         any_lane = True
     if any_lane:
-        query(view.occluded, shadow.valid_address, view.scene, shadow.address)
+        if light[li.SHADOWS] > 0.0:
+            query(view.occluded, shadow.valid_address, view.scene, shadow.address)
         for k in range(LANES):
             if shadow.valid[k] != 0 and shadow.words[TFAR + k] >= 0.0:
                 lanes.reached[k] += bit
@@ -117,8 +130,9 @@ def shade(scratch: Scratch, view: View, lights: LightTables, patterns: Patterns,
     for k in range(LANES):
         if lanes.weight[k] != 0.0:
             add_surroundings(lanes, k, lights)
-    if lights.sun[0] + lights.sun[1] + lights.sun[2] > 0.0:
-        _add_sun(shadow, lanes, lights, view, patterns.disk[sample], cell)
+    for number in range(len(lights.sun)):
+        if lights.sun[number, 0] + lights.sun[number, 1] + lights.sun[number, 2] > 0.0:
+            _add_sun(shadow, lanes, lights, view, patterns.disk[sample], cell, number)
     for number in range(len(lights.local)):
         _add_local(shadow, lanes, lights.local[number], view, patterns.disk[sample], cell, scratch.arriving,
                    2 << (number % 20))

@@ -23,9 +23,18 @@ class Textures(NamedTuple):
     """(textures, MAX_LEVELS, 3): first texel, width, height."""
     level_counts: NDArray[np.int64]
     texels: NDArray[np.uint8]
-    """(n, 3) sRGB."""
+    """(n, 4) colour and alpha."""
+    coding: NDArray[np.int64]
+    """Row of ``decode`` that a texture's colours are read by."""
     decode: NDArray[np.float32]
-    """(256,) linear value of an sRGB byte."""
+    """(2, 256) value of a byte: 0 sRGB, 1 plain."""
+
+
+class Picture(NamedTuple):
+    """A texture: (H, W, 3 or 4) bytes, and whether they are colours (sRGB) or numbers (normals, roughness)."""
+
+    pixels: NDArray[np.uint8]
+    colors: bool
 
 
 @functools.cache
@@ -59,24 +68,45 @@ def _halved(picture: NDArray[np.float32]) -> NDArray[np.float32]:
     return picture
 
 
-def build_textures(pictures: Sequence[NDArray[np.uint8]]) -> Textures:
-    """The pyramids of (H, W, 3) sRGB pictures; each level halves the last in linear light."""
+def _four(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    if picture.ndim != 3 or picture.shape[2] not in (3, 4) or picture.dtype != np.uint8 or not picture.size:
+        raise BadInput(f"a texture is {picture.dtype} {picture.shape}, not uint8 (H, W, 3 or 4)", where="renderer")
+    if picture.shape[2] == 4:
+        return picture
+    full = np.full((*picture.shape[:2], 4), 255, dtype=np.uint8)
+    full[..., :3] = picture
+    return full
+
+
+def build_textures(pictures: Sequence[Picture]) -> Textures:
+    """The pyramids of pictures; each level halves the last, colours in linear light."""
     levels = np.zeros((max(1, len(pictures)), MAX_LEVELS, 3), dtype=np.int64)
     counts = np.zeros(max(1, len(pictures)), dtype=np.int64)
+    coding = np.zeros(max(1, len(pictures)), dtype=np.int64)
+    plain = (np.arange(256) / 255).astype(np.float32)
     parts: list[NDArray[np.uint8]] = []
     start = 0
     for number, picture in enumerate(pictures):
-        if picture.ndim != 3 or picture.shape[2] != 3 or picture.dtype != np.uint8 or not picture.size:
-            raise BadInput(f"a texture is {picture.dtype} {picture.shape}, not uint8 (H, W, 3)", where="renderer")
-        linear = decode_table()[picture]
+        pixels = _four(picture.pixels)
+        coding[number] = 0 if picture.colors else 1
+        linear = plain[pixels]
+        if picture.colors:
+            linear[..., :3] = decode_table()[pixels[..., :3]]
         for level in range(MAX_LEVELS):
-            coded = picture if level == 0 else srgb_bytes(linear)
+            coded = pixels if level == 0 else _coded(linear, picture.colors)
             levels[number, level] = (start, linear.shape[1], linear.shape[0])
             counts[number] = level + 1
-            parts.append(coded.reshape(-1, 3))
+            parts.append(coded.reshape(-1, 4))
             start += linear.shape[0] * linear.shape[1]
             if max(linear.shape[:2]) == 1:
                 break
             linear = _halved(linear)
-    texels = np.concatenate(parts) if parts else np.zeros((1, 3), dtype=np.uint8)
-    return Textures(levels, counts, np.ascontiguousarray(texels), decode_table().copy())
+    texels = np.concatenate(parts) if parts else np.zeros((1, 4), dtype=np.uint8)
+    return Textures(levels, counts, np.ascontiguousarray(texels), coding, np.stack([decode_table(), plain]))
+
+
+def _coded(values: NDArray[np.float32], colors: bool) -> NDArray[np.uint8]:
+    coded: NDArray[np.uint8] = (values * np.float32(255) + np.float32(0.5)).astype(np.uint8)
+    if colors:
+        coded[..., :3] = srgb_bytes(values[..., :3])
+    return coded

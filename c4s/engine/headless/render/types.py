@@ -5,6 +5,7 @@ World units are centimetres and degrees in Unreal's left-handed axes (X forward,
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
@@ -16,6 +17,7 @@ from c4s.errors import BadInput
 Rgb: TypeAlias = tuple[float, float, float]
 Point: TypeAlias = tuple[float, float, float]
 Mode: TypeAlias = Literal["lit", "base_color"]
+Alpha: TypeAlias = Literal["opaque", "mask", "blend"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +32,17 @@ class SurfaceMaterial:
     opacity: float = 1.0
     """Below 1 the surface lets what is behind it through, unrefracted, and casts no shadow."""
     texture: NDArray[np.uint8] | None = None
-    """(H, W, 3) sRGB picture, first row at v = 0; it multiplies ``base_color``."""
+    """(H, W, 3) sRGB picture, or (H, W, 4) with alpha, first row at v = 0; it multiplies ``base_color``."""
+    alpha: Alpha = "opaque"
+    """What the texture's alpha does: nothing; cuts holes where it is below ``alpha_cutoff``, for shadows too; or scales
+    ``opacity``."""
+    alpha_cutoff: float = 0.5
+    normal_texture: NDArray[np.uint8] | None = None
+    """(H, W, 3) tangent-space normals as in glTF: green points to the picture's top."""
+    roughness_metal_texture: NDArray[np.uint8] | None = None
+    """(H, W, 3) as in glTF: green multiplies ``roughness``, blue ``metallic``."""
+    emissive_texture: NDArray[np.uint8] | None = None
+    """(H, W, 3) sRGB; it multiplies ``emissive``."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,11 +70,12 @@ class Sun:
     """Irradiance on a surface that faces the sun; a white one then sends out intensity / pi."""
     angle_deg: float = 1.2
     """Apparent diameter; wider is softer."""
+    casts_shadows: bool = True
 
 
 @dataclass(frozen=True)
 class LocalLight:
-    """A point light, or a spot light when the outer cone is below 180 degrees."""
+    """A point light; a spot light when the outer cone is below 180 degrees; a rectangle when it has an extent."""
 
     position: Point
     """cm."""
@@ -78,6 +91,13 @@ class LocalLight:
     """Half angle beyond which there is no light."""
     source_radius: float = 4.0
     """cm; larger is softer."""
+    across: Point = (0.0, 0.0, 0.0)
+    upwards: Point = (0.0, 0.0, 0.0)
+    """Half the sides of a shining rectangle (cm); it sends light along ``direction`` by the cosine."""
+    falloff_exponent: float = 0.0
+    """Above 0 the light falls off as (1 - (distance / radius)^2) to this power and not by the inverse square; the
+    intensity is then the irradiance at the light itself."""
+    casts_shadows: bool = True
 
 
 @dataclass(frozen=True)
@@ -90,6 +110,28 @@ class Sky:
     intensity: float = 1.0
     light: float = 0.8
     """Share of the sky's radiance that lights surfaces (a SkyLight); 0 leaves only the background."""
+    light_color: Rgb = (1.0, 1.0, 1.0)
+    """It multiplies the light on surfaces, not the background."""
+
+
+@dataclass(frozen=True)
+class Fog:
+    """Fog that thins out with height, as Unreal's exponential height fog."""
+
+    density: float = 0.02
+    """Exponent of 2 per 1000 cm, as an ExponentialHeightFog's ``fog_density``."""
+    falloff: float = 0.2
+    """Halvings per 1000 cm of height."""
+    height_cm: float = 0.0
+    color: Rgb = (0.45, 0.64, 0.77)
+    """Radiance of dense fog."""
+    start_cm: float = 0.0
+    cutoff_cm: float = 0.0
+    """Distance from which nothing is fogged; 0 for none."""
+    max_opacity: float = 1.0
+    glow: Rgb = (0.0, 0.0, 0.0)
+    """Radiance added towards the first sun, by the cosine to the power of ``glow_exponent``."""
+    glow_exponent: float = 4.0
 
 
 @dataclass(frozen=True)
@@ -97,6 +139,7 @@ class Lights:
     """All light of a scene. The default is a clear day."""
 
     sun: Sun | None = field(default_factory=Sun)
+    other_suns: tuple[Sun, ...] = ()
     sky: Sky = field(default_factory=Sky)
     ambient: Rgb = (0.04, 0.04, 0.04)
     """Radiance that reaches every surface from everywhere."""
@@ -105,8 +148,32 @@ class Lights:
     """Irradiance of a shadowless light at the camera, in the sun's unit."""
     exposure_ev: float | None = None
     """Exposure in stops; ``None`` adapts to the picture, in steps of a quarter stop."""
+    fog: Fog | None = None
     ambient_occlusion_cm: float = 160.0
     """Reach of ambient occlusion."""
+
+
+@dataclass(frozen=True)
+class Grade:
+    """What is done to a lit picture after the light is known. The default changes nothing.
+
+    Saturation, contrast, gamma, gain and offset act in this order on exposed linear RGB, before the tone curve.
+    """
+
+    exposure_ev: float | None = None
+    """Exposure in stops in place of the lights' or the automatic one."""
+    lowest_ev: float = -math.inf
+    highest_ev: float = math.inf
+    """Limits of the automatic exposure, stops."""
+    bias_ev: float = 0.0
+    white_balance: tuple[Rgb, Rgb, Rgb] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    """Rows of the matrix that linear RGB is multiplied by first."""
+    saturation: Rgb = (1.0, 1.0, 1.0)
+    contrast: Rgb = (1.0, 1.0, 1.0)
+    """Power around mid grey, 0.18."""
+    gamma: Rgb = (1.0, 1.0, 1.0)
+    gain: Rgb = (1.0, 1.0, 1.0)
+    offset: Rgb = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
