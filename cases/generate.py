@@ -48,7 +48,8 @@ class Thing:
 
 
 def generated(scene_id: str, level: Level, things: Sequence[Thing], packs_root: Path, packs: Sequence[str], *,
-              count: int, changes: int, seed: int, environment: Literal["indoor", "outdoor"] = "indoor") -> SuiteDefinition:
+              count: int, changes: int, seed: int, environment: Literal["indoor", "outdoor"] = "indoor"
+              ) -> SuiteDefinition:
     """A suite of ``count`` repair cases of 1 to ``changes`` changes each (the first has one, the next two, and so on).
 
     Args:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -153,6 +154,45 @@ def test_colours_are_exact(home, scene, tmp_path):
     cap = materials["M_Cap"]
     assert cap["alphaMode"] == "BLEND" and cap["emissiveFactor"] == [1.0, 0.5, 0.25]
     assert cap["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] == 4.0
+
+
+def test_the_khronos_validator_finds_nothing(home, scene, tmp_path):
+    """Needs node and the npm package ``gltf-validator`` where node finds it (``NODE_PATH``)."""
+    if shutil.which("node") is None:
+        pytest.skip("node is not installed")
+    if subprocess.run(["node", "-e", "require.resolve('gltf-validator')"], capture_output=True, check=False).returncode:
+        pytest.skip("the npm package gltf-validator is not installed")
+    out = tmp_path / "yard.glb"
+    assert c4s(home, scene[0], "--glb", out).returncode == 0
+    script = ("require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[1])))"
+              ".then(found => console.log(JSON.stringify(found.issues)))")
+    done = subprocess.run(["node", "-e", script, str(out)], capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout)["messages"] == []
+
+
+def test_cut_outs_textures_and_colours_of_vertices_come_along(home, scene, tmp_path):
+    folder = home / "packs" / "t"
+    for name, mode in (("leaf", "RGBA"), ("bumps", "RGB"), ("shine", "RGB"), ("glow", "RGB")):
+        Image.new(mode, (4, 4), (90, 200, 40, 0)[:len(mode)]).save(folder / "textures" / f"{name}.png")
+    parts = trimesh.load_scene(folder / "meshes" / "post.glb")
+    for part in parts.geometry.values():
+        part.visual.vertex_attributes["color"] = np.tile(np.uint8([255, 128, 0, 255]), (len(part.vertices), 1))
+    (folder / "meshes" / "post.glb").write_bytes(parts.export(file_type="glb"))
+    pack = json.loads((folder / "pack.json").read_text())
+    pack["materials"][0] |= {"alpha": "mask", "alpha_cutoff": 0.25, "emissive": [1, 1, 1]} | {
+        f"{kind}": f"textures/{name}.png" for kind, name in (
+            ("texture", "leaf"), ("normal_texture", "bumps"), ("roughness_metal_texture", "shine"),
+            ("emissive_texture", "glow"))}
+    (folder / "pack.json").write_text(json.dumps(pack))
+    out = tmp_path / "leaf.glb"
+    assert c4s(home, scene[0], "--glb", out).returncode == 0
+    tree = tree_of(out)
+    leaf = next(m for m in tree["materials"] if m["name"] == "M_Shaft")
+    assert leaf["alphaMode"] == "MASK" and leaf["alphaCutoff"] == 0.25
+    assert {"normalTexture", "emissiveTexture"} <= set(leaf)
+    assert {"baseColorTexture", "metallicRoughnessTexture"} <= set(leaf["pbrMetallicRoughness"])
+    assert len(tree["images"]) == 4
+    assert all("COLOR_0" in mesh["primitives"][0]["attributes"] for mesh in tree["meshes"] if mesh["name"] == "SM_Post")
 
 
 def test_bad_input_is_one_line(home, scene, tmp_path):

@@ -202,9 +202,10 @@ def _geometry(mesh: Mesh, slot: int, material: PBRMaterial) -> trimesh.Trimesh:
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     inwards = np.einsum("ij,ij->i", across, normals[faces].sum(axis=1)) < 0
     faces[inwards] = faces[inwards][:, ::-1]
-    u, v = mesh.uvs[used].T
-    visual = trimesh.visual.TextureVisuals(uv=np.column_stack((u, 1 - v)),  # type: ignore[no-untyped-call]
-                                            material=material)
+    textured = any(picture is not None for picture in (material.baseColorTexture, material.normalTexture,
+                                                       material.metallicRoughnessTexture, material.emissiveTexture))
+    visual = trimesh.visual.TextureVisuals(  # type: ignore[no-untyped-call]
+        uv=mesh.uvs[used] * [1, -1] + [0, 1] if textured else None, material=material)
     if mesh.colors is not None:
         shown = np.column_stack((mesh.colors[used], np.ones(len(used))))
         visual.vertex_attributes["color"] = np.round(255 * shown).astype(np.uint8)
