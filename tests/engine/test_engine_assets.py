@@ -107,6 +107,33 @@ def test_merging_assets(pack, tmp_path):
     assert list(library.find_package_referencers_for_asset("/Game/Mine/M_A")) == ["/Temp/Untitled_1"]
 
 
+def test_parameters_have_the_names_that_a_script_gave_them(tmp_path):
+    unreal = boot([], tmp_path)
+    edit, tools = unreal.MaterialEditingLibrary, unreal.AssetToolsHelpers.get_asset_tools()
+    base = tools.create_asset("M_Base", "/Game/M", unreal.Material, unreal.MaterialFactoryNew())
+    for kind, name, where in ((unreal.MaterialExpressionVectorParameter, "PaintColor",
+                               unreal.MaterialProperty.MP_BASE_COLOR),
+                              (unreal.MaterialExpressionScalarParameter, "Shine",
+                               unreal.MaterialProperty.MP_ROUGHNESS)):
+        node = edit.create_material_expression(base, kind, -300, 0)
+        node.set_editor_property("parameter_name", name)
+        assert edit.connect_material_property(node, "", where)
+    edit.recompile_material(base)
+    made = tools.create_asset("MI_A", "/Game/M", unreal.MaterialInstanceConstant,
+                              unreal.MaterialInstanceConstantFactoryNew())
+    edit.set_material_instance_parent(made, base)
+    assert edit.set_material_instance_vector_parameter_value(made, "paintcolor", unreal.LinearColor(0, 1, 0, 1))
+    assert edit.set_material_instance_scalar_parameter_value(made, "Shine", 0.25)
+    assert not edit.set_material_instance_scalar_parameter_value(made, "PaintColor", 1.0)
+    assert "PaintColor" in list(edit.get_vector_parameter_names(made))
+    unreal.EditorAssetLibrary.save_directory("/Game/M")
+    unreal = boot([], tmp_path)
+    again = unreal.load_asset("/Game/M/MI_A")
+    value = unreal.MaterialEditingLibrary.get_material_instance_vector_parameter_value(again, "PaintColor")
+    assert value.to_tuple() == (0, 1, 0, 1)
+    assert unreal.MaterialEditingLibrary.get_material_instance_scalar_parameter_value(again, "Shine") == 0.25
+
+
 def test_folders_lists_and_metadata(pack, tmp_path):
     unreal = boot([pack], tmp_path / "content")
     library, subsystem = unreal.EditorAssetLibrary, unreal.get_editor_subsystem(unreal.EditorAssetSubsystem)

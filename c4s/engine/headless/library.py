@@ -45,6 +45,8 @@ class AssetDocument(Record):
     slots: dict[int, str] = Field(default_factory=dict)
     """Default materials of slots, where they differ from the copied mesh."""
     material: manifest.Material | None = None
+    parameters: dict[str, str] = Field(default_factory=dict)
+    """Parameters of a material by the name that a script gave them, with the field that each one drives."""
     vectors: dict[str, tuple[float, float, float, float]] = Field(default_factory=dict)
     scalars: dict[str, float] = Field(default_factory=dict)
 
@@ -232,7 +234,8 @@ class AssetLibrary(ABC):
                                  vectors=asset._vectors, scalars=asset._scalars)
         if isinstance(asset, Material):
             origin = asset._origin if asset._origin != asset._path() else None
-            return AssetDocument(**common, material=asset._surface(), parent=origin)
+            return AssetDocument(**common, material=asset._surface(), parent=origin,
+                                 parameters=asset._named())
         return AssetDocument(**common, parent=asset._asset.path,
                              slots={i: m._path() for i, m in asset._slot_overrides.items()})
 
@@ -248,7 +251,9 @@ class AssetLibrary(ABC):
             return instance
         if document.material is not None:
             record = document.material.model_copy(update={"path": document.path})
-            return Material._at(document.path, created=True)._bind(record, document.parent)  # type: ignore[no-any-return]
+            material: Material = Material._at(document.path, created=True)._bind(record, document.parent)
+            material._parameters = dict(document.parameters)
+            return material
         source = self.store.asset(document.parent or "")
         if source is None:
             self.log.warning(f"{document.path}: the mesh '{document.parent}' that it copies is missing")
@@ -256,9 +261,9 @@ class AssetLibrary(ABC):
                                     bounds_min_cm=(0, 0, 0), bounds_max_cm=(0, 0, 0))
         mesh: StaticMesh = StaticMesh._at(document.path, created=True)._bind(source)
         for slot, path in document.slots.items():
-            material = self.find(path)
-            if isinstance(material, MaterialInterface):
-                mesh._slot_overrides[slot] = material
+            used = self.find(path)
+            if isinstance(used, MaterialInterface):
+                mesh._slot_overrides[slot] = used
             else:
                 self.log.warning(f"{document.path}: failed to find material '{path}'")
         return mesh

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.engine.headless.unreal.assets import Material
+from c4s.engine.headless.unreal.assets import VECTOR_FIELDS, Material
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Object, Prop, public
 from c4s.engine.headless.unreal.structs import LinearColor
@@ -73,8 +73,12 @@ class MaterialExpressionVectorParameter(MaterialExpression):
 def recompile(material: Material) -> None:
     """Evaluate a created material's expressions into its surface."""
     update: dict[str, Any] = {}
+    named: dict[str, str] = {}
     for field, expression in getattr(material, "_links", {}).items():
         value = expression._value()
-        update[field] = value if field in ("base_color", "emissive") else value[0]
+        update[field] = value if field in VECTOR_FIELDS else value[0]
+        if "parameter_name" in type(expression)._properties:
+            named[str(expression.get_editor_property("parameter_name"))] = field
     material._material = material._material.model_copy(update=update)
+    material._parameters = {name: field for name, field in named.items() if name != "None"}
     material._dirty = True

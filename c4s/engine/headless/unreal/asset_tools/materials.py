@@ -7,6 +7,7 @@ from typing import Any
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.assets import (
     SCALAR_PARAMETERS,
+    VECTOR_FIELDS,
     VECTOR_PARAMETERS,
     Material,
     MaterialInstanceConstant,
@@ -86,13 +87,15 @@ class MaterialEditingLibrary(Object):
     @api
     def get_vector_parameter_names(cls, material: MaterialInterface) -> Array:
         """Vector parameters of a material: the surface's colours."""
-        return Array._of("Name", [Name(n) for n in VECTOR_PARAMETERS])
+        own = [n for n, field in material._named().items() if field in VECTOR_FIELDS]
+        return Array._of("Name", [Name(n) for n in (*own, *VECTOR_PARAMETERS)])
 
     @classmethod
     @api
     def get_scalar_parameter_names(cls, material: MaterialInterface) -> Array:
         """Scalar parameters of a material: the surface's factors."""
-        return Array._of("Name", [Name(n) for n in SCALAR_PARAMETERS])
+        own = [n for n, field in material._named().items() if field not in VECTOR_FIELDS]
+        return Array._of("Name", [Name(n) for n in (*own, *SCALAR_PARAMETERS)])
 
     @classmethod
     @api

@@ -340,6 +340,7 @@ def _copy(source: Object, target: str) -> Any:
     elif isinstance(source, Material):
         made = Material._at(target, created=True)._bind(source._surface().model_copy(update={"path": target}),
                                                         source._origin)
+        made._parameters.update(source._named())
     else:
         world().log.error(f"DuplicateAsset: '{source._path()}' cannot be copied here")
         return None

@@ -15,6 +15,7 @@ from c4s.engine.headless.unreal.assets.collision import (
 )
 from c4s.engine.headless.unreal.assets.materials import (
     SCALAR_PARAMETERS,
+    VECTOR_FIELDS,
     VECTOR_PARAMETERS,
     Material,
     MaterialInstance,
@@ -27,8 +28,8 @@ from c4s.engine.headless.unreal.assets.materials import (
 from c4s.engine.headless.unreal.assets.meshes import StaticMaterial, StaticMesh
 
 __all__ = [
-    "SCALAR_PARAMETERS", "VECTOR_PARAMETERS", "AssetObject", "Blueprint", "BodySetup", "KAggregateGeom", "KBoxElem",
-    "KConvexElem", "KSphereElem", "KSphylElem", "Material", "MaterialInstance", "MaterialInstanceConstant",
-    "MaterialInstanceDynamic", "MaterialInterface", "StaticMaterial", "StaticMesh", "Texture", "aggregate",
-    "parameter_field",
+    "SCALAR_PARAMETERS", "VECTOR_FIELDS", "VECTOR_PARAMETERS", "AssetObject", "Blueprint", "BodySetup",
+    "KAggregateGeom", "KBoxElem", "KConvexElem", "KSphereElem", "KSphylElem", "Material", "MaterialInstance",
+    "MaterialInstanceConstant", "MaterialInstanceDynamic", "MaterialInterface", "StaticMaterial", "StaticMesh",
+    "Texture", "aggregate", "parameter_field",
 ]

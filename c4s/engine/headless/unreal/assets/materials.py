@@ -17,6 +17,7 @@ from c4s.packs import manifest
 
 _VECTORS = {"basecolor": "base_color", "color": "base_color", "tint": "base_color", "emissivecolor": "emissive"}
 _SCALARS = {"roughness": "roughness", "metallic": "metallic", "opacity": "opacity"}
+VECTOR_FIELDS = ("base_color", "emissive")
 VECTOR_PARAMETERS = ("BaseColor", "EmissiveColor")
 SCALAR_PARAMETERS = ("Roughness", "Metallic", "Opacity")
 
@@ -37,6 +38,14 @@ class MaterialInterface(AssetObject):
         """Path of the pack's material whose textures this one shows."""
         return self._path()
 
+    def _field(self, name: object, vector: bool) -> str | None:
+        """Field of the surface that a parameter drives, or None."""
+        return parameter_field(name, vector)
+
+    def _named(self) -> dict[str, str]:
+        """Parameters that a script gave its own names, and the field that each one drives."""
+        return {}
+
     @api
     def get_base_material(self) -> Any:
         """The material behind all instances."""
@@ -55,6 +64,7 @@ class Material(MaterialInterface):
         self._material = record
         self._origin = origin or record.path
         self._expressions: list[Any] = []
+        self._parameters: dict[str, str] = {}
         return self
 
     def _surface(self) -> manifest.Material:
@@ -63,6 +73,16 @@ class Material(MaterialInterface):
 
     def _origin_path(self) -> str:
         return str(self._origin)
+
+    def _named(self) -> dict[str, str]:
+        found: dict[str, str] = self._parameters
+        return found
+
+    def _field(self, name: object, vector: bool) -> str | None:
+        for own, field in self._named().items():
+            if own.casefold() == str(name).casefold() and (field in VECTOR_FIELDS) is vector:
+                return field
+        return parameter_field(name, vector)
 
 
 @public
@@ -101,42 +121,50 @@ class _Overriding(MaterialInterface):
         base = parent._surface() if parent is not None else manifest.Material(path=self._path())
         update: dict[str, Any] = {"path": self._path(), "class_path": self._class_path()}
         for name, colour in self._vectors.items():
-            field = parameter_field(name, True)
+            field = self._field(name, True)
             if field:
                 update[field] = colour[:3]
         for name, value in self._scalars.items():
-            field = parameter_field(name, False)
+            field = self._field(name, False)
             if field:
                 update[field] = value
         return base.model_copy(update=update)
+
+    def _field(self, name: object, vector: bool) -> str | None:
+        parent = self._parent()
+        return parent._field(name, vector) if parent is not None else parameter_field(name, vector)
+
+    def _named(self) -> dict[str, str]:
+        parent = self._parent()
+        return parent._named() if parent is not None else {}
 
     def _origin_path(self) -> str:
         parent = self._parent()
         return parent._origin_path() if parent is not None else self._path()
 
     def _set_vector(self, name: object, value: LinearColor) -> bool:
-        if parameter_field(name, True) is None:
+        if self._field(name, True) is None:
             return False
         self._vectors[str(name)] = (value.r, value.g, value.b, value.a)
         self._dirty = True
         return True
 
     def _set_scalar(self, name: object, value: float) -> bool:
-        if parameter_field(name, False) is None:
+        if self._field(name, False) is None:
             return False
         self._scalars[str(name)] = float(value)
         self._dirty = True
         return True
 
     def _vector(self, name: object) -> LinearColor:
-        field = parameter_field(name, True)
+        field = self._field(name, True)
         if not field:
             return LinearColor()
         r, g, b = getattr(self._surface(), field)
         return LinearColor(r, g, b, 1.0)
 
     def _scalar(self, name: object) -> float:
-        field = parameter_field(name, False)
+        field = self._field(name, False)
         return float(getattr(self._surface(), field)) if field else 0.0
 
     @api
