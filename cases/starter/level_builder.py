@@ -9,10 +9,10 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from c4s.errors import BadInput
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform, Vector
+from c4s.scene.level import Level, LevelComponent, Transform, Vector
 from c4s.scene.transform import affine
-from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
+from cases.corruption import STATIC_MESH_COMPONENT, with_identities
+from cases.starter.stage import Stage, asset_path
 from catalog.shapes import BlueprintSpec, PackSpec
 
 SCENE_COMPONENT = "/Script/Engine.SceneComponent"
@@ -20,7 +20,7 @@ GAP = 0.1
 """Things stand this far (cm) above what carries them: sinking by rounding would count as unsupported."""
 
 
-class LevelBuilder:
+class LevelBuilder(Stage):
     """Collects the actors of one level.
 
     Args:
@@ -30,20 +30,18 @@ class LevelBuilder:
     """
 
     def __init__(self, scene_id: str, packs: Sequence[PackSpec], floor_cm: float = 0.0) -> None:
-        self.scene_id, self.floor = scene_id, floor_cm
-        self.paths: dict[str, str] = {}
+        super().__init__(scene_id, {})
+        self.floor = floor_cm
         self._blueprints: dict[str, BlueprintSpec] = {}
         for pack in packs:
-            root = f"/Game/{pack.content_folder}"
             for asset in pack.assets:
-                self.paths[asset.name] = f"{root}/{asset.category.title()}/SM_{asset.name}.SM_{asset.name}"
+                self.paths[asset.name] = asset_path(pack.content_folder, asset.category, asset.name)
             for blueprint in pack.blueprints:
-                self.paths[blueprint.name] = f"{root}/Blueprints/BP_{blueprint.name}.BP_{blueprint.name}"
+                name = f"BP_{blueprint.name}"
+                self.paths[blueprint.name] = f"/Game/{pack.content_folder}/Blueprints/{name}.{name}"
                 self._blueprints[blueprint.name] = blueprint
-        self._actors: list[LevelActor] = []
         self._count: Counter[str] = Counter()
         self._frame: list[tuple[float, float, float]] = []
-        self._folder = ""
 
     @contextmanager
     def at(self, x: float, y: float, yaw: float = 0.0) -> Iterator[None]:
@@ -57,11 +55,11 @@ class LevelBuilder:
     @contextmanager
     def folder(self, name: str) -> Iterator[None]:
         """What is placed inside lies in an outliner folder."""
-        before, self._folder = self._folder, name
+        before, self.outliner_folder = self.outliner_folder, name
         try:
             yield
         finally:
-            self._folder = before
+            self.outliner_folder = before
 
     def place(self, asset: str, x: float, y: float, z: float | None = None, yaw: float = 0.0,
               scale: float | Vector = 1.0) -> str:
@@ -69,44 +67,31 @@ class LevelBuilder:
 
         Returns the object name, ``<asset>_<number>``.
         """
-        if asset not in self.paths:
-            raise BadInput("no pack of this level has this asset", where=f"{self.scene_id}: {asset}")
+        path = self.path(asset)
         height = self.floor if z is None else self.floor + z + GAP
         factors = (scale, scale, scale) if isinstance(scale, float | int) else scale
         location, turn = self._world(x, y, yaw)
         place = Transform(location_cm=(*location, round(height, 3)), rotation_deg=(0.0, turn, 0.0), scale=factors)
         name = self._name(asset)
         if asset in self._blueprints:
-            self._add(name, f"{self.paths[asset]}_C", place, self._parts(self._blueprints[asset]))
-        else:
-            self._add(name, STATIC_MESH_ACTOR, place, [
-                LevelComponent(name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT,
-                               static_mesh=self.paths[asset])])
-        return name
+            return self.add_actor(name, f"{path}_C", place, self._parts(self._blueprints[asset]))
+        return self.add_mesh(name, asset, place)
 
     def point_light(self, x: float, y: float, z: float, *, intensity: float = 3000.0, radius_cm: float = 700.0) -> str:
         """A warm point light; intensity in the engine's unitless measure."""
         location, _ = self._world(x, y, 0)
-        name = self._name("LightPoint")
-        component = LevelComponent(
-            name="LightComponent0", class_path="/Script/Engine.PointLightComponent",
-            properties={"intensity": intensity, "attenuation_radius": radius_cm, "light_color": [255, 238, 214, 255]})
-        self._add(name, "/Script/Engine.PointLight", Transform(location_cm=(*location, z)), [component])
-        return name
+        return self.add_light(self._name("LightPoint"), "PointLight", Transform(location_cm=(*location, z)),
+                              intensity=intensity, attenuation_radius=radius_cm, light_color=[255, 238, 214, 255])
 
     def daylight(self, *, yaw: float, pitch: float = -52.0, intensity: float = 4.0) -> None:
         """A sun that shines along ``yaw`` and ``pitch`` (degrees), and the light of the sky."""
-        sun = LevelComponent(name="LightComponent0", class_path="/Script/Engine.DirectionalLightComponent",
-                             properties={"intensity": intensity, "light_source_angle": 2.0})
-        self._add(self._name("LightSun"), "/Script/Engine.DirectionalLight",
-                  Transform(location_cm=(0.0, 0.0, 600.0), rotation_deg=(pitch, yaw, 0.0)), [sun])
-        sky = LevelComponent(name="SkyLightComponent0", class_path="/Script/Engine.SkyLightComponent",
-                             properties={"intensity": 1.0})
-        self._add(self._name("LightSky"), "/Script/Engine.SkyLight", Transform(location_cm=(0.0, 0.0, 650.0)), [sky])
+        self.add_light(self._name("LightSun"), "DirectionalLight", Transform(
+            location_cm=(0.0, 0.0, 600.0), rotation_deg=(pitch, yaw, 0.0)), intensity=intensity, light_source_angle=2.0)
+        self.add_light(self._name("LightSky"), "SkyLight", Transform(location_cm=(0.0, 0.0, 650.0)), intensity=1.0)
 
     def level(self) -> Level:
         """The level, with a stable-id tag on every actor."""
-        bare = Level(package=f"/Game/C4SScenes/{self.scene_id}", actors=self._actors)
+        bare = Level(package=f"/Game/C4SScenes/{self.scene_id}", actors=self.actors)
         return with_identities(bare, self.scene_id)
 
     def _world(self, x: float, y: float, yaw: float) -> tuple[tuple[float, float], float]:
@@ -125,11 +110,6 @@ class LevelBuilder:
             name=f"{part.asset}{number}", class_path=STATIC_MESH_COMPONENT, static_mesh=self.paths[part.asset],
             relative=Transform(location_cm=part.location_cm, rotation_deg=(0.0, part.yaw_deg, 0.0), scale=part.scale))
             for number, part in enumerate(spec.parts))]
-
-    def _add(self, name: str, class_path: str, place: Transform, components: list[LevelComponent]) -> None:
-        self._actors.append(LevelActor(name=name, label=name, class_path=class_path, transform=place,
-                                       guid=guid_of(f"{self.scene_id}|{name}"), components=components,
-                                       folder=self._folder))
 
 
 def wall_run(level: LevelBuilder, modules: Sequence[str], start: tuple[float, float], yaw: float) -> None:

@@ -1,6 +1,8 @@
 """The indoor scenes stand properly, and their cases can be built and repaired."""
 
+import copy
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -8,8 +10,9 @@ from c4s.engine.evidence import export_level
 from c4s.files import read_json
 from c4s.packs.store import PackStore
 from c4s.verify.physics import verify_physics
+from c4s.verify.verdict import Verdict
 from cases.checks import check_repair, check_scene
-from cases.corruption import apply, id_of
+from cases.corruption import SpawnActor, apply, id_of
 from cases.model import RepairCase, Scene, TextCase
 from cases.requirements import bundle, families
 from cases.starter.indoor_cases import cases, scenes
@@ -61,6 +64,19 @@ def test_scenes_stand_without_floating_or_penetration(scene: Scene, indoor_packs
     assert leaves["solid_penetration"]["score"] == 1.0
     floating = leaves["floating"]["floating_actors"]
     assert [name for name in floating if not any(word in name for word in WALL_OBJECTS)] == []
+    for case in INDOOR_CASES:
+        if case.scene_id == scene.scene_id:
+            assert perfect_repair(case, exported).score == 1.0, case.case_id
+
+
+def perfect_repair(case: RepairCase, truth: dict[str, Any]) -> Verdict:
+    """The physics verdict on the original, of which the targets of a case's changes count as edited."""
+    targets = {operation.target for operation in case.operations if not isinstance(operation, SpawnActor)}
+    start = copy.deepcopy(truth)
+    for actor in start["actors"]:
+        if actor["stable_actor_id"] in targets:
+            actor["transform"]["location_cm"][0] += 1e6
+    return verify_physics(case.setting, truth, start)
 
 
 def test_scene_sizes() -> None:
