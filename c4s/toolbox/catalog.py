@@ -1,33 +1,32 @@
-"""The catalog of one case: its assets from the pack manifests, and the search over their words.
+"""The catalog of one case: its assets from the pack manifests, and the search over them by meaning.
 
-Search is offline and reproducible: each query word is matched against the words of an asset's name, id, tags, category
-and description (equal stem, common prefix, or a known synonym), weighted by how rare the word is in this catalog
-(inverse document frequency) and by the field it stands in.
+Search is offline and reproducible (``c4s.toolbox.search``): an asset is found by its words, by other names of what it
+is, by its kind, and by what it is for.
 """
 
 from __future__ import annotations
 
-import math
-import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from c4s.case.package import AgentCase
 from c4s.packs.manifest import Asset, Pack
 from c4s.toolbox.tool import ToolRefused
 
-FIELD_WEIGHTS = (("name", 4.0), ("id", 3.0), ("tags", 3.0), ("category", 2.0), ("description", 1.0))
-SYNONYMS: tuple[frozenset[str], ...] = tuple(frozenset(group.split()) for group in (
-    "sofa couch settee", "chair seat stool", "table desk", "lamp light lantern", "cabinet cupboard wardrobe closet",
-    "shelf bookcase bookshelf rack", "rug carpet mat", "plant pot shrub bush", "tree conifer pine", "boat ship vessel",
-    "box crate case", "trash bin waste garbage rubbish", "car vehicle auto", "truck lorry", "fence railing barrier",
-    "house building cottage barn", "road street path", "monitor screen display", "computer pc laptop",
-    "picture painting frame",
-    "stone rock boulder", "ground floor terrain", "bed mattress", "wall partition", "dock pier quay jetty"))
-_WORD = re.compile(r"[a-z0-9]+")
+if TYPE_CHECKING:
+    from c4s.toolbox.search import Index
+
+NAME_WEIGHTS = (4.0, 2.0)
+"""Weights of an asset's name and of its tags, which say what it is."""
+TEXT_WEIGHTS = (2.0, 1.5, 1.0)
+"""Weights of its id, category and description."""
+NEAREST = 3
 
 
 @dataclass(frozen=True)
@@ -60,8 +59,20 @@ class CaseCatalog:
 
     def __init__(self, entries: Sequence[Entry]) -> None:
         self.entries = list(entries)
-        self._words = [_field_words(entry.asset) for entry in self.entries]
-        self._rarity = Counter(stem for fields in self._words for stem in {s for words in fields for s in words})
+        self._by_key: dict[str, list[Entry]] = {}
+        for entry in self.entries:
+            for key in {entry.asset.id, entry.asset.path, entry.asset.path.split(".")[0]}:
+                self._by_key.setdefault(key, []).append(entry)
+
+    @cached_property
+    def _index(self) -> Index:
+        """The search index, made when it is first asked for."""
+        from c4s.toolbox.search import Document, Index
+
+        return Index([Document(
+            tuple(zip((asset.name, " ".join(asset.tags)), NAME_WEIGHTS, strict=True)),
+            tuple(zip((asset.id, asset.category, asset.description), TEXT_WEIGHTS, strict=True)))
+            for asset in self.assets])
 
     @classmethod
     def load(cls, case: AgentCase, packs: Sequence[Path]) -> CaseCatalog:
@@ -80,16 +91,15 @@ class CaseCatalog:
 
     def find(self, key: str) -> Entry:
         """An entry by id, or by package, object or class path. Refused when there is none, or more than one."""
-        wanted = key.removesuffix("_C") if "." in key else key
-        found = [entry for entry in self.entries
-                 if wanted in (entry.asset.path, entry.asset.path.split(".")[0]) or key == entry.asset.id]
+        found = self._by_key.get(key) or self._by_key.get(key.removesuffix("_C") if "." in key else key, [])
         if len(found) == 1:
             return found[0]
         if found:
             raise ToolRefused(f"{key!r} is the id of {len(found)} assets: use a path, "
                               + " or ".join(entry.asset.path for entry in found))
-        near = [entry["id"] for entry in self.search(key, limit=3)]
-        raise ToolRefused(f"no asset {key!r} in this case's catalog" + (f"; near: {', '.join(near)}" if near else ""))
+        near = [entry["id"] for entry in self.search(key, limit=NEAREST)]
+        raise ToolRefused(f"no asset {key!r} in this case's catalog", todo=(
+            f"near: {', '.join(near)}; " if near else "") + "find ids with search_assets")
 
     def categories(self) -> list[dict[str, Any]]:
         """Categories with their size and short text, by name."""
@@ -99,54 +109,16 @@ class CaseCatalog:
             texts.setdefault(entry.asset.category, entry.pack.category_descriptions.get(entry.asset.category, ""))
         return [{"category": name, "count": counts[name], "description": texts[name]} for name in sorted(counts)]
 
+    def ranked(self, query: str, *, category: str | None = None) -> list[tuple[Entry, float]]:
+        """All entries that fit a query with their scores, best first; ties by id."""
+        scores = self._index.scores(query)
+        fitting = [(float(scores[number]), self.entries[number]) for number in np.flatnonzero(scores > 0).tolist()]
+        fitting = [pair for pair in fitting
+                   if category is None or pair[1].asset.category.casefold() == category.casefold()]
+        fitting.sort(key=lambda pair: (-pair[0], pair[1].asset.id))
+        return [(entry, score) for score, entry in fitting]
+
     def search(self, query: str, *, category: str | None = None, limit: int = 10) -> list[dict[str, Any]]:
         """Metadata of the best matches with their ``score``, best first; ties by id."""
-        wanted = [stem for stem in dict.fromkeys(map(stem_of, words_of(query))) if len(stem) > 1]
-        scored = []
-        for entry, fields in zip(self.entries, self._words, strict=True):
-            if category is not None and entry.asset.category.casefold() != category.casefold():
-                continue
-            score = sum(self._score(stem, fields) for stem in wanted)
-            if score > 0:
-                scored.append((-score, entry.asset.id, entry))
-        scored.sort(key=lambda item: item[:2])
-        return [entry.metadata() | {"score": round(-score, 3)} for score, _, entry in scored[:limit]]
-
-    def _score(self, wanted: str, fields: tuple[frozenset[str], ...]) -> float:
-        """The best field match of one query stem."""
-        best = 0.0
-        for (_, weight), stems in zip(FIELD_WEIGHTS, fields, strict=True):
-            for stem in stems:
-                likeness = _likeness(wanted, stem)
-                if likeness:
-                    rarity = math.log(1 + len(self.entries) / self._rarity[stem])
-                    best = max(best, weight * likeness * rarity)
-        return best
-
-
-def words_of(value: str) -> list[str]:
-    """Lower-case words; camel case and underscores separate words."""
-    return _WORD.findall(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", value).lower())
-
-
-def stem_of(word: str) -> str:
-    """A word without its English plural."""
-    if len(word) > 4 and word.endswith("ies"):
-        return word[:-3] + "y"
-    if len(word) > 4 and word.endswith(("ches", "shes", "xes", "sses")):
-        return word[:-2]
-    return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word
-
-
-def _likeness(wanted: str, stem: str) -> float:
-    if wanted == stem:
-        return 1.0
-    if any(wanted in group and stem in group for group in SYNONYMS):
-        return 0.6
-    shorter, longer = sorted((wanted, stem), key=len)
-    return 0.5 if len(shorter) >= 3 and (longer.startswith(shorter) or longer.endswith(shorter)) else 0.0
-
-
-def _field_words(asset: Asset) -> tuple[frozenset[str], ...]:
-    values = (asset.name, asset.id, " ".join(asset.tags), asset.category, asset.description)
-    return tuple(frozenset(map(stem_of, words_of(value))) for value in values)
+        return [entry.metadata() | {"score": round(score, 3)}
+                for entry, score in self.ranked(query, category=category)[:limit]]
