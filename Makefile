@@ -2,7 +2,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 STAMP := .venv/.installed
 
-.PHONY: setup demo test lint bench lock
+.PHONY: setup demo test test-clients lint bench lock
 
 setup: $(STAMP)
 
@@ -18,6 +18,9 @@ demo: setup
 
 test: setup
 	$(BIN)/python -m pytest --numprocesses auto --dist loadscope
+
+test-clients: setup
+	$(BIN)/python tests/agent_clients/matrix.py --install
 
 lint: setup
 	$(BIN)/ruff check .

@@ -33,6 +33,8 @@ class Price(Record):
     also: list[str] = Field(default_factory=list)
     """Other ids of the same model (dated snapshots, a router's prefix)."""
     valid_from: date = Field(alias="from")
+    until: date | None = None
+    """Last day of a rate that is announced to end; afterwards the price is unknown."""
     input: float = Field(ge=0)
     output: float = Field(ge=0)
     cache_read: float | None = Field(default=None, ge=0)
@@ -82,6 +84,7 @@ class PriceTable:
     def price(self, model: str | None, day: date) -> Price | None:
         """The row in force on that day; None where there is none."""
         found = [row for row in self._rows.get(model or "", []) if row.valid_from <= day]
+        found = [row for row in found if row.until is None or day <= row.until]
         newest = max((row.valid_from for row in found), default=None)
         return next((row for row in reversed(found) if row.valid_from == newest), None)
 

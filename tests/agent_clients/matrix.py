@@ -1,8 +1,8 @@
 """Drives every agent client through a scripted model on a case of the starter suite, to a saved and scored scene.
 
-``python tests/agent_clients/matrix.py [--install] [CLIENT ...]`` prints the matrix client x (installed, drove tools,
-saved, scored, usage matched the endpoint's own count). ``--install`` installs what is missing under
-``C4S_HOME/clients``, from npm and PyPI. Exit 1 where an installed client fails.
+``python tests/agent_clients/matrix.py [--install] [--case CASE] [CLIENT ...]`` prints the matrix client x
+(installed, drove tools, saved, scored, usage matched the endpoint's own count). ``--install`` installs what is missing
+under ``C4S_HOME/clients``, from npm and PyPI. Exit 1 where an installed client fails.
 """
 
 from __future__ import annotations
@@ -55,7 +55,10 @@ class Row:
 
 
 def script(case: AgentCase) -> list[list[Use]]:
-    """A small scene: look, place two things (two calls at once), 48 more by a script, a picture, environment, save."""
+    """A text: look, place two things (two calls at once), 48 more by a script, a picture, environment, save. A repair:
+    look, a picture, save."""
+    if case.setting != "text-to-scene":
+        return [[Use("get_actors_in_level")], [Use("take_screenshot")], [Use("save_scene_as", {"name": "submission"})]]
     first, second = [path for path in case.catalog if "/SM_" in path][:2]
     return [[Use("search_assets", {"query": "table", "k": 3})],
             [Use("spawn_actor", {"name": "First", "static_mesh": first, "location": [0, 0, 0]}),
@@ -67,7 +70,7 @@ def script(case: AgentCase) -> list[list[Use]]:
             [Use("save_scene_as", {"name": "submission"})]]
 
 
-def drive(client: str, suite: Path, runs: Path) -> Row:
+def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
     """One attempt of one client against a scripted endpoint, verified and scored."""
     row = Row(client, dict.fromkeys(COLUMNS, "no"))
     agent = agent_of(Configuration(name=client, client=client))
@@ -77,7 +80,7 @@ def drive(client: str, suite: Path, runs: Path) -> Row:
         row.note = error.line()
         return row
     row.cells["installed"] = program.version or "yes" if program else "built in"
-    case = SuiteFolder(suite).agent_case(CASE)
+    case = SuiteFolder(suite).agent_case(case_id)
     with ScriptedEndpoint(script(case)) as endpoint:
         (home() / "endpoints.yaml").write_text(yaml.safe_dump({"endpoints": {"scripted": {
             "url": f"{endpoint.url}", "formats": ["openai-chat", "openai-responses", "anthropic", "gemini"],
@@ -87,7 +90,7 @@ def drive(client: str, suite: Path, runs: Path) -> Row:
                                       options={"endpoint": "scripted"})
         run = runs / f"clients-{client}-{int(time.time())}"
         plan: Plan = open_run(run, make_plan(SuiteFolder(suite), [configuration], run_id=run.name,
-                                             policy=DEFAULT_POLICY, judge="rule", engine="headless", cases=[CASE]))
+                                             policy=DEFAULT_POLICY, judge="rule", engine="headless", cases=[case_id]))
         (trial,) = trials(run, suite, plan)
         started = time.monotonic()
         try:
@@ -121,8 +124,11 @@ def drive(client: str, suite: Path, runs: Path) -> Row:
     row.cells["saved"] = "yes" if outcome.submission else f"no ({outcome.ended_by}: {outcome.message})"
     if outcome.submission and stages.integrity(trial, plan, 1):
         stages.physics(trial, plan)
-        for verifier in stages.SEMANTIC:
-            stages.semantic(trial, plan, verifier)
+        if case.setting == "text-to-scene":
+            for verifier in stages.SEMANTIC:
+                stages.semantic(trial, plan, verifier)
+        else:
+            stages.repair(trial, plan)
         score = stages.score(trial, plan)
         row.cells["scored"] = f"{score.score:.2f}" if score.score is not None else score.status
     return row
@@ -132,6 +138,7 @@ def main() -> int:
     """Print the matrix."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--install", action="store_true")
+    parser.add_argument("--case", default=CASE)
     parser.add_argument("clients", nargs="*", default=CLIENTS)
     chosen = parser.parse_args()
     suite = suites_root() / "starter"
@@ -146,7 +153,7 @@ def main() -> int:
             except BadInput:
                 print(f"installing {agent.install.package}", flush=True)
                 subprocess.run(agent.install.command(), check=False, stdout=subprocess.DEVNULL)
-        rows.append(drive(client, suite, runs_root()))
+        rows.append(drive(client, suite, runs_root(), chosen.case))
         row = rows[-1]
         print(f"{row.client:12} " + "  ".join(f"{name}: {row.cells[name]:8}" for name in COLUMNS), flush=True)
         if row.note:

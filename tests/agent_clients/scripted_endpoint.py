@@ -114,7 +114,7 @@ class ScriptedEndpoint:
         uses, said = self._next(results, tools)
         model = request.get("model") or re.sub(r".*/models/([^:]+):.*", r"\1", path)
         answer = json.dumps([[use, arguments] for use, arguments in uses]) + said
-        size = len(body) // 4
+        size = len(re.sub(rb"[A-Za-z0-9+/=]{2000,}", b"picture", body)) // 4
         counts = Served(wire.name, model, key, fresh=size - size // 2 - size // 8, cache_read=size // 2,
                         cache_write=0 if wire.name in ("gemini", "openai-responses") else size // 8,
                         output=len(answer) // 4 + 11, reasoning=0 if wire.name == "anthropic" else 11,

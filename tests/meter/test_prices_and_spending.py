@@ -36,10 +36,12 @@ def table(text: str, tmp_path: Path) -> PriceTable:
 def test_the_price_of_the_day(tmp_path: Path) -> None:
     prices = table("prices:\n"
                    "- {model: m, from: 2026-01-01, input: 1, output: 2, source: a}\n"
-                   "- {model: m, also: [x/m], from: 2026-03-01, input: 3, output: 4, source: b}\n", tmp_path)
+                   "- {model: m, also: [x/m], from: 2026-03-01, input: 3, output: 4, source: b}\n"
+                   "- {model: sale, from: 2026-03-01, until: 2026-03-31, input: 3, output: 4, source: b}\n", tmp_path)
     assert prices.price("m", date(2025, 12, 31)) is None
     assert [price.input for day in (date(2026, 1, 1), date(2026, 2, 28), date(2026, 3, 1))
             if (price := prices.price("m", day))] == [1, 1, 3]
+    assert prices.price("sale", date(2026, 3, 31)) and prices.price("sale", date(2026, 4, 1)) is None
     assert prices.price("x/m", date(2026, 2, 1)) is None and prices.price("m-2", date(2026, 5, 1)) is None
 
 
