@@ -326,7 +326,8 @@ class World(AssetLibrary):
                 sources.append(actor)
             for source in sources:
                 pose = actor._pose() if source is actor else source._world_pose()
-                properties = {n: source.get_editor_property(n) for n in type(source)._properties}
+                properties = {name: source.get_editor_property(name)
+                              for name, prop in type(source)._properties.items() if prop.scripts}
                 yield LightSource(actor, type(source).__name__, pose, properties)
 
 

@@ -102,7 +102,7 @@ def inner(function: _Kernel) -> _Kernel:
 
 
 def callback(signature: Any, function: Callable[..., Any]) -> Any:
-    """Compile a function that a C library calls, and keep the machine code; its ``address`` is what the library gets."""
+    """Compile a function that a C library calls, and keep the machine code; the library gets its ``address``."""
     compile_: Any = numba.cfunc
     config: Any = numba.config
     folder = code_folder()

@@ -88,7 +88,10 @@ def combine_rows(first: int, last: int, width: int, height: int, buffers: Buffer
 
 
 def exposure_for(histogram: NDArray[np.int64], lowest_ev: float, highest_ev: float) -> float:
-    """Exposure in stops that brings the median surface to mid tone without burning out the brightest twentieth, within limits."""
+    """Exposure in stops that brings the median surface to mid tone without burning out the brightest twentieth.
+
+    It keeps within the limits, in stops.
+    """
     total = int(histogram.sum())
     if total == 0:
         return 0.0

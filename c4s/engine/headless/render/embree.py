@@ -190,7 +190,8 @@ def _prove_layout() -> None:
     matrices[:, 0, 3] = (50, 5, 3)
     scene = RayScene([other, triangle], [np.array([[0, 1, 2]], dtype=np.int32)] * 2,
                      np.array([0, 1, 1], dtype=np.int32), matrices,
-                     np.array([layout.OPAQUE_MASK, layout.OPAQUE_MASK, layout.TRANSLUCENT_MASK], dtype=np.int32), [None, None], 1)
+                     np.array([layout.OPAQUE_MASK, layout.OPAQUE_MASK, layout.TRANSLUCENT_MASK], dtype=np.int32),
+                     [None, None], 1)
     try:
         rays, valid = aligned_words(layout.RAYHIT_WORDS), aligned_words(layout.LANES).view(np.int32)
         numbers = rays.view(np.int32)

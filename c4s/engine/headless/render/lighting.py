@@ -149,7 +149,8 @@ def light_tables(lights: Lights, origin: NDArray[np.float64]) -> LightTables:
         sky=np.array([radiance(sky.zenith), radiance(sky.horizon), radiance(sky.ground)], dtype=np.float64),
         sky_light=np.array(sky.light_color, dtype=np.float64) * sky.light,
         fog=np.array(_fog_row(lights.fog), dtype=np.float64),
-        fog_height=float((lights.fog.height_cm if lights.fog is not None else 0.0) - origin[2]), ambient=np.array(lights.ambient, dtype=np.float64),
+        fog_height=float((lights.fog.height_cm if lights.fog is not None else 0.0) - origin[2]),
+        ambient=np.array(lights.ambient, dtype=np.float64),
         fill=float(lights.camera_fill), local=rows.reshape(-1, LOCAL_COLUMNS),
         occlusion_cm=max(float(lights.ambient_occlusion_cm), 1.0))
     if not all(np.isfinite(part).all() for part in tables):
@@ -179,7 +180,7 @@ def fog_passes(lights: LightTables, eye: NDArray[np.float64], ray: NDArray[np.fl
     at_eye = fog[DENSITY] * 2.0 ** min(max(-fog[HALVING] * low, -60.0), 60.0)
     fall = min(max(fog[HALVING] * ray[2] * length, -60.0), 60.0)
     mean = (1.0 - 2.0 ** -fall) / fall if abs(fall) > 1e-4 else math.log(2.0)
-    return max(2.0 ** max(-at_eye * length * mean, -60.0), fog[LEAST])
+    return float(max(2.0 ** max(-at_eye * length * mean, -60.0), fog[LEAST]))
 
 
 @inner
