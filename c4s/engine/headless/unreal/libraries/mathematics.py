@@ -8,7 +8,15 @@ from types import ModuleType
 from typing import Any
 
 from c4s.engine.headless.unreal.core import Object, api, public
-from c4s.engine.headless.unreal.libraries.maths import chance, geometry, scalars, twins
+from c4s.engine.headless.unreal.libraries.maths import (
+    angles,
+    arithmetic,
+    chance,
+    comparisons,
+    geometry,
+    ranges,
+    twins,
+)
 
 
 def _functions(*parts: ModuleType) -> dict[str, Callable[..., Any]]:
@@ -21,5 +29,6 @@ class MathLibrary(Object):
     """Mathematics."""
 
 
-for _name, _function in {**_functions(scalars, geometry, chance, twins), **twins.TWINS}.items():
+_OWN = _functions(arithmetic, ranges, comparisons, angles, geometry, chance, twins)
+for _name, _function in {**_OWN, **twins.TWINS}.items():
     setattr(MathLibrary, _name, staticmethod(api(_function)))
