@@ -1,4 +1,4 @@
-"""Captures of a level of 6,700 actors by the headless engine, beside the panda3d software renderer where it is installed.
+"""Captures of a level of 6,700 actors by the headless engine, beside panda3d's software renderer where it is installed.
 
 ``python -m bench.pictures [--actors N] [--out FOLDER]`` prints one JSON object. A capture is all that an agent waits
 for: the level's geometry and lights gathered anew, the ray structure built, the picture taken and its PNG written. The
@@ -22,6 +22,7 @@ import numpy as np
 
 from bench.row import Row
 from bench.town import PACKAGE, write_town
+from c4s.errors import MachineryFault
 from c4s.home import packs_root
 from catalog.build import ensure_pack
 
@@ -56,7 +57,7 @@ def run(actors: int = 6700, out: Path | None = None) -> dict[str, Any]:
             render_scene.take([view], [str(pictures / f"view-{number}.png")], "lit", False)
             seconds.append(time.perf_counter() - wall)
             processor.append(time.process_time() - cpu)
-        rival = _panda_seconds()
+        rival = _panda_seconds(pictures)
     return {"work": f"captures {WIDTH}x{HEIGHT}", "actors": actors, "views": len(VIEWS),
             "seconds": round(statistics.median(seconds[1:]), 3), "worst_s": round(max(seconds[1:]), 3),
             "cpu_seconds": round(statistics.median(processor[1:]), 3), "first_s": round(seconds[0], 3),
@@ -64,7 +65,7 @@ def run(actors: int = 6700, out: Path | None = None) -> dict[str, Any]:
             "rival_seconds": round(statistics.median(rival), 3) if rival else None}
 
 
-def _panda_seconds() -> list[float]:
+def _panda_seconds(pictures: Path) -> list[float]:
     """Seconds of each view by panda3d's software rasteriser; none, and a line, where it is not installed."""
     try:
         core: Any = importlib.import_module("panda3d.core")
@@ -82,7 +83,8 @@ def _panda_seconds() -> list[float]:
     for shown in world().drawables():
         if shown.mesh not in kinds:
             kinds[shown.mesh] = _panda_mesh(core, world().store.mesh(shown.mesh))
-        place = base.render.attachNewNode(kinds[shown.mesh])
+        place = base.render.attachNewNode("actor")
+        place.attachNewNode(kinds[shown.mesh])
         place.setMat(core.LMatrix4f(*shown.matrix.T.astype(float).ravel().tolist()))
         place.setTwoSided(True)
     sun = base.render.attachNewNode(core.DirectionalLight("sun"))
@@ -96,8 +98,11 @@ def _panda_seconds() -> list[float]:
         start = time.perf_counter()
         base.graphicsEngine.renderFrame()
         picture = core.PNMImage()
-        base.win.getScreenshot(picture)
+        drawn = base.win.getScreenshot(picture)
         seconds.append(time.perf_counter() - start)
+        if not drawn or picture.getAverageGray() <= 0:
+            raise MachineryFault("panda3d drew nothing", where="bench.pictures")
+        picture.write(core.Filename(str(pictures / f"panda3d-{len(seconds) - 1}.png")))
     base.destroy()
     return seconds[1:]
 
