@@ -1,6 +1,7 @@
 """Moving a component, in the world or relative to its parent.
 
-Every move gives a ``HitResult``, as Unreal's does; it is empty, because nothing is swept on the way.
+Every move gives a ``HitResult``, as Unreal's does. It is empty for a component without a shape; those that have one are
+swept on the way (``traces/swept.py``).
 """
 
 from __future__ import annotations
