@@ -50,8 +50,12 @@ class Drawable:
     """Asset path; its geometry is ``World.store.mesh(path)``."""
     matrix: Array
     """4x4 local to world (cm)."""
-    materials: tuple[Material, ...]
-    """One a slot, overrides applied."""
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """Surface of each slot, overrides applied; the engine's grey where a slot has no material."""
+        found = [self.component._material(i) for i in range(self.component._slot_count())]
+        return tuple(m._surface() if m is not None else basic_shapes.MATERIAL for m in found)
 
 
 @dataclass(frozen=True)
@@ -303,16 +307,10 @@ class World(AssetLibrary):
                 mesh = component._mesh._asset.path
                 if not component.get_editor_property("visible") or self.store.asset(mesh) is None:
                     continue
-                materials = self.surfaces(component)
                 pose = component._world_pose()
                 instanced = isinstance(component, InstancedStaticMeshComponent)
                 for each in [compose(i, pose) for i in component._instances] if instanced else [pose]:
-                    yield Drawable(actor, index, component, mesh, each.matrix(), materials)
-
-    def surfaces(self, component: StaticMeshComponent) -> tuple[Material, ...]:
-        """Surface of each slot; the engine's grey where a slot has no material."""
-        found = [component._material(i) for i in range(component._slot_count())]
-        return tuple(m._surface() if m is not None else basic_shapes.MATERIAL for m in found)
+                    yield Drawable(actor, index, component, mesh, each.matrix())
 
     def light_sources(self) -> Iterator[LightSource]:
         """Every shining light, sky light, fog and atmosphere, and every enabled post-process volume."""
