@@ -146,6 +146,12 @@ class DepthMeter:
         return depth, depth <= CONFIRM_CM or _touch(a, b)
 
 
+    def signed(self, a: Body, b: Body) -> float:
+        """Signed distance in cm, negative where the bodies overlap; as coal finds it, without a proof."""
+        self._result.clear()
+        return float(coal.distance(a.form.coal, a.coal_pose, b.form.coal, b.coal_pose, self._request, self._result))
+
+
 def _proves(depth: Array, way_out: Array, push_out: Array) -> NDArray[np.bool_]:
     """Whether a way out proves that no pair is deeper, and the boxes that none is as deep as an impossible answer."""
     slack = PROOF_CM + PROOF_SHARE * push_out

@@ -185,13 +185,39 @@ def edited_support(scene: SceneBodies, edited: Sequence[int], solid: Collection[
 
 def _held(body: Body, others: Sequence[Body], owners: Sequence[int], owner: int, tree: shapely.STRtree,
           meter: DepthMeter) -> bool:
-    """Whether a body, moved 5 cm down or sideways, meets a body of another actor."""
+    """Whether a body meets a body of another actor on a way of 5 cm down or sideways."""
     margin = GAP_CM + TOUCH_CM
     plan = shapely.box(*(body.low[:2] - margin), *(body.high[:2] + margin))
     for other in (others[i] for i in tree.query(plan).tolist() if owners[i] != owner):
         if body.low[2] - margin > other.high[2] or body.high[2] < other.low[2]:
             continue
-        for direction in DIRECTIONS:
-            if meter(body.moved(direction * margin), other)[0] > TOUCH_CM / 2:
+        if any(_meets(body, other, direction * margin, meter) for direction in DIRECTIONS):
+            return True
+    return False
+
+
+def _meets(body: Body, other: Body, way: Array, meter: DepthMeter) -> bool:
+    """Whether a body overlaps another one somewhere on a straight way, however thin both are.
+
+    The signed distance of two convex bodies is a convex function of the way gone, and changes by no more than it: what
+    both ends allow to touch in between is searched by thirds.
+    """
+    def overlaps(share: float) -> bool:
+        return meter(body.moved(share * way), other)[0] > TOUCH_CM / 2
+
+    if overlaps(1.0):
+        return True
+    length = float(np.linalg.norm(way))
+    low, high = 0.0, 1.0
+    at_low, at_high = meter.signed(body, other), meter.signed(body.moved(way), other)
+    while (at_low + at_high - (high - low) * length) / 2 < -TOUCH_CM / 2 and (high - low) * length > TOUCH_CM / 4:
+        left, right = low + (high - low) / 3, high - (high - low) / 3
+        at_left, at_right = meter.signed(body.moved(left * way), other), meter.signed(body.moved(right * way), other)
+        for share, distance in ((left, at_left), (right, at_right)):
+            if distance < -TOUCH_CM / 2 and overlaps(share):
                 return True
+        if at_left < at_right:
+            high, at_high = right, at_right
+        else:
+            low, at_low = left, at_left
     return False

@@ -100,6 +100,24 @@ def test_edited_actors_are_held_from_below_or_the_side(place, floats):
     assert (found["score"] == 1.0) is floats
 
 
+@pytest.mark.parametrize(("gap", "floats"), [(0.0, False), (0.3, False), (1.0, False), (2.2, False), (4.9, False),
+                                             (5.0, False), (5.1, True)])
+@pytest.mark.parametrize("axis", [0, 2])
+def test_thin_things_hold_and_are_held_all_along_the_way(gap, floats, axis):
+    thin, place = [50.0, 50.0, 50.0], [0.0, 0.0, 200.0]
+    thin[axis] = 0.25
+    place[axis] += 0.5 + gap
+    plate, foot = actor("Plate", (0, 0, 200), thin), actor("Foot", place, thin)
+    found = leaves(verify_physics(I2S, snapshot(plate, foot), snapshot(plate)))["floating"]
+    assert (found["score"] == 1.0) is floats
+
+
+def test_what_only_touches_a_ceiling_is_not_held():
+    ceiling = actor("Ceiling", (0, 0, 300))
+    found = leaves(verify_physics(I2S, snapshot(ceiling, actor("Lamp", (0, 0, 245), (5, 5, 5))), snapshot(ceiling)))
+    assert found["floating"]["score"] == 1.0
+
+
 def test_edited_lights_only_leave_nothing_to_evaluate():
     light = actor("L", (0, 0, 300)) | {"class": "/Script/Engine.PointLight"}
     verdict = verify_physics(I2S, snapshot(light), snapshot())
