@@ -60,7 +60,7 @@ class ScriptedEndpoint:
         self.port = 0
 
     def __enter__(self) -> Self:
-        listener = socket.socket()
+        listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
         listener.bind(("127.0.0.1", 0))
         listener.listen(128)
         self.port = listener.getsockname()[1]

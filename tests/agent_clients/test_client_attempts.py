@@ -10,13 +10,17 @@ from typing import Any
 
 import pytest
 from canned import CannedUpstream, Reply
+from made_case import make_case, make_pack
 from scripted_endpoint import ScriptedEndpoint, Use
 
+from c4s.agents.base import AgentContext, agent_of
+from c4s.agents.model import open_model
 from c4s.engine.sandbox import faults
-from c4s.errors import BadInput, MachineryFault
+from c4s.errors import AgentFault, BadInput, MachineryFault
 from c4s.files import json_lines
 from c4s.meter.spending import Ledger, SpendingLimitReached
-from c4s.run.records import AttemptOutcome
+from c4s.run.records import AttemptOutcome, Configuration
+from c4s.toolbox.gateway import Endpoint
 
 Attempt = Callable[..., tuple[AttemptOutcome, Path]]
 SAVE = [Use("save_scene_as", {"name": "submission"})]
@@ -49,34 +53,25 @@ def test_the_api_loop_plays_a_case(attempt: Attempt) -> None:
     assert Ledger(folder.parent / "spending.jsonl", None).spent().settled_usd == pytest.approx(outcome.cost_usd)
 
 
-def test_a_full_context_is_trimmed_and_recorded_and_bad_arguments_are_counted(attempt: Attempt) -> None:
+def test_a_full_context_is_trimmed_bad_arguments_are_counted_and_a_loop_is_stopped(attempt: Attempt) -> None:
     class Rambling(ScriptedEndpoint):
-        """Asks for picture after picture, and with arguments that are none."""
+        """Asks for picture after picture, and with arguments that are none; saves; then repeats itself."""
 
         def _next(self, results: list[str], tools: dict[str, Any]) -> tuple[list[tuple[Any, Any]], str]:
             done = len(self.bodies)
             if done <= 8:
                 return [("get_asset_preview", {"id": "crate"}), ("get_categories", ["none " * 1000, done])], ""
-            return ([("save_scene_as", {"name": "submission"})], "") if done == 9 else ([], self.text)
+            return [("save_scene_as", {"name": "submission"}) if done == 9 else ("get_categories", {})], ""
     with Rambling([]) as endpoint:
-        outcome, folder = attempt("api", endpoint.url, options={"context_tokens": 8_000, "max_tokens": 1000})
+        outcome, folder = attempt("api", endpoint.url,
+                                  options={"context_tokens": 8_000, "max_tokens": 1000, "same_calls": 3})
     trims = [line for line in lines(folder / "agent/api.jsonl") if line["event"] == "trim"]
-    assert trims and sum(trim["pictures_removed"] for trim in trims) > 0 and outcome.submission is not None
-    assert outcome.tool_calls == 17
-    errors = [line for line in lines(folder / "trajectory.jsonl") if line["tool"] == "get_categories"]
+    assert trims and sum(trim["pictures_removed"] for trim in trims) > 0
+    assert all(trim["after_tokens"] < trim["before_tokens"] for trim in trims)
+    assert (outcome.ended_by, outcome.tool_calls) == ("finished", 19) and "same call 3 times" in outcome.message
+    assert outcome.submission == "/Game/SavedScenes/submission"
+    errors = [line for line in lines(folder / "trajectory.jsonl") if line["tool"] == "get_categories"][:8]
     assert len(errors) == 8 and all(line["outcome"] == "error" and line["counted"] for line in errors)
-
-
-def test_a_model_in_a_loop_is_stopped(attempt: Attempt) -> None:
-    with ScriptedEndpoint([SAVE, *[[Use("get_categories")]] * 9]) as endpoint:
-        outcome, _ = attempt("api", endpoint.url, options={"same_calls": 3})
-    assert (outcome.ended_by, outcome.tool_calls) == ("finished", 3) and "same call 3 times" in outcome.message
-
-
-def test_an_endpoint_that_fails_leaves_the_trial_pending(attempt: Attempt) -> None:
-    with CannedUpstream(Reply([b'{"error": {"message": "bad key"}}'], status="401 No")) as upstream, pytest.raises(
-            MachineryFault, match="bad key"):
-        attempt("api", upstream.url)
 
 
 def test_the_spending_limit_leaves_the_trial_pending_and_a_higher_one_completes_it(
@@ -122,11 +117,34 @@ def test_a_program_of_its_own_plays_a_case_and_sees_nothing_else(attempt: Attemp
     assert "the-real-key" not in json.dumps(told) and told["home"] == ["mcp.json"]
 
 
+def alone(client: str, url: str, tmp_path: Path, options: dict[str, Any]) -> None:
+    """Run a client's adapter against a model endpoint, with no gateway behind its address."""
+    case, agent_folder = make_case(tmp_path / "suite", make_pack(tmp_path / "packs"), setting="text-to-scene")
+    (tmp_path / "home/endpoints.yaml").write_text(json.dumps({"endpoints": {"here": {
+        "url": url, "formats": ["openai-chat"]}}}))
+    configuration = Configuration(name=client, client=client, model="m", options={"endpoint": "here", **options})
+    (tmp_path / "agent").mkdir()
+    with open_model(configuration, "here", "openai-chat", usage=tmp_path / "usage.jsonl", ledger=None,
+                    at_limit=lambda: None) as model:
+        agent_of(configuration).run(AgentContext(case, agent_folder, Endpoint("http://127.0.0.1:18765/mcp", "t"),
+                                                 configuration, 1, tmp_path / "agent", None, model))
+
+
 @confined
-def test_a_program_that_fails_is_the_agents_doing_only_after_its_model_answered(attempt: Attempt) -> None:
-    options = {**plain(), "command": ["sh", "-c", "echo broken >&2; exit 3"]}
-    with pytest.raises(MachineryFault, match="status 3: broken, before it asked its model"):
-        attempt("command", "http://127.0.0.1:1", options=options)
+@pytest.mark.parametrize(("shell", "reply", "error", "text"), [
+    ("exit 3", None, MachineryFault, "status 3: broken, before it asked its model"),
+    ("exit 0", None, MachineryFault, "before it asked its model"),
+    ("{ask}; exit 4", Reply([b'{"error": {"message": "bad key"}}'], status="401 No"), MachineryFault, "401: bad key"),
+    ("{ask}; exit 5", Reply([b'{"choices": []}']), AgentFault, "status 5: broken$")])
+def test_whose_fault_it_is_when_a_program_fails(attempt: Attempt, tmp_path: Path, shell: str, reply: Reply | None,
+                                                error: type[Exception], text: str) -> None:
+    ask = """python3 -c 'import sys, urllib.request as u
+try: u.urlopen(u.Request("{model_url}/v1/chat/completions", b"{\\"model\\": \\"m\\"}",
+                         {"Authorization": "Bearer {model_token}"}))
+except OSError: pass'"""
+    options = {**plain(), "command": ["sh", "-c", "echo broken >&2; " + shell.replace("{ask}", ask)]}
+    with CannedUpstream(reply or Reply([b"{}"])) as upstream, pytest.raises(error, match=text):
+        alone("command", upstream.url, tmp_path, options)
 
 
 @confined

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -31,7 +32,8 @@ class Install:
         """The command line that installs it there."""
         if self.registry == "npm":
             return ["npm", "install", "--no-audit", "--no-fund", "--prefix", str(self.folder()), self.package]
-        return ["sh", "-c", f"python3 -m venv '{self.folder()}' && '{self.folder()}/bin/pip' install --quiet "
+        folder = self.folder()
+        return ["sh", "-c", f"'{sys.executable}' -m venv '{folder}' && '{folder}/bin/pip' install --quiet "
                             f"'{self.package}'"]
 
 
