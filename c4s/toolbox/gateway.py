@@ -26,6 +26,7 @@ from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from c4s.errors import MachineryFault
+from c4s.files import parse_json
 from c4s.toolbox.registry import ALL_TOOLS, TOOLS
 from c4s.toolbox.run import Answer, Run
 
@@ -108,9 +109,9 @@ class Gateway:
             if scope["type"] != "http":
                 await inner(scope, receive, send)
                 return
-            headers = {key.decode("latin-1").lower(): value.decode("latin-1") for key, value in scope["headers"]}
-            run = self._run_of(headers.get("authorization", ""))
-            session = headers.get("mcp-session-id", "")
+            headers = dict(scope["headers"])  # lower-case names, as ASGI has them
+            run = self._run_of(headers.get(b"authorization", b"").decode("latin-1"))
+            session = headers.get(b"mcp-session-id", b"").decode("latin-1")
             if run is None:
                 await JSONResponse({"error": "unauthorized"}, 401, {"WWW-Authenticate": "Bearer"})(scope, receive, send)
             elif session and self._session_owner.get(session) != run.run_id:
@@ -201,7 +202,7 @@ async def _read_body(receive: Receive) -> tuple[bytes, Receive]:
 def _call_of(body: bytes) -> tuple[str, str] | None:
     """(request id as JSON, tool name) of a ``tools/call`` post."""
     try:
-        message = json.loads(body)
+        message = parse_json(body)
     except (ValueError, RecursionError):
         return None
     if not isinstance(message, dict) or message.get("method") != "tools/call" or "id" not in message:

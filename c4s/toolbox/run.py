@@ -11,15 +11,17 @@ import json
 import secrets
 import threading
 import time
-from collections import OrderedDict
+import weakref
+from collections import deque
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, BinaryIO, Literal
 
 from c4s.case.package import Budget
 from c4s.errors import C4SError
-from c4s.files import append_json_line, canonical_json, digest_bytes, write_bytes
+from c4s.files import canonical_json, digest_bytes, write_bytes
 from c4s.toolbox.registry import TOOLS, VALIDATORS, tool_set
 from c4s.toolbox.tool import ToolRefused, ToolResult
 from c4s.toolbox.workbench import Workbench
@@ -30,6 +32,8 @@ KEPT_ANSWERS = 32
 RECORDED_RESULT_CHARACTERS = 20_000
 PARALLEL_CALLS = 8
 POLL_S = 0.05
+POLLING = "read_job_log"
+"""The tool that asks for the state of a job; its calls count, and are told apart."""
 
 
 class Answer:
@@ -49,6 +53,8 @@ class Run:
         self.tools = tool_set(tools)
         self.token = secrets.token_urlsafe(32)
         self.calls = 0
+        self.polls = 0
+        """How many of the calls asked for the state of a job."""
         self.blocked = 0
         self.over_calls = False
         """Whether a call was refused because the call budget was spent."""
@@ -59,10 +65,13 @@ class Run:
         self._started: float | None = None
         self._stopped: float | None = None
         self._records = 0
-        self._answers: OrderedDict[str, asyncio.Task[Answer] | None] = OrderedDict()
+        self._lines: BinaryIO | None = None
+        self._answers: dict[str, asyncio.Task[Answer] | None] = {}
+        self._kept: deque[str] = deque()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._timer: asyncio.TimerHandle | None = None
-        self._end_signal: asyncio.Event = asyncio.Event()
+        self._waiting: set[asyncio.Future[ToolResult | None]] = set()
+        """The tools at work."""
         self._pool = ThreadPoolExecutor(PARALLEL_CALLS, thread_name_prefix=f"tools-{run_id}")
 
     def start(self, loop: asyncio.AbstractEventLoop) -> None:
@@ -88,7 +97,8 @@ class Run:
         if self.end_reason is None:
             self.end_reason, self.end_message = reason, message
             self._stopped = time.monotonic()
-            self._end_signal.set()
+            for waiting in self._waiting:
+                _settle(waiting, None)
             if self._timer is not None:
                 self._timer.cancel()
             self._pool.shutdown(wait=False, cancel_futures=True)
@@ -113,10 +123,10 @@ class Run:
 
     async def call(self, name: str, arguments: Mapping[str, Any], key: str | None) -> Answer:
         """Answer one call. A request id that was seen before gets the first answer again."""
-        arguments, problem = _plain_arguments(arguments)
+        arguments, told, problem = _plain_arguments(arguments)
         if key is None:
             return await self._serve(name, arguments, problem, None)
-        key = f"{key} {name} {digest_bytes(canonical_json(arguments).encode())}"
+        key = f"{key} {name} {digest_bytes(told)}"
         if key in self._answers:
             self.record_duplicate(name, key)
             task = self._answers[key]
@@ -124,17 +134,18 @@ class Run:
                 return self._refusal("this request id was already answered")
             return await asyncio.shield(task)
         task = self._answers[key] = asyncio.ensure_future(self._serve(name, arguments, problem, key))
-        self._forget_old_answers()
+        task.add_done_callback(lambda _: self._keep_answer(key))
         return await asyncio.shield(task)
 
     def record_duplicate(self, name: str, key: str) -> None:
         """Note a repeat of a request id."""
         self._record("duplicate", name, key, counted=False, outcome="duplicate")
 
-    def _forget_old_answers(self) -> None:
-        kept = [key for key, task in self._answers.items() if task is not None and task.done()]
-        for key in kept[:-KEPT_ANSWERS]:
-            self._answers[key] = None
+    def _keep_answer(self, key: str) -> None:
+        """Keep a finished answer for repeats, and let go of the oldest one above ``KEPT_ANSWERS``."""
+        self._kept.append(key)
+        if len(self._kept) > KEPT_ANSWERS:
+            self._answers[self._kept.popleft()] = None
 
     async def _serve(self, name: str, arguments: dict[str, Any], problem: str, key: str | None) -> Answer:
         if self.end_reason is not None:
@@ -149,6 +160,7 @@ class Run:
             self.over_calls = True
             return self._refuse(name, arguments, key, "the tool call budget is spent", stop=True)
         self.calls += 1
+        self.polls += name == POLLING
         started, clock = self.wall_s, time.perf_counter()
         number = self.calls
         result, error, outcome = None, problem or _schema_problem(name, arguments), "error"
@@ -160,8 +172,9 @@ class Run:
                         else {"error": error, "budget": self.left(), **stop}, error=result is None, image=image)
         if image is not None:
             self._keep(image)
-        self._record("call", name, key, counted=True, outcome=outcome, call=number, arguments=arguments,
-                     start_s=round(started, 4), duration_s=round(time.perf_counter() - clock, 4), error=error,
+        self._record("call", name, key, counted=True, polling=name == POLLING, outcome=outcome, call=number,
+                     arguments=arguments, start_s=round(started, 4),
+                     duration_s=round(time.perf_counter() - clock, 4), error=error,
                      result=answer.text[:RECORDED_RESULT_CHARACTERS], result_characters=len(answer.text),
                      images=[] if image is None else [{"sha256": digest_bytes(image), "bytes": len(image)}])
         return answer
@@ -169,15 +182,24 @@ class Run:
     async def _work(self, name: str, arguments: dict[str, Any]) -> tuple[ToolResult | None, str, str]:
         """Run the tool in a thread until it is done or the run ends: (result, error, outcome)."""
         loop = asyncio.get_running_loop()
-        work = loop.run_in_executor(self._pool, TOOLS[name].run, self.bench, arguments)
-        ending = asyncio.ensure_future(self._end_signal.wait())
-        await asyncio.wait((work, ending), return_when=asyncio.FIRST_COMPLETED)
-        if not work.done():
-            work.add_done_callback(lambda late: late.cancelled() or late.exception())
-            return None, f"the run has ended: {self.end_message}", "ended"
-        ending.cancel()
+        done: asyncio.Future[ToolResult | None] = loop.create_future()
+        """Holds what the tool gave or raised; None when the run has ended before."""
+
+        def work() -> None:
+            try:
+                result: ToolResult | BaseException = TOOLS[name].run(self.bench, arguments)
+            except BaseException as error:
+                result = error
+            with suppress(RuntimeError):  # the gateway's loop is closed: nobody waits
+                loop.call_soon_threadsafe(_settle, done, result)
+
+        self._waiting.add(done)
         try:
-            return work.result(), "", "ok"
+            self._pool.submit(work)
+            result = await done
+            if result is None:
+                return None, f"the run has ended: {self.end_message}", "ended"
+            return result, "", "ok"
         except ToolRefused as refusal:
             return None, refusal.line(), "error"
         except Exception as fault:
@@ -185,6 +207,8 @@ class Run:
             line = fault.line() if isinstance(fault, C4SError) else f"{type(fault).__name__}: {fault}"
             self._end("fault", "the engine or a tool failed")
             return None, line, "fault"
+        finally:
+            self._waiting.discard(done)
 
     def _refuse(self, name: str, arguments: dict[str, Any], key: str | None, error: str, *, stop: bool = False
                 ) -> Answer:
@@ -202,19 +226,37 @@ class Run:
 
     def _record(self, event: str, name: str, key: str | None, **more: Any) -> None:
         self._records += 1
-        append_json_line(self.trajectory, {"seq": self._records, "time": round(time.time(), 4), "event": event,
-                                           "tool": name, "request": key, **more, **self.left()})
+        line = canonical_json({"seq": self._records, "time": round(time.time(), 4), "event": event, "tool": name,
+                               "request": key, **more, **self.left()})
+        self._file().write(line.encode() + b"\n")
+
+    def _file(self) -> BinaryIO:
+        """The trajectory, open for appending without a buffer: a line is in the file when it is written."""
+        if self._lines is None:
+            self.trajectory.parent.mkdir(parents=True, exist_ok=True)
+            self._lines = self.trajectory.open("ab", buffering=0)
+            weakref.finalize(self, self._lines.close)
+        return self._lines
 
 
-def _plain_arguments(arguments: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
-    """The arguments as JSON that can be written down, and what is wrong with them (a number that is none)."""
+def _settle(done: asyncio.Future[ToolResult | None], result: ToolResult | BaseException | None) -> None:
+    """Give a future its result or error, unless it has one."""
+    if done.done():
+        return
+    if isinstance(result, BaseException):
+        done.set_exception(result)
+    else:
+        done.set_result(result)
+
+
+def _plain_arguments(arguments: Mapping[str, Any]) -> tuple[dict[str, Any], bytes, str]:
+    """The arguments that can be written down, as JSON, and what is wrong with them (a number that is none)."""
     plain = dict(arguments)
     try:
-        canonical_json(plain).encode()
+        return plain, canonical_json(plain).encode(), ""
     except ValueError as error:
         shown = repr(plain)[:1000].encode("ascii", "backslashreplace").decode()
-        return {"unusable": shown}, f"invalid arguments: {error}"
-    return plain, ""
+        return {"unusable": shown}, shown.encode(), f"invalid arguments: {error}"
 
 
 def _schema_problem(name: str, arguments: dict[str, Any]) -> str:
