@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public, subclass_of
+from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public
 
 
 @public
@@ -50,7 +50,8 @@ class ActorComponent(Object):
 
 def of_class(components: list[Any], wanted: Class | type) -> list[Any]:
     """Those components that are of a class."""
-    return [c for c in components if subclass_of(type(c), _python_type(wanted))]
+    kind = _python_type(wanted)
+    return [c for c in components if isinstance(c, kind)]
 
 
 def _python_type(wanted: Class | type) -> type[Object]:

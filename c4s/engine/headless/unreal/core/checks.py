@@ -50,12 +50,16 @@ def accepted(value: Any, kind: str) -> Any:
     Raises:
         TypeError: it is no such thing; the text is Unreal's innermost line.
     """
-    if type(value).__name__ == kind:
+    if type(value).__name__ == kind or (type(value), kind) in _AS_IS:
         return value
     parts = _alternatives(kind)
     for part in parts:
         if _fits_one(value, part):
-            return int(value) if part == "int" and isinstance(value, float) else value
+            if part == "int" and isinstance(value, float):
+                return int(value)
+            if not isinstance(value, type) and not any(each.startswith("Sequence") for each in parts):
+                _AS_IS.add((type(value), kind))
+            return value
     for part in parts:
         if part.startswith("Sequence") and isinstance(value, (list, tuple, Array)):
             return [accepted(item, part[len("Sequence["):-1]) for item in value]
@@ -63,6 +67,10 @@ def accepted(value: Any, kind: str) -> Any:
         if found is not None and hasattr(found, "_from_parts") and isinstance(value, (list, tuple, Array, Mapping)):
             return found._from_parts(value)
     raise TypeError(_innermost(value, parts[0]))
+
+
+_AS_IS: set[tuple[type, str]] = set()
+"""Types whose every value passes unchanged for a kind, as far as values were met."""
 
 
 @functools.cache
@@ -161,11 +169,13 @@ def api(function: Callable[P, R]) -> Callable[P, R]:
         kind = kinds[name]
         if kind == "Any":
             return value
-        if type(value).__name__ != kind:
+        try:
+            value = accepted(value, kind)
+        except TypeError:
             where = getattr(owner, "_name", None) or f"Default__{getattr(owner, '__name__', type(owner).__name__)}"
             of = owner.__name__ if isinstance(owner, type) else type(owner).__name__
-            value = need(value, kind, f"{of}: Failed to convert parameter '{name}' when calling function "
-                                      f"'{of}.{camel(title)}' on '{where}'", name)
+            need(value, kind, f"{of}: Failed to convert parameter '{name}' when calling function "
+                              f"'{of}.{camel(title)}' on '{where}'", name)
         if isinstance(value, TYPES["Object"]):
             value._need_alive()  # type: ignore[attr-defined]
         return value
@@ -175,12 +185,13 @@ def api(function: Callable[P, R]) -> Callable[P, R]:
         owner: Any = args[0] if bound and args else None
         if owned and isinstance(owner, TYPES["Object"]):
             owner._need_alive()  # type: ignore[attr-defined]
-            if len(args) == 1 and not kwargs and not required:
-                return function(*args, **kwargs)
+        if not (required or kwargs) and len(args) == bound:
+            return function(*args, **kwargs)
         given = args[1:] if bound else args
         if kwargs or len(given) != len(names):
             refuse_count(len(given), kwargs)
-        for name, value in (*zip(names, given, strict=False), *kwargs.items()):
+        pairs = zip(names, given, strict=False)
+        for name, value in (*pairs, *kwargs.items()) if kwargs else pairs:
             if value is None and _is_object(kinds[name]):
                 return _without(title, name, str(signature.return_annotation))  # type: ignore[no-any-return]
         values: list[Any] = [convert(owner, name, value) for name, value in zip(names, given, strict=False)]

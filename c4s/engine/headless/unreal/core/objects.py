@@ -202,19 +202,23 @@ class Enum(Object):
 
 
 _CLASSES: dict[str, Class] = {}
+_BY_TYPE: dict[type, Class] = {}
 
 
 def as_class(value: Class | type) -> Class:
     """The class object of a type, one a type."""
     if isinstance(value, Class):
         return value
-    kind: type[Object] = value
-    path = kind._class_path()
-    if path not in _CLASSES:
-        made: Class = Class._make(value.__name__, None)
-        made._bind(kind, path)
-        _CLASSES[path] = made
-    return _CLASSES[path]
+    found = _BY_TYPE.get(value)
+    if found is None:
+        kind: type[Object] = value
+        path = kind._class_path()
+        if path not in _CLASSES:
+            made: Class = Class._make(value.__name__, None)
+            made._bind(kind, path)
+            _CLASSES[path] = made
+        found = _BY_TYPE[value] = _CLASSES[path]
+    return found
 
 
 def subclass_of(value: Class | type, base: type[Object]) -> bool:

@@ -29,8 +29,13 @@ class Prop:
     """Whether ``get_editor_property`` and ``set_editor_property`` know it."""
 
 
+_IMMUTABLE = frozenset({bool, int, float, str, Name, Text})
+
+
 def copied(value: Any) -> Any:
     """Structs and arrays leave an object as copies."""
+    if value is None or type(value) in _IMMUTABLE:
+        return value
     return value.copy() if hasattr(value, "copy") and not isinstance(value, dict) else value
 
 
@@ -71,7 +76,8 @@ class ObjectBase:
             return getattr(self, prop.get)()
         values: dict[str, Any] = self._values
         if name not in values:
-            return prop.default() if callable(prop.default) else copied(prop.default)
+            default = prop.default
+            return default() if callable(default) else copied(default)
         return copied(values[name])
 
     def _write(self, name: str, prop: Prop, value: Any) -> None:
@@ -112,7 +118,9 @@ class ObjectBase:
 
     def get_editor_property(self, name: str | Name) -> Any:
         """Value of an editor property; structs and arrays are copies."""
-        return self._read(*self._property(str(need(name, "str", f"{type(self).__name__}.get_editor_property"))))
+        if type(name) is not str:
+            name = str(need(name, "str", f"{type(self).__name__}.get_editor_property"))
+        return self._read(*self._property(name))
 
     def set_editor_property(self, name: str | Name, value: Any,
                             notify_mode: PropertyAccessChangeNotifyMode = PropertyAccessChangeNotifyMode.DEFAULT

@@ -21,12 +21,13 @@ class Guid(ClosedStruct):
 
     @classmethod
     def _of(cls, text: str) -> Guid:
-        made: Guid = cls._of_fields(*(int(text[i * 8:i * 8 + 8], 16) for i in range(4)))
+        made = cls.__new__(cls)
+        made.__dict__.update(a=int(text[:8], 16), b=int(text[8:16], 16), c=int(text[16:24], 16), d=int(text[24:], 16))
         return made
 
     def to_string(self) -> str:
         """32 upper-case hex digits."""
-        return "".join(f"{number:08X}" for number in self.to_tuple())
+        return "".join([f"{number:08X}" for number in self.to_tuple()])
 
 
 @public

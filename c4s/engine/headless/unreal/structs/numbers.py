@@ -38,9 +38,7 @@ class Components(StructBase):
         for value in values:
             if type(value) is not float:
                 return False
-        put = object.__setattr__
-        for name, value in zip(self._fields, values, strict=True):
-            put(self, name, value)
+        self.__dict__.update(zip(self._fields, values, strict=True))
         return True
 
     def copy(self) -> Any:

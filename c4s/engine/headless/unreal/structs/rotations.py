@@ -28,7 +28,10 @@ class Rotator(Components):
     yaw: float
 
     def __init__(self, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> None:
-        if not self._fill(roll, pitch, yaw):
+        if type(roll) is type(pitch) is type(yaw) is float:
+            own = self.__dict__
+            own["roll"], own["pitch"], own["yaw"] = roll, pitch, yaw
+        else:
             super().__init__(roll, pitch, yaw)
 
     @classmethod
@@ -141,7 +144,10 @@ class Quat(Summed):
     IDENTITY = Constant(0.0, 0.0, 0.0, 1.0)
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, w: float = 0.0) -> None:
-        if not self._fill(x, y, z, w):
+        if type(x) is type(y) is type(z) is type(w) is float:
+            own = self.__dict__
+            own["x"], own["y"], own["z"], own["w"] = x, y, z, w
+        else:
             super().__init__(x, y, z, w)
 
     def _four(self) -> tuple[float, float, float, float]:

@@ -41,7 +41,10 @@ class Vector(Directed, Scaled):
     DOWN = Constant(0.0, 0.0, -1.0)
 
     def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
-        if not self._fill(x, y, z):
+        if type(x) is type(y) is type(z) is float:
+            own = self.__dict__
+            own["x"], own["y"], own["z"] = x, y, z
+        else:
             super().__init__(x, y, z)
 
     def _triple(self) -> tuple[float, float, float]:
