@@ -35,7 +35,7 @@ class ModelEndpoint(Record):
 
 
 class EndpointFile(Record):
-    """``C4S_HOME/endpoints.yaml``."""
+    """The operator's ``endpoints.yaml``."""
 
     endpoints: dict[str, ModelEndpoint] = Field(default_factory=dict)
     spending_limit_usd: float | None = Field(default=None, ge=0)
@@ -56,9 +56,14 @@ KNOWN = {
 LIMIT_VARIABLE = "C4S_SPENDING_LIMIT_USD"
 
 
-def endpoint_file(path: Path | None = None) -> EndpointFile:
+def endpoint_path() -> Path:
+    """``C4S_ENDPOINTS``, else ``endpoints.yaml`` in ``C4S_HOME``."""
+    return Path(os.environ.get("C4S_ENDPOINTS") or home() / "endpoints.yaml")
+
+
+def endpoint_file() -> EndpointFile:
     """The operator's file, or an empty one. ``BadInput`` for a file that cannot be used."""
-    path = path or home() / "endpoints.yaml"
+    path = endpoint_path()
     if not path.is_file():
         return EndpointFile()
     try:
@@ -73,7 +78,7 @@ def model_endpoint(name: str) -> ModelEndpoint:
     own = endpoint_file().endpoints
     found = own.get(name) or KNOWN.get(name)
     if found is None:
-        raise BadInput(f"unknown model endpoint {name!r}", where=str(home() / "endpoints.yaml"),
+        raise BadInput(f"unknown model endpoint {name!r}", where=str(endpoint_path()),
                        todo=f"describe it there, or use one of {', '.join(sorted({**KNOWN, **own}))}")
     address = urlsplit(found.url)
     if address.scheme not in ("http", "https") or not address.hostname:

@@ -11,6 +11,7 @@ import argparse
 import os
 import subprocess
 import sys
+import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,7 +27,7 @@ from c4s.agents.clients.programs import find
 from c4s.case.package import AgentCase, SuiteFolder
 from c4s.errors import BadInput, C4SError
 from c4s.files import json_lines
-from c4s.home import home, runs_root, suites_root
+from c4s.home import runs_root, suites_root
 from c4s.run import stages
 from c4s.run.plan import DEFAULT_POLICY, Plan, make_plan, open_run, trials
 from c4s.run.records import Configuration
@@ -81,10 +82,12 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
         return row
     row.cells["installed"] = program.version or "yes" if program else "built in"
     case = SuiteFolder(suite).agent_case(case_id)
-    with ScriptedEndpoint(script(case)) as endpoint:
-        (home() / "endpoints.yaml").write_text(yaml.safe_dump({"endpoints": {"scripted": {
+    with ScriptedEndpoint(script(case)) as endpoint, tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+        os.environ["C4S_ENDPOINTS"] = file.name
+        file.write(yaml.safe_dump({"endpoints": {"scripted": {
             "url": f"{endpoint.url}", "formats": ["openai-chat", "openai-responses", "anthropic", "gemini"],
             "key_env": "SCRIPTED_KEY"}}}))
+        file.flush()
         os.environ["SCRIPTED_KEY"] = "the-real-key"
         configuration = Configuration(name=client, client=client, model=MODELS.get(client, "scripted-1"),
                                       options={"endpoint": "scripted"})

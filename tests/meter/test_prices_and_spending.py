@@ -163,10 +163,15 @@ def test_processes_share_one_limit(tmp_path: Path) -> None:
 def test_the_limit_and_the_endpoints_come_from_the_operator(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("C4S_HOME", str(tmp_path))
     monkeypatch.delenv(LIMIT_VARIABLE, raising=False)
+    monkeypatch.delenv("C4S_ENDPOINTS", raising=False)
     assert spending_limit() is None
     (tmp_path / "endpoints.yaml").write_text(
         "spending_limit_usd: 40\nendpoints: {own: {url: 'http://10.0.0.5:8000/v1', formats: [openai-chat]}}\n")
     assert spending_limit() == 40 and model_endpoint("own").key_env is None
+    (tmp_path / "other.yaml").write_text("spending_limit_usd: 7\n")
+    with monkeypatch.context() as other:
+        other.setenv("C4S_ENDPOINTS", str(tmp_path / "other.yaml"))
+        assert spending_limit() == 7
     monkeypatch.setenv(LIMIT_VARIABLE, "2.5")
     assert spending_limit() == 2.5
     monkeypatch.setenv(LIMIT_VARIABLE, "much")
