@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from c4s.case.package import AgentCase
+from c4s.toolbox.skill import skill_text
 
 _TASK = """\
 {prompt}
@@ -23,6 +24,7 @@ def briefing(case: AgentCase, server: str, *, pictures: int) -> str:
     """The first message: the case's prompt, the rules of work, and how many pictures are attached."""
     text = _TASK.format(prompt=case.prompt.strip(), server=server, calls=case.budget.tool_calls,
                         minutes=case.budget.wall_minutes, start_map=case.start_map)
+    text = f"{text}\n{skill_text()}"
     return text + (_PICTURES.format(count=pictures) if pictures else "")
 
 

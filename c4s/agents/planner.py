@@ -39,7 +39,7 @@ def _construct(tools: GatewayClient, prompt: str, plate_m: float) -> str:
         dropped = {problem["node"] for problem in problems if problem["dropped"]}
         graph = {"nodes": [node for node in graph["nodes"] if node["id"] not in dropped]}
         solved = tools.call("solve_scene_graph", graph=graph, half_extent_m=plate_m / 2).data["solved"]
-        present = {entry["tier_name"] for entry in solved["entries"]}
+        present = solved["tier_counts"]
         for tier in TIERS:
             if tier in present:
                 failed = tools.call("build_tier", tier=tier).data["failed"]
@@ -49,7 +49,7 @@ def _construct(tools: GatewayClient, prompt: str, plate_m: float) -> str:
 
 
 def _mend(tools: GatewayClient) -> str:
-    found = mends(tools.call("get_actors_in_level").data["actors"])
+    found = mends(tools.actors())
     for mend in found:
         if mend.scale is None:
             tools.call("delete_actor", name=mend.actor)

@@ -54,7 +54,7 @@ class RandomAgent:
 
     def _edit(self, context: AgentContext, tools: GatewayClient, chance: random.Random, refused: list[str]) -> None:
         """Move, turn, scale or delete random actors that have a mesh."""
-        actors = sorted((actor for actor in tools.call("get_actors_in_level").data["actors"]
+        actors = sorted((actor for actor in tools.actors()
                          if actor["static_meshes"]), key=lambda actor: str(actor["name"]))
         count = min(int(context.options.get("count", EDITED)), _calls_for_edits(context), len(actors))
         for actor in chance.sample(actors, count):

@@ -24,7 +24,7 @@ class Vandal:
             job = tools.call("execute_python_script", script=SCRIPT).data["job_id"]
             tools.call("read_job_log", job_id=job, wait_s=WAIT_S)
             kept = []
-            for actor in tools.call("get_actors_in_level").data["actors"]:
+            for actor in tools.actors():
                 try:
                     tools.call("delete_actor", name=actor["name"])
                 except CallRefused as refusal:

@@ -111,13 +111,21 @@ def current_level() -> str:
     return str(_world().get_path_name()).split(".", 1)[0]
 
 
-def list_actors() -> list[dict[str, Any]]:
-    """All actors of the level."""
-    return [describe(actor) for actor in _actors()]
+def list_actors(offset: int = 0, limit: int | None = None) -> dict[str, Any]:
+    """The actors of the level in its order, ``limit`` of them from ``offset`` on; ``total`` counts all."""
+    actors = _actors()
+    return {"actors": [describe(actor) for actor in actors[offset:_end(offset, limit)]], "total": len(actors)}
 
 
-def find_actors(pattern: str) -> list[dict[str, Any]]:
-    """Actors whose label or object name holds ``pattern`` (``*`` and ``?`` match any text), ignoring case."""
+def _end(offset: int, limit: int | None) -> int | None:
+    return None if limit is None else offset + limit
+
+
+def find_actors(pattern: str, offset: int = 0, limit: int | None = None) -> dict[str, Any]:
+    """Actors whose label or object name holds ``pattern`` (``*`` and ``?`` match any text), ignoring case.
+
+    ``limit`` of them from ``offset`` on; ``total`` counts all that fit.
+    """
     wanted = pattern.lower()
     wanted = wanted if any(mark in wanted for mark in "*?[") else f"*{wanted}*"
     found = []
@@ -125,13 +133,19 @@ def find_actors(pattern: str) -> list[dict[str, Any]]:
         matched = [kind for kind, value in (("label", actor.get_actor_label()), ("name", actor.get_name()))
                    if fnmatch.fnmatchcase(value.lower(), wanted)]
         if matched:
-            found.append(dict(describe(actor, bounds=True), matched=matched))
-    return found
+            found.append((actor, matched))
+    return {"actors": [dict(describe(actor, bounds=True), matched=matched)
+                       for actor, matched in found[offset:_end(offset, limit)]], "total": len(found)}
+
+
+def _labels() -> set[str]:
+    return {actor.get_actor_label() for actor in _actors()}
 
 
 def _spawn(what: Any, label: str, location: Sequence[float], rotation: Sequence[float] | None,
-           scale: float | Sequence[float] | None) -> Any:
-    if any(actor.get_actor_label() == label for actor in _actors()):
+           scale: float | Sequence[float] | None, taken: set[str] | None = None) -> Any:
+    """Spawn with a label that must be new; ``taken`` are the labels that are there, when the caller keeps them."""
+    if label in (_labels() if taken is None else taken):
         raise SceneRefused(f"an actor labelled {label!r} is already there: choose another name")
     at, turned = _vector(location, "location"), _rotator(rotation or (0.0, 0.0, 0.0))
     sized = None if scale is None else _scale(scale)
@@ -149,32 +163,35 @@ def _spawn(what: Any, label: str, location: Sequence[float], rotation: Sequence[
 
 
 def spawn_static_mesh(name: str, static_mesh: str, location: Sequence[float], rotation: Sequence[float] | None = None,
-                      scale: float | Sequence[float] | None = None) -> dict[str, Any]:
+                      scale: float | Sequence[float] | None = None, taken: set[str] | None = None) -> dict[str, Any]:
     """Spawn an actor with the label ``name`` from a static mesh path."""
     mesh = unreal.EditorAssetLibrary.load_asset(static_mesh)
     if mesh is None or not isinstance(mesh, unreal.StaticMesh):
         raise SceneRefused(f"{static_mesh} is not a static mesh that can be loaded")
-    return describe(_spawn(mesh, name, location, rotation, scale), bounds=True)
+    return describe(_spawn(mesh, name, location, rotation, scale, taken), bounds=True)
 
 
 def spawn_blueprint(name: str, blueprint: str, location: Sequence[float], rotation: Sequence[float] | None = None,
-                    scale: float | Sequence[float] | None = None) -> dict[str, Any]:
+                    scale: float | Sequence[float] | None = None, taken: set[str] | None = None) -> dict[str, Any]:
     """Spawn an actor with the label ``name`` from a Blueprint path (asset, or generated class with ``_C``)."""
     package = blueprint.split(".", 1)[0]
     short = package.rsplit("/", 1)[-1]
     generated = unreal.load_class(None, f"{package}.{short}_C")
     if generated is None:
         raise SceneRefused(f"{blueprint} is not a Blueprint that can be loaded")
-    return describe(_spawn(generated, name, location, rotation, scale), bounds=True)
+    return describe(_spawn(generated, name, location, rotation, scale, taken), bounds=True)
 
 
 def spawn_many(entries: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """Spawn entries ``{name, asset, kind, location, rotation?, scale?}``; a wrong one is told and the rest go on."""
     spawned, failed = [], []
+    taken = _labels()
     for entry in entries:
         try:
             spawn = spawn_blueprint if entry.get("kind") == "blueprint" else spawn_static_mesh
-            told = spawn(entry["name"], entry["asset"], entry["location"], entry.get("rotation"), entry.get("scale"))
+            told = spawn(entry["name"], entry["asset"], entry["location"], entry.get("rotation"), entry.get("scale"),
+                         taken)
+            taken.add(told["label"])
             spawned.append({"label": told["label"], "name": told["name"]})
         except (SceneRefused, KeyError, TypeError, ValueError) as error:
             failed.append({"entry": str(entry.get("name")), "error": str(error)})

@@ -14,7 +14,6 @@ decides, else the centre. ``on`` stands the copies on top of another node's firs
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -23,7 +22,11 @@ from c4s.packs.manifest import Asset
 
 LAYOUTS = ("row", "grid", "ring", "scatter")
 RELATIONS = ("next_to", "left_of", "right_of", "in_front_of", "behind", "around")
-MAX_COPIES = 2000
+MAX_COPIES, MAX_ALL_COPIES = 2000, 5000
+"""Copies of one node, and of a graph."""
+MOST = 1.0e5
+"""Largest number in a graph: 100 km, or that many degrees."""
+LONGEST_ID = 190
 FIELDS = frozenset({"id", "asset", "at", "yaw_deg", "scale", "count", "layout", "on", "relation"})
 
 
@@ -81,15 +84,19 @@ def read_graph(graph: Any, catalog: Sequence[Asset]) -> tuple[list[Node], list[P
     nodes: list[Node] = []
     problems: list[Problem] = []
     seen: set[str] = set()
+    copies = 0
     for position, raw in enumerate(graph["nodes"]):
         name = str(raw.get("id") or f"node_{position + 1}") if isinstance(raw, Mapping) else f"node_{position + 1}"
         try:
             node, notes = _read_node(name, raw, assets, seen)
+            if copies + node.count > MAX_ALL_COPIES:
+                raise ValueError(f"the graph has more than {MAX_ALL_COPIES} copies: build it in parts")
         except ValueError as error:
-            problems.append(Problem(name, str(error)))
+            problems.append(Problem(name[:LONGEST_ID], str(error)))
             continue
         problems += [Problem(name, note, drops=False) for note in notes]
         nodes.append(node)
+        copies += node.count
         seen.add(name)
     return nodes, problems
 
@@ -97,18 +104,20 @@ def read_graph(graph: Any, catalog: Sequence[Asset]) -> tuple[list[Node], list[P
 def _read_node(name: str, raw: Any, assets: Mapping[str, Asset], seen: set[str]) -> tuple[Node, list[str]]:
     if not isinstance(raw, Mapping):
         raise ValueError("a node is an object")
+    if len(name) > LONGEST_ID or not name.isprintable():
+        raise ValueError(f"an id has at most {LONGEST_ID} characters, all printable")
     if name in seen:
         raise ValueError("this id is used twice")
     asset = assets.get(str(raw.get("asset", "")).lower())
     if asset is None:
-        raise ValueError(f"asset {raw.get('asset')!r} is not in the catalog")
+        raise ValueError(f"asset {str(raw.get('asset'))[:LONGEST_ID]!r} is not in the catalog: "
+                         "find ids with search_assets")
     count = _number(raw.get("count", 1), "count")
     if count != int(count) or not 1 <= count <= MAX_COPIES:
         raise ValueError(f"count must be a whole number from 1 to {MAX_COPIES}")
-    notes = [f"field {key!r} is not known and is ignored" for key in sorted(set(raw) - FIELDS)]
-    for key in ("on",):
-        if raw.get(key) is not None and raw[key] not in seen:
-            raise ValueError(f"{key!r} names {raw[key]!r}, which is no earlier node")
+    notes = [f"field {str(key)[:LONGEST_ID]!r} is not known and is ignored" for key in sorted(set(raw) - FIELDS)]
+    if raw.get("on") is not None and (not isinstance(raw["on"], str) or raw["on"] not in seen):
+        raise ValueError(f"'on' names {str(raw['on'])[:LONGEST_ID]!r}, which is no earlier node that survives")
     scale = raw.get("scale", 1.0)
     factors = _vector(scale, "scale", 3) if isinstance(scale, list | tuple) else (_number(scale, "scale"),) * 3
     if any(factor == 0 for factor in factors):
@@ -134,8 +143,8 @@ def _relation(raw: Any, seen: set[str]) -> tuple[str, str, float] | None:
         return None
     if not isinstance(raw, Mapping) or raw.get("kind") not in RELATIONS:
         raise ValueError(f"relation kind must be one of {', '.join(RELATIONS)}")
-    if raw.get("of") not in seen:
-        raise ValueError(f"relation names {raw.get('of')!r}, which is no earlier node")
+    if not isinstance(raw.get("of"), str) or raw["of"] not in seen:
+        raise ValueError(f"relation names {str(raw.get('of'))[:LONGEST_ID]!r}, which is no earlier node that survives")
     return str(raw["kind"]), str(raw["of"]), _number(raw.get("distance_m", 0.5), "relation.distance_m")
 
 
@@ -155,6 +164,6 @@ def _vector(raw: Any, name: str, length: int) -> tuple[float, ...]:
 
 
 def _number(raw: Any, name: str) -> float:
-    if isinstance(raw, bool) or not isinstance(raw, int | float) or not math.isfinite(raw):
-        raise ValueError(f"{name} must be a finite number")
+    if isinstance(raw, bool) or not isinstance(raw, int | float) or not -MOST <= raw <= MOST:
+        raise ValueError(f"{name} must be a number from {-MOST:g} to {MOST:g}")
     return float(raw)

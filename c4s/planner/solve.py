@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
@@ -15,13 +16,28 @@ MODES = ("separate", "exact")
 HALF_EXTENT_M = 100.0
 
 
-def validate(graph: Any, catalog: Sequence[Asset]) -> dict[str, Any]:
-    """Report on a graph: whether it can be solved whole, and each problem with the node that it drops."""
+def validate(graph: Any, catalog: Sequence[Asset], half_extent_m: float = HALF_EXTENT_M) -> dict[str, Any]:
+    """Report on a graph: whether it can be solved whole, and each problem with the node or copy that it drops.
+
+    ``dropped`` names all that solving would drop. Copies outside the square of ``half_extent_m`` are moved in by
+    the mode ``separate`` and dropped by ``exact``; what stands on another node is dropped by both.
+    """
     nodes, problems = read_graph(graph, catalog)
-    return {"valid": bool(nodes) and not any(problem.drops for problem in problems), "nodes": len(nodes),
-            "copies": sum(node.count for node in nodes),
-            "problems": [{"node": problem.node, "problem": problem.text, "dropped": problem.drops}
-                         for problem in problems]}
+    entries = place(nodes, 100 * half_extent_m)
+    beyond = [entry for entry in entries if _outside(entry, 100 * half_extent_m)]
+    drops = {problem.node: None for problem in problems if problem.drops}
+    solved = solve(graph, catalog, half_extent_m=half_extent_m) if nodes else {"dropped": []}
+    drops |= {item["node"]: None for item in solved["dropped"]}
+    told = [{"node": problem.node, "problem": problem.text, "dropped": problem.drops} for problem in problems]
+    told += [{"node": entry.name, "problem": "outside the build area; mode exact drops it"
+              + ("" if entry.name in drops else ", mode separate moves it in"), "dropped": entry.name in drops}
+             for entry in beyond]
+    return {"valid": bool(nodes) and not drops, "nodes": len(nodes), "copies": len(entries), "dropped": list(drops),
+            "problems": told}
+
+
+def _outside(entry: Entry, half_cm: float) -> bool:
+    return abs(entry.x) > half_cm or abs(entry.y) > half_cm
 
 
 def solve(graph: Any, catalog: Sequence[Asset], mode: str = "separate",
@@ -37,9 +53,12 @@ def solve(graph: Any, catalog: Sequence[Asset], mode: str = "separate",
     half_cm = 100.0 * half_extent_m
     entries = place(nodes, half_cm)
     moved, overlaps = separate(entries, half_cm) if mode == "separate" else ([], 0)
-    kept = [entry for entry in entries if abs(entry.x) <= half_cm and abs(entry.y) <= half_cm]
-    outside = [{"node": entry.name, "problem": "outside the build area"} for entry in entries if entry not in kept]
-    return {"entries": [_plain(entry) for entry in kept], "moved": moved, "overlapping_pairs": overlaps,
+    kept = [entry for entry in entries if not _outside(entry, half_cm)]
+    outside = [{"node": entry.name, "problem": "outside the build area"} for entry in entries
+               if _outside(entry, half_cm)]
+    plain = [_plain(entry) for entry in kept]
+    return {"entries": plain, "tier_counts": dict(Counter(entry["tier_name"] for entry in plain)),
+            "moved": moved, "overlapping_pairs": overlaps,
             "dropped": [{"node": problem.node, "problem": problem.text} for problem in problems if problem.drops]
             + outside, "half_extent_m": half_extent_m}
 

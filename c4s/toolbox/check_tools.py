@@ -6,20 +6,17 @@ input scene to compare with.
 
 from __future__ import annotations
 
-import io
-import os
 import re
-import stat
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PIL import Image
 
 from c4s.collision import contacts, scene_bodies
 from c4s.score.policy import GAP_CM
 from c4s.toolbox.gaps import gaps_below
+from c4s.toolbox.pictures import read_picture, within_limit
 from c4s.toolbox.tool import Arguments, Tool, ToolRefused, ToolResult, names, number, text
 from c4s.toolbox.workbench import Workbench
 from c4s.verify.physics import verify_physics
@@ -29,10 +26,8 @@ from c4s.verify.support import excluded_by_name
 GROUP = "Verification"
 WIDTH, HEIGHT = 1280, 720
 TOUCH_TOLERANCE_CM = 5.0
-MOST_IMAGE_BYTES = 2_000_000
-"""Some clients recompress larger pictures."""
-MOST_PICTURE_BYTES = 64 << 20
-PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+LISTED = 200
+"""Actors and pairs that an answer lists at most; the counts are of all."""
 _FILE = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,99}")
 
 
@@ -49,38 +44,18 @@ def _screenshot(bench: Workbench, arguments: Arguments) -> ToolResult:
         reason = str(reply.get("error") or reply.get("missing")).strip().rpartition("\n")[2]
         raise ToolRefused(f"no picture was taken: {reason}")
     png = read_picture(Path(str(reply["filepath"])), bench.scratch)
-    return ToolResult({"filename": name, "width": WIDTH, "height": HEIGHT}, image=_within_limit(png))
-
-
-def read_picture(path: Path, folder: Path) -> bytes:
-    """A PNG that the engine wrote. Agent code writes to the same folder: links, pipes and other files are refused."""
-    if not path.resolve().is_relative_to(folder.resolve()):
-        raise ToolRefused("the engine wrote the picture outside the run's folder")
-    try:
-        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
-    except OSError as error:
-        raise ToolRefused(f"the picture cannot be read: {error.strerror}") from error
-    with os.fdopen(handle, "rb") as source:
-        if not stat.S_ISREG(os.fstat(handle).st_mode):
-            raise ToolRefused("the picture is not a plain file")
-        png = source.read(MOST_PICTURE_BYTES)
-    if not png.startswith(PNG_SIGNATURE):
-        raise ToolRefused("the picture is not a PNG")
-    return png
-
-
-def _within_limit(png: bytes) -> bytes:
-    """The picture, halved until it is within ``MOST_IMAGE_BYTES``."""
-    while len(png) > MOST_IMAGE_BYTES:
-        with Image.open(io.BytesIO(png)) as image:
-            buffer = io.BytesIO()
-            image.resize((image.width // 2, image.height // 2), Image.Resampling.LANCZOS).save(buffer, "PNG")
-        png = buffer.getvalue()
-    return png
+    return ToolResult({"filename": name, "width": WIDTH, "height": HEIGHT}, image=within_limit(png))
 
 
 def _label(actor: Mapping[str, Any]) -> dict[str, Any]:
     return {"label": actor.get("label"), "name": actor.get("name")}
+
+
+def _listed(**lists: list[dict[str, Any]]) -> dict[str, Any]:
+    """The first rows of each list; a list that was cut is named with its full length under ``cut``."""
+    cut = {name: len(rows) for name, rows in lists.items() if len(rows) > LISTED}
+    told: dict[str, Any] = {name: rows[:LISTED] for name, rows in lists.items()}
+    return told | ({"cut": cut, "hint": "the longest lists are cut: name actors to check fewer"} if cut else {})
 
 
 def _chosen(actors: Sequence[Mapping[str, Any]], wanted: Sequence[str] | None) -> list[int]:
@@ -112,15 +87,16 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
     return ToolResult({
         "actors": len(actors),
         "floating_rate": floating["score"],
-        "floating": [by_name.get(name, name) for name in floating["floating_actors"]],
         "floating_tested": floating["evaluated"], "floating_unresolved": floating["unresolved"],
         "collision_rate": None if solid["score"] is None else round(1 - solid["score"], 4),
-        "colliding": [{**by_name.get(item["actor"], {"name": item["actor"]}), "tolerance_cm": item["tolerance_cm"],
-                       "contacts": item["contacts"]} for item in solid["violations"]],
         "collision_tested": solid["evaluated"], "collision_unresolved": solid["unresolved"],
         "extent": None if low is None or high is None else
         {"min_cm": low.round(2).tolist(), "max_cm": high.round(2).tolist(),
-         "size_m": ((high - low) / 100).round(3).tolist()}})
+         "size_m": ((high - low) / 100).round(3).tolist()},
+        **_listed(floating=[by_name.get(name, {"name": name}) for name in floating["floating_actors"]],
+                  colliding=[{**by_name.get(item["actor"], {"name": item["actor"]}),
+                              "tolerance_cm": item["tolerance_cm"], "contacts": item["contacts"]}
+                             for item in solid["violations"]])})
 
 
 def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -134,10 +110,12 @@ def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
                 for i in chosen if i in gaps and (gaps[i] is None or (gaps[i] or 0.0) > threshold)]
     leaf = verify_physics(bench.case.setting, snapshot, {"actors": []}).measurements["leaf_results"][0]
     counted = set(leaf["floating_actors"])
-    return ToolResult({"floating": floating, "count": len(floating), "checked": sum(i in gaps for i in chosen),
+    return ToolResult({"count": len(floating), "checked": sum(i in gaps for i in chosen),
                        "threshold_cm": threshold,
-                       "scored_as_floating": [_label(actors[i]) for i in chosen if actors[i].get("name") in counted],
-                       "without_collision": [_label(actors[i]) for i in chosen if i not in gaps]})
+                       **_listed(floating=floating,
+                                 scored_as_floating=[_label(actors[i]) for i in chosen
+                                                     if actors[i].get("name") in counted],
+                                 without_collision=[_label(actors[i]) for i in chosen if i not in gaps])})
 
 
 def _check_collisions(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -149,10 +127,10 @@ def _check_collisions(bench: Workbench, arguments: Arguments) -> ToolResult:
     found = [{"a": _label(actors[contact.a_index]), "b": _label(actors[contact.b_index]),
               "depth_cm": round(contact.depth_cm, 2), "trusted": contact.trusted}
              for contact in contacts(snapshot, minimum_depth_cm=tolerance, actors=chosen)]
-    return ToolResult({"pairs": found, "count": len(found), "touch_tolerance_cm": tolerance})
+    return ToolResult({"count": len(found), "touch_tolerance_cm": tolerance, **_listed(pairs=found)})
 
 
-ACTORS = names("Labels or object names (default: all actors).")
+ACTORS = names("Labels or object names (default: all actors).") | {"minItems": 1, "maxItems": 5000}
 
 TOOLS = (
     Tool("take_screenshot", GROUP, f"A {WIDTH} x {HEIGHT} picture of the viewport. Its camera is set in Python "

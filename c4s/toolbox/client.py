@@ -20,6 +20,7 @@ from c4s.errors import AgentFault, MachineryFault
 from c4s.toolbox.gateway import Endpoint
 
 CONNECT_TIMEOUT_S = 30.0
+ACTORS_A_CALL = 1000
 
 
 class RunStopped(AgentFault):
@@ -92,6 +93,16 @@ class GatewayClient:
         images = tuple(base64.b64decode(block.data) for block in answer.content
                        if isinstance(block, wire.ImageContent))
         return ToolAnswer(payload["result"], images, payload["budget"])
+
+    def actors(self) -> list[dict[str, Any]]:
+        """All actors of the level, part by part: a call for each thousand."""
+        found: list[dict[str, Any]] = []
+        offset: int | None = 0
+        while offset is not None:
+            part = self.call("get_actors_in_level", offset=offset, limit=ACTORS_A_CALL).data
+            found += part["actors"]
+            offset = part["next"]
+        return found
 
 
 class _Connection:

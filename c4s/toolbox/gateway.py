@@ -29,8 +29,11 @@ from c4s.errors import MachineryFault
 from c4s.files import parse_json
 from c4s.toolbox.registry import ALL_TOOLS, TOOLS
 from c4s.toolbox.run import Answer, Run
+from c4s.toolbox.skill import skill_text
 
 START_TIMEOUT_S = 20.0
+SKILL = "skill"
+"""Name of the MCP prompt that gives the skill text."""
 MAX_BODY_BYTES = 4 << 20
 REQUEST_KEYS = ("claudecode/toolUseId", "callId", "c4s/callId")
 """Where clients put the identity of a call in ``_meta`` (Claude Code, Codex, ours)."""
@@ -100,6 +103,7 @@ class Gateway:
 
     def _app(self) -> ASGIApp:
         server: Server[Any] = Server("c4s", version="1", on_list_tools=_list_tools, on_call_tool=_call_tool,
+                                     on_list_prompts=_list_prompts, on_get_prompt=_get_prompt,
                                      get_tool_input_schema=lambda name: TOOLS[name].input_schema if name in TOOLS
                                      else None)
         inner = server.streamable_http_app(host="127.0.0.1", max_request_body_size=MAX_BODY_BYTES,
@@ -224,6 +228,19 @@ async def _list_tools(context: Any, _: wire.PaginatedRequestParams | None) -> wi
     return wire.ListToolsResult(tools=[
         wire.Tool(name=tool.name, description=tool.description, input_schema=tool.input_schema)
         for tool in ALL_TOOLS if tool.name in run.tools])
+
+
+async def _list_prompts(context: Any, _: wire.PaginatedRequestParams | None) -> wire.ListPromptsResult:
+    _run_in(context)
+    return wire.ListPromptsResult(prompts=[wire.Prompt(name=SKILL, description="How to use these tools.")])
+
+
+async def _get_prompt(context: Any, params: wire.GetPromptRequestParams) -> wire.GetPromptResult:
+    _run_in(context)
+    if params.name != SKILL:
+        raise MCPError(wire.INVALID_PARAMS, f"the only prompt is {SKILL!r}")
+    text = wire.TextContent(type="text", text=skill_text())
+    return wire.GetPromptResult(messages=[wire.PromptMessage(role="user", content=text)])
 
 
 async def _call_tool(context: Any, params: wire.CallToolRequestParams) -> wire.CallToolResult:

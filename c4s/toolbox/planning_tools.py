@@ -6,12 +6,28 @@ from types import ModuleType
 from typing import Any
 
 from c4s.toolbox.scene_tools import spawn_path
-from c4s.toolbox.tool import Arguments, Schema, Tool, ToolRefused, ToolResult, number, text
+from c4s.toolbox.tool import (
+    LOCATION,
+    ROTATION,
+    SCALE,
+    Arguments,
+    Schema,
+    Tool,
+    ToolRefused,
+    ToolResult,
+    label,
+    number,
+    text,
+)
 from c4s.toolbox.workbench import Workbench
 
 GROUP = "Planning"
 DEFAULT_HALF_EXTENT_M = 100.0
 MOST_ENTRIES = 5000
+BATCH = 500
+"""Entries that one engine call spawns."""
+SHOWN = 300
+"""Entries, names and problems that an answer lists at most; the whole solution is kept for the other tools."""
 
 
 def _planner() -> ModuleType:
@@ -26,7 +42,8 @@ def _half_extent(bench: Workbench, arguments: Arguments) -> float:
 
 
 def _validate(bench: Workbench, arguments: Arguments) -> ToolResult:
-    return ToolResult(_planner().validate(arguments["graph"], bench.catalog.assets))
+    report = _planner().validate(arguments["graph"], bench.catalog.assets, _half_extent(bench, arguments))
+    return ToolResult(report | {"problems": report["problems"][:SHOWN], "problem_count": len(report["problems"])})
 
 
 def _solve(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -36,7 +53,11 @@ def _solve(bench: Workbench, arguments: Arguments) -> ToolResult:
     except ValueError as error:
         raise ToolRefused(str(error)) from error
     bench.solved = solved
-    return ToolResult({"solved": solved})
+    shown = {key: value[:SHOWN] if isinstance(value, list) else value for key, value in solved.items()}
+    told: dict[str, Any] = {"solved": shown, "total": len(solved["entries"]), "shown": len(shown["entries"])}
+    if len(solved["entries"]) > SHOWN:
+        told["hint"] = "the whole solution is kept: leave `solved` out of render_plan, tier_derivation and build_tier"
+    return ToolResult(told)
 
 
 def _solved(bench: Workbench, arguments: Arguments) -> dict[str, Any]:
@@ -73,16 +94,24 @@ def _ground(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 def _spawn_entries(bench: Workbench, entries: list[dict[str, Any]]) -> ToolResult:
-    resolved = []
+    resolved, failed = [], []
     for entry in entries:
-        path = spawn_path(bench, str(entry["asset"]))
+        try:
+            path = spawn_path(bench, str(entry["asset"]))
+        except ToolRefused as refusal:
+            failed.append({"entry": str(entry["name"]), "error": refusal.line()})
+            continue
         kind = entry.get("kind") or ("blueprint" if path.endswith("_C") else "static_mesh")
         resolved.append({**entry, "asset": path, "kind": kind})
-    outcome = bench.scene("spawn_many", entries=resolved)
-    if outcome["failed"] and not outcome["spawned"]:
-        raise ToolRefused(f"none of {len(resolved)} entries was spawned; the first: {outcome['failed'][0]['error']}")
-    return ToolResult({"spawned": [item["label"] for item in outcome["spawned"]], "count": len(outcome["spawned"]),
-                       "failed": outcome["failed"]})
+    spawned: list[str] = []
+    for start in range(0, len(resolved), BATCH):
+        outcome = bench.scene("spawn_many", entries=resolved[start:start + BATCH])
+        spawned += [item["label"] for item in outcome["spawned"]]
+        failed += outcome["failed"]
+    if failed and not spawned:
+        raise ToolRefused(f"none of {len(entries)} entries was spawned; the first: {failed[0]['error']}")
+    return ToolResult({"spawned": spawned[:SHOWN], "count": len(spawned), "failed": failed[:SHOWN],
+                       "failed_count": len(failed)})
 
 
 def _build(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -103,13 +132,15 @@ def _build(bench: Workbench, arguments: Arguments) -> ToolResult:
 SOLVED: Schema = {"type": "object", "description": "What solve_scene_graph gave; left out: the last solution."}
 HALF_EXTENT = number("Half the side of the square build area in metres (default: half the case's plate).",
                      exclusiveMinimum=0, maximum=10_000)
-GRAPH: Schema = {"type": "object", "description": "Scene graph: `nodes`, a list of nodes with id, asset and placement; "
-                                                  "validate_scene_graph names what is wrong."}
+GRAPH: Schema = {"type": "object", "description": (
+    "{\"nodes\": [node, ...]}. A node: id, asset (catalog id or path); at [x, y] or [x, y, z of the bottom] in metres "
+    "from the plate's centre; yaw_deg; scale; count with layout {kind: row|grid|ring|scatter, spacing_m, radius_m, "
+    "yaw_deg, facing: same|centre}; on (id of an earlier node that it stands on); relation {kind: next_to|left_of|"
+    "right_of|in_front_of|behind|around, of, distance_m}.")}
 ENTRY: Schema = {
     "type": "object", "required": ["name", "asset", "location"],
-    "properties": {"name": text("Label."), "asset": text("Catalog id or path."),
-                   "location": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
-                   "rotation": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}}}
+    "properties": {"name": label("Label."), "asset": text("Catalog id or path."), "location": LOCATION,
+                   "rotation": ROTATION, "scale": SCALE}}
 
 TOOLS = (
     Tool("validate_scene_graph", GROUP, "Check a scene graph against the catalog: whether it can be solved whole, and "
@@ -122,8 +153,8 @@ TOOLS = (
     Tool("render_plan", GROUP, "A picture of the solved plan seen from above.", _render, {"solved": SOLVED}),
     Tool("tier_derivation", GROUP, "The build tier of every placed entry.", _tiers, {"solved": SOLVED}),
     Tool("ground_pass", GROUP, "Lay ground tiles of a fitting flat asset over the build area.", _ground,
-         {"scene_text": text("The scene in words: decides which ground fits."), "half_extent_m": HALF_EXTENT},
-         ("scene_text",)),
+         {"scene_text": text("The scene in words: decides which ground fits.", maxLength=20_000),
+          "half_extent_m": HALF_EXTENT}, ("scene_text",)),
     Tool("build_tier", GROUP, "Spawn one tier of the solved plan, or a list of entries, in one call. Entries that fail "
          "are reported and the rest are built.", _build,
          {"tier": {"type": ["string", "integer"], "description": "Tier name, or its number in building order from 0."},

@@ -168,8 +168,12 @@ class Run:
             result, error, outcome = await self._work(name, arguments)
         image = result.image if result is not None else None
         stop = {"stop": self.end_message} if outcome == "ended" else {}
-        answer = Answer({"result": result.data, "budget": self.left()} if result is not None
-                        else {"error": error, "budget": self.left(), **stop}, error=result is None, image=image)
+        try:
+            answer = Answer({"result": result.data, "budget": self.left()} if result is not None
+                            else {"error": error, "budget": self.left(), **stop}, error=result is None, image=image)
+        except ValueError:
+            outcome, error, image = "error", "the scene holds numbers that are not finite: mend those actors", None
+            answer = self._refusal(error)
         if image is not None:
             self._keep(image)
         self._record("call", name, key, counted=True, polling=name == POLLING, outcome=outcome, call=number,
@@ -264,5 +268,8 @@ def _schema_problem(name: str, arguments: dict[str, Any]) -> str:
     errors = sorted(VALIDATORS[name].iter_errors(arguments), key=lambda error: list(map(str, error.absolute_path)))
     if not errors:
         return ""
-    where = ".".join(map(str, errors[0].absolute_path))
-    return f"invalid arguments{f' in {where}' if where else ''}: {errors[0].message[:500]}"
+    where = ".".join(map(str, errors[0].absolute_path))[:200]
+    tool = TOOLS[name]
+    takes = ", ".join(f"{key}*" if key in tool.required else key for key in tool.properties) or "no arguments"
+    return (f"invalid arguments{f' in {where}' if where else ''}: {errors[0].message[:500]} "
+            f"({name} takes {takes}; * must be given)")

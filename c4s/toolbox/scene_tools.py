@@ -4,10 +4,26 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.toolbox.tool import ACTOR, LOCATION, ROTATION, SCALE, Arguments, Tool, ToolRefused, ToolResult, text
+from c4s.toolbox.tool import (
+    ACTOR,
+    LOCATION,
+    ROTATION,
+    SCALE,
+    Arguments,
+    Tool,
+    ToolRefused,
+    ToolResult,
+    label,
+    page,
+    paged,
+    text,
+)
 from c4s.toolbox.workbench import Workbench
 
 EDITING, INSPECTION = "Scene editing", "State inspection"
+PAGE, MOST_PAGE = 250, 1000
+"""Actors in one answer: as a rule, and at most."""
+LABELS_TOLD = 200
 
 
 def spawn_path(bench: Workbench, key: str) -> str:
@@ -47,35 +63,44 @@ def _delete_all_spawned(bench: Workbench, _: Arguments) -> ToolResult:
         raise ToolRefused(f"the open level {level} is neither the start level nor one that this run saved: "
                           "its actors were not spawned by this run")
     removed = bench.scene("delete_all_but", ids=bench.given)
-    return ToolResult({"deleted": removed, "count": len(removed)})
+    return ToolResult({"deleted": removed[:LABELS_TOLD], "count": len(removed)})
 
 
-def _list(bench: Workbench, _: Arguments) -> ToolResult:
-    actors = bench.scene("list_actors")
-    return ToolResult({"actors": actors, "count": len(actors)})
+def _list(bench: Workbench, arguments: Arguments) -> ToolResult:
+    return _part(bench, "list_actors", arguments)
 
 
 def _find(bench: Workbench, arguments: Arguments) -> ToolResult:
-    actors = bench.scene("find_actors", pattern=arguments["pattern"])
-    return ToolResult({"actors": actors, "count": len(actors)})
+    return _part(bench, "find_actors", arguments, pattern=arguments["pattern"])
+
+
+def _part(bench: Workbench, function: str, arguments: Arguments, **more: str) -> ToolResult:
+    offset = arguments.get("offset", 0)
+    found = bench.scene(function, offset=offset, limit=arguments.get("limit", PAGE), **more)
+    if offset and offset >= found["total"]:
+        raise ToolRefused(f"offset {offset} is past the end: there are {found['total']} actors")
+    return ToolResult(paged("actors", found["actors"], found["total"], offset))
 
 
 TOOLS = (
     Tool("spawn_actor", EDITING, "Place an actor made from a static mesh. The name becomes its label and must be new.",
-         _spawn, {"name": text("Label of the new actor."), "static_mesh": text("Catalog id, or path of a static mesh."),
-          "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name", "static_mesh", "location")),
+         _spawn, {"name": label("Label of the new actor."),
+                  "static_mesh": text("Catalog id, or path of a static mesh."),
+                  "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name", "static_mesh", "location")),
     Tool("spawn_blueprint_actor", EDITING, "Place an actor made from a Blueprint. The name becomes its label.",
          _spawn_blueprint,
-         {"actor_name": text("Label of the new actor."), "blueprint_id": text("Catalog id, or path of a Blueprint."),
+         {"actor_name": label("Label of the new actor."), "blueprint_id": text("Catalog id, or path of a Blueprint."),
           "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("actor_name", "blueprint_id", "location")),
     Tool("set_actor_transform", EDITING, "Change position, rotation and/or scale of an actor; what is left out stays.",
          _set_transform, {"name": ACTOR, "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name",)),
     Tool("delete_actor", EDITING, "Remove one actor.", _delete, {"name": ACTOR}, ("name",)),
     Tool("delete_all_spawned", EDITING, "Remove every actor that was added in this run, by whichever tool or script. "
          "The actors of the start level stay.", _delete_all_spawned),
-    Tool("get_actors_in_level", INSPECTION, "All actors: label, object name, class, transform, static meshes.", _list),
+    Tool("get_actors_in_level", INSPECTION, "All actors: label, object name, class, location (cm), "
+         "rotation [pitch, yaw, roll] (degrees), scale, static meshes. `total` counts them; where `next` is a number, "
+         "call again with it as offset.", _list, page(PAGE, MOST_PAGE)),
     Tool("find_actors_by_name", INSPECTION, "Actors whose label or object name holds a text, with their bounds; says "
-         "which of the two matched.", _find,
-         {"pattern": text("Text to look for, ignoring case; * and ? stand for any text and any character.")},
-         ("pattern",)),
+         "which of the two matched. Long lists come in parts, as with get_actors_in_level.", _find,
+         {"pattern": text("Text to look for, ignoring case; * and ? stand for any text and any character.",
+                          maxLength=500), **page(PAGE, MOST_PAGE)}, ("pattern",)),
 )

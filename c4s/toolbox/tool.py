@@ -52,6 +52,32 @@ def text(description: str, **more: Any) -> Schema:
     return {"type": "string", "minLength": 1, "description": description, **more}
 
 
+LABEL_CHARACTERS = 200
+"""Longest label that a tool gives an actor."""
+MOST_CM = 1.0e7
+"""Largest coordinate, scale or angle that a tool takes: 100 km."""
+
+
+def label(description: str) -> Schema:
+    """Schema of the label of a new actor: a line of printable characters."""
+    return text(f"{description} At most {LABEL_CHARACTERS} characters, no control characters.",
+                maxLength=LABEL_CHARACTERS, pattern="^[^\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029]+$")
+
+
+def page(default: int, most: int) -> dict[str, Schema]:
+    """Schemas of the two arguments that ask for a part of a long list."""
+    return {"offset": {"type": "integer", "minimum": 0, "description": "Where to go on: the `next` of the last answer "
+                                                                      "(default 0)."},
+            "limit": {"type": "integer", "minimum": 1, "maximum": most,
+                      "description": f"How many at most (default {default})."}}
+
+
+def paged(key: str, rows: list[Any], total: int, offset: int) -> dict[str, Any]:
+    """A part of a list: the rows, how many there are in all, and the offset of the next part, null at the end."""
+    end = offset + len(rows)
+    return {key: rows, "count": len(rows), "total": total, "next": end if end < total else None}
+
+
 def number(description: str, **more: Any) -> Schema:
     """Schema of a number."""
     return {"type": "number", "description": description, **more}
@@ -59,7 +85,7 @@ def number(description: str, **more: Any) -> Schema:
 
 def vector(description: str) -> Schema:
     """Schema of three numbers."""
-    return {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3, "description": description}
+    return {"type": "array", "items": COORDINATE, "minItems": 3, "maxItems": 3, "description": description}
 
 
 def names(description: str) -> Schema:
@@ -67,9 +93,9 @@ def names(description: str) -> Schema:
     return {"type": "array", "items": {"type": "string", "minLength": 1}, "description": description}
 
 
+COORDINATE: Schema = {"type": "number", "minimum": -MOST_CM, "maximum": MOST_CM}
 LOCATION = vector("World location [x, y, z] in cm: left-handed, Z up.")
 ROTATION = vector("World rotation [pitch, yaw, roll] in degrees.")
 SCALE: Schema = {"description": "Scale factors [x, y, z], or one number for all three.",
-                 "anyOf": [{"type": "number"},
-                           {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}]}
+                 "anyOf": [COORDINATE, {"type": "array", "items": COORDINATE, "minItems": 3, "maxItems": 3}]}
 ACTOR = text("The actor's label (or, where no label fits, its object name).")

@@ -13,6 +13,9 @@ from PIL import Image
 from c4s.toolbox.client import CallRefused
 from tests.shared import SHARED
 
+PAGING = {"get_actors_in_level": {"offset", "limit"}, "find_actors_by_name": {"offset", "limit"},
+          "search_assets": {"offset"}}
+"""Optional arguments beside those of the reference, for long lists."""
 REFERENCE = SHARED / "reference/tools.yaml"
 
 
@@ -27,7 +30,62 @@ def test_the_tools_are_those_of_the_reference(open_run: Callable) -> None:
     assert listed.keys() == wanted.keys() and len(listed) == 25
     for name, schema in listed.items():
         assert schema.get("required", []) == wanted[name]["required"], name
-        assert set(schema["properties"]) == {*wanted[name]["required"], *wanted[name]["optional"]}, name
+        assert set(schema["properties"]) - PAGING.get(name, set()) == {*wanted[name]["required"],
+                                                                       *wanted[name]["optional"]}, name
+        assert schema["additionalProperties"] is False
+        assert all(_described(argument) for argument in schema["properties"].values()), name
+
+
+def _described(argument: dict) -> bool:
+    return bool(argument.get("description")) and ("type" in argument or "enum" in argument or "anyOf" in argument)
+
+
+def test_long_lists_come_in_parts(open_run: Callable) -> None:
+    client = open_run().client
+    first = client.call("get_actors_in_level", limit=4).data
+    assert (first["count"], first["total"], first["next"]) == (4, 6, 4)
+    rest = client.call("get_actors_in_level", offset=first["next"], limit=4).data
+    assert (rest["count"], rest["next"]) == (2, None)
+    every = client.call("get_actors_in_level").data
+    assert first["actors"] + rest["actors"] == every["actors"] == client.actors() and every["next"] is None
+    twins = client.call("find_actors_by_name", pattern="twin", offset=1, limit=1).data
+    assert (twins["actors"][0]["name"], twins["total"], twins["next"]) == ("StaticMeshActor_6", 2, None)
+    with pytest.raises(CallRefused, match="past the end"):
+        client.call("get_actors_in_level", offset=6)
+    found = client.call("search_assets", query="wood", k=2).data
+    more = client.call("search_assets", query="wood", k=2, offset=found["next"]).data
+    assert found["total"] == more["total"] >= 4
+    assert not {row["id"] for row in found["assets"]} & {row["id"] for row in more["assets"]}
+
+
+def test_three_hundred_nodes_are_planned_and_built(open_run: Callable) -> None:
+    client = open_run(setting="text-to-scene").client
+    nodes = [{"id": f"n{i}", "asset": ("crate", "sofa", "oak_table", "stacked_table")[i % 4],
+              "at": [(i % 18) * 0.9 - 8, (i // 18) * 0.9 - 8]} for i in range(300)]
+    nodes += [{"id": "ghost", "asset": "no_such_thing"}, {"id": "hat", "asset": "crate", "on": "ghost"},
+              {"id": "many", "asset": "crate", "at": [0, 0], "count": 60, "layout": {"kind": "scatter"}}]
+    report = client.call("validate_scene_graph", graph={"nodes": nodes}).data
+    assert not report["valid"] and {"ghost", "hat"} <= set(report["dropped"])
+    assert all(problem["problem"] for problem in report["problems"])
+    told = client.call("solve_scene_graph", graph={"nodes": nodes}).data
+    assert (told["total"], told["shown"]) == (360, 300) and len(told["solved"]["entries"]) == 300
+    assert sum(told["solved"]["tier_counts"].values()) == 360
+    built = 0
+    for tier in told["solved"]["tier_counts"]:
+        answer = client.call("build_tier", tier=tier).data
+        assert answer["failed"] == []
+        built += answer["count"]
+    assert built == 360 == client.call("get_actors_in_level", limit=1).data["total"]
+    assert client.call("delete_all_spawned").data["count"] == 360
+
+
+def test_an_entry_that_no_catalog_has_does_not_stop_the_rest(open_run: Callable) -> None:
+    client = open_run(setting="text-to-scene").client
+    answer = client.call("build_tier", entries=[{"name": "A", "asset": "crate", "location": [0, 0, 0], "scale": 2},
+                                                {"name": "B", "asset": "unicorn", "location": [0, 0, 0]}]).data
+    assert answer["spawned"] == ["A"] and "search_assets" in answer["failed"][0]["error"]
+    with pytest.raises(CallRefused, match=r"spawn_actor takes name\*, static_mesh\*, location\*, rotation, scale"):
+        client.call("spawn_actor", name="C")
 
 
 def test_assets_are_found_by_words_and_described(open_run: Callable) -> None:
