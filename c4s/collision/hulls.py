@@ -15,7 +15,6 @@ import coal
 import fcl
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, QhullError
 
 from c4s.collision.mesh_body import Array
 
@@ -96,6 +95,8 @@ def convex_hull(points: Array) -> Hull | None:
 
 def _solid(points: Array, plane: Array) -> tuple[Array, Triangles]:
     """Corners and outward triangles of a solid hull; a hull too thin for Qhull is built as a flat one."""
+    from scipy.spatial import ConvexHull, QhullError  # takes as long to load as all else that an engine does
+
     try:
         hull = ConvexHull(points)
     except QhullError:
@@ -110,6 +111,8 @@ def _solid(points: Array, plane: Array) -> tuple[Array, Triangles]:
 
 def _flat(points: Array, plane: Array) -> tuple[Array, Triangles]:
     """The polygon of flat points, given in their plane too, as a two-sided fan of triangles."""
+    from scipy.spatial import ConvexHull
+
     corners = points[ConvexHull(plane).vertices]
     fan = np.array([[0, i, i + 1] for i in range(1, len(corners) - 1)], dtype=np.int64)
     return corners, np.concatenate([fan, fan[:, ::-1]])

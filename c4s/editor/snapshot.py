@@ -50,8 +50,15 @@ def _json_value(value: Any) -> Any:
     return str(value)
 
 
-def _path(thing: Any) -> str | None:
-    return thing.get_path_name() if thing is not None else None
+class Paths(dict[Any, str]):
+    """Object paths, each asked for once an export: thousands of components share few classes and assets."""
+
+    def __missing__(self, thing: Any) -> str:
+        path = self[thing] = str(thing.get_path_name())
+        return path
+
+
+_canonical = json.JSONEncoder(sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode
 
 
 def stable_actor_id(tags: list[str], name: str, class_path: str, asset_paths: list[str]) -> str:
@@ -59,8 +66,7 @@ def stable_actor_id(tags: list[str], name: str, class_path: str, asset_paths: li
     for tag in tags:
         if tag.startswith(IDENTITY_TAG) and tag[len(IDENTITY_TAG):]:
             return tag[len(IDENTITY_TAG):]
-    canonical = json.dumps({"actor_name": name, "class": class_path, "component_asset_paths": sorted(asset_paths)},
-                           sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    canonical = _canonical({"actor_name": name, "class": class_path, "component_asset_paths": sorted(asset_paths)})
     return "sca_generated_" + hashlib.sha256(canonical.encode()).hexdigest()[:32]
 
 
@@ -76,12 +82,12 @@ def _mesh_of(component: Any) -> Any:
     return None
 
 
-def _slots(component: Any, identity: str) -> list[dict[str, Any]]:
+def _slots(component: Any, identity: str, paths: Paths) -> list[dict[str, Any]]:
     found = []
     for index in range(component.get_num_materials()):
         material = component.get_material(index)
-        path = _path(material)
-        kind = material.get_class().get_path_name() if material is not None else None
+        path = paths[material] if material is not None else None
+        kind = paths[material.get_class()] if material is not None else None
         dynamic = material is not None and (str(kind).endswith(".MaterialInstanceDynamic")
                                             or str(path).startswith("/Engine/Transient"))
         found.append({"component_identity": identity, "slot_index": index, "material_path": path,
@@ -101,14 +107,12 @@ def _given(owner: Any, names: dict[str, str]) -> dict[str, Any]:
     return found
 
 
-def _light_properties(actor: Any) -> dict[str, Any]:
+def _light_properties(actor: Any, components: list[Any]) -> dict[str, Any]:
     """The light, fog and grading values of an actor, under the published names."""
     found: dict[str, Any] = {}
-    light = actor.get_component_by_class(unreal.LightComponentBase)
-    if light is not None:
+    for light in [each for each in components if isinstance(each, unreal.LightComponentBase)][:1]:
         found |= _given(light, {name: name for name in _LIGHT} | {"source_angle": "light_source_angle"})
-    fog = actor.get_component_by_class(unreal.ExponentialHeightFogComponent)
-    if fog is not None:
+    for fog in [each for each in components if isinstance(each, unreal.ExponentialHeightFogComponent)][:1]:
         found |= _given(fog, {name: name for name in _FOG})
     if isinstance(actor, unreal.PostProcessVolume):
         found |= _given(actor.get_editor_property("settings"), _POST)
@@ -128,12 +132,13 @@ def _origin_tag(tags: list[str]) -> str | None:
     return next((tag[len(ORIGIN_TAG):] for tag in tags if tag.startswith(ORIGIN_TAG)), None)
 
 
-def export_actor(actor: Any, meshes: dict[str, Any]) -> dict[str, Any]:
+def export_actor(actor: Any, meshes: dict[str, Any], paths: Paths) -> dict[str, Any]:
     """One actor's record; meshes that it shows are added to ``meshes`` by path."""
-    class_path = actor.get_class().get_path_name()
+    class_path = paths[actor.get_class()]
     components, identities, slots, assets, colliding, primitives = [], [], [], set(), [], 0
-    for component in actor.get_components_by_class(unreal.SceneComponent):
-        kind = component.get_class().get_path_name()
+    parts = list(actor.get_components_by_class(unreal.SceneComponent))
+    for component in parts:
+        kind = paths[component.get_class()]
         identities.append(kind)
         called = component.get_name()
         identity = f"{called}|{kind}"
@@ -145,10 +150,10 @@ def export_actor(actor: Any, meshes: dict[str, Any]) -> dict[str, Any]:
                 colliding.append(identity)
             mesh = _mesh_of(component)
             if mesh is not None:
-                mesh_path = mesh.get_path_name()
+                mesh_path = paths[mesh]
                 assets.add(mesh_path)
                 meshes[mesh_path] = mesh
-                slots += _slots(component, identity)
+                slots += _slots(component, identity, paths)
         components.append(_component(component, called, kind, mesh_path, collides))
     name, tags = actor.get_name(), [str(tag) for tag in actor.get_editor_property("tags")]
     asset_paths = sorted(assets)
@@ -160,7 +165,7 @@ def export_actor(actor: Any, meshes: dict[str, Any]) -> dict[str, Any]:
         "stable_actor_id": stable_actor_id(tags, name, class_path, asset_paths),
         "actor_guid": actor.get_editor_property("actor_guid").to_string(),
         "actor_origin": _origin_tag(tags), "logical_object_id": None, "actor_role": None,
-        "attachment_parent_path": _path(parent),
+        "attachment_parent_path": parent.get_path_name() if parent is not None else None,
         "attachment_parent_label": parent.get_actor_label() if parent is not None else None,
         "label": actor.get_actor_label(), "name": name, "actor_path": actor.get_path_name(), "class": class_path,
         "asset_path": single or (class_path if class_path.startswith("/Game/") else None), "asset_category": None,
@@ -172,7 +177,7 @@ def export_actor(actor: Any, meshes: dict[str, Any]) -> dict[str, Any]:
         "transform": {"location_cm": _row(transform.translation), "rotation_deg": _angles(actor.get_actor_rotation()),
                       "scale": _row(transform.scale3d)},
         "bounds": {"origin_cm": _row(origin), "extent_cm": _row(extent)},
-        "properties": _light_properties(actor),
+        "properties": _light_properties(actor, parts),
         "export_diagnostics": {"component_classes": sorted(set(identities))}, "export_errors": [],
         "c4s": {"quaternion_xyzw": [getattr(transform.rotation, axis) for axis in "xyzw"], "components": components},
     }
@@ -211,7 +216,8 @@ def _simple_collision(mesh: Any) -> list[dict[str, Any]] | None:
 def export_snapshot() -> dict[str, Any]:
     """The open level as a snapshot."""
     meshes: dict[str, Any] = {}
-    actors = [export_actor(actor, meshes)
+    paths = Paths()
+    actors = [export_actor(actor, meshes, paths)
               for actor in unreal.get_editor_subsystem(unreal.EditorActorSubsystem).get_all_level_actors()]
     world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
     headless = hasattr(unreal, "c4s_mesh_facts")

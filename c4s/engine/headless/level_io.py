@@ -86,7 +86,7 @@ def read(path: Path) -> Level:
 
 def _pose(transform: Transform, where: str = "") -> Pose:
     numbers = (*transform.location_cm, *transform.rotation_deg, *transform.scale)
-    if not all(math.isfinite(number) and abs(number) <= LARGEST for number in numbers):
+    if not max(map(abs, numbers)) <= LARGEST or math.isnan(sum(numbers)):
         raise BadInput(f"a transform must be finite numbers of at most {LARGEST:g}, not {numbers}", where=where)
     return Pose.from_rotator(transform.location_cm, transform.rotation_deg, transform.scale)
 

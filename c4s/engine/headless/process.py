@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import random
@@ -35,6 +36,7 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
     from c4s.engine.headless.worker import Worker
     from c4s.errors import BadInput
 
+    gc.disable()  # what loads now stays: looking through it again and again would take longer than loading it
     try:
         boot([Path(pack) for pack in settings["packs"]], Path(settings["content"]),
              levels=[Path(level) for level in settings["levels"]], start_map=settings["start_map"],
@@ -48,6 +50,9 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
     from c4s.editor.capture import frame_level  # needs the `unreal` that boot installs
 
     frame_level()
+    gc.collect()
+    gc.freeze()
+    gc.enable()
     Worker(connection, tick).run_forever()
 
 

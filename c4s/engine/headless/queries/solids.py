@@ -10,7 +10,6 @@ from typing import TypeAlias
 import coal
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, QhullError
 
 from c4s.collision.shapes import Body, Shape
 
@@ -39,6 +38,8 @@ def planes(shape: Shape) -> Array | None:
         return np.column_stack([np.concatenate([np.eye(3), -np.eye(3)]), -np.concatenate([shape.half, shape.half])])
     if shape.corners is None:
         return None
+    from scipy.spatial import ConvexHull, QhullError  # takes as long to load as all else that an engine does
+
     try:
         return np.unique(np.round(ConvexHull(shape.corners).equations, 12), axis=0)
     except QhullError:
