@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Callable
 from typing import Any
 
 import unreal
+
+from c4s.editor.facts import Part, Reader, angles, row
 
 SCHEMA_VERSION = "0.3.0"
 IDENTITY_TAG = "simcodearena.stable_actor_id="
@@ -25,21 +28,6 @@ _POST = {"exposure_compensation": "auto_exposure_bias", "min_brightness": "auto_
          "color_gain": "color_gain", "color_offset": "color_offset"}
 
 
-def _row(value: Any) -> list[float]:
-    return [value.x, value.y, value.z]
-
-
-def _angles(rotator: Any) -> list[float]:
-    return [rotator.pitch, rotator.yaw, rotator.roll]
-
-
-def _place(transform: Any) -> dict[str, Any]:
-    """A world transform with its quaternion."""
-    quat = transform.rotation
-    return {"location_cm": _row(transform.translation), "rotation_deg": _angles(quat.rotator()),
-            "quaternion_xyzw": [quat.x, quat.y, quat.z, quat.w], "scale": _row(transform.scale3d)}
-
-
 def _json_value(value: Any) -> Any:
     """A property as JSON: colours as rows, enums as their text."""
     if value is None or isinstance(value, (bool, int, float, str)):
@@ -48,14 +36,6 @@ def _json_value(value: Any) -> Any:
         if all(hasattr(value, name) for name in names):
             return [getattr(value, name) for name in names]
     return str(value)
-
-
-class Paths(dict[Any, str]):
-    """Object paths, each asked for once an export: thousands of components share few classes and assets."""
-
-    def __missing__(self, thing: Any) -> str:
-        path = self[thing] = str(thing.get_path_name())
-        return path
 
 
 _canonical = json.JSONEncoder(sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode
@@ -70,26 +50,11 @@ def stable_actor_id(tags: list[str], name: str, class_path: str, asset_paths: li
     return "sca_generated_" + hashlib.sha256(canonical.encode()).hexdigest()[:32]
 
 
-def _mesh_of(component: Any) -> Any:
-    """The static or skeletal mesh of a component, or None."""
-    for name in ("static_mesh", "skeletal_mesh_asset", "skeletal_mesh"):
-        try:
-            mesh = component.get_editor_property(name)
-        except Exception:  # Unreal raises a bare Exception for a property that the class does not have
-            continue
-        if mesh is not None:
-            return mesh
-    return None
-
-
-def _slots(component: Any, identity: str, paths: Paths) -> list[dict[str, Any]]:
+def _slots(part: Part, identity: str) -> list[dict[str, Any]]:
     found = []
-    for index in range(component.get_num_materials()):
-        material = component.get_material(index)
-        path = paths[material] if material is not None else None
-        kind = paths[material.get_class()] if material is not None else None
-        dynamic = material is not None and (str(kind).endswith(".MaterialInstanceDynamic")
-                                            or str(path).startswith("/Engine/Transient"))
+    for index, (path, kind) in enumerate(part.slots):
+        dynamic = path is not None and (str(kind).endswith(".MaterialInstanceDynamic")
+                                        or path.startswith("/Engine/Transient"))
         found.append({"component_identity": identity, "slot_index": index, "material_path": path,
                       "material_class_path": kind, "is_dynamic": dynamic})
     return found
@@ -119,12 +84,11 @@ def _light_properties(actor: Any, components: list[Any]) -> dict[str, Any]:
     return found
 
 
-def _component(component: Any, name: str, kind: str, mesh_path: str | None, collides: bool) -> dict[str, Any]:
-    record: dict[str, Any] = {"name": name, "class": kind, "mesh": mesh_path,
-                              "transform": _place(component.get_world_transform()), "collision_enabled": collides}
-    if isinstance(component, unreal.InstancedStaticMeshComponent):
-        record["instances"] = [_place(component.get_instance_transform(i, True))
-                               for i in range(component.get_instance_count())]
+def _component(part: Part, mesh_path: str | None) -> dict[str, Any]:
+    record: dict[str, Any] = {"name": part.name, "class": part.kind, "mesh": mesh_path, "transform": part.place,
+                              "collision_enabled": part.collides}
+    if part.instances is not None:
+        record["instances"] = part.instances
     return record
 
 
@@ -132,54 +96,43 @@ def _origin_tag(tags: list[str]) -> str | None:
     return next((tag[len(ORIGIN_TAG):] for tag in tags if tag.startswith(ORIGIN_TAG)), None)
 
 
-def export_actor(actor: Any, meshes: dict[str, Any], paths: Paths) -> dict[str, Any]:
+def export_actor(actor: Any, meshes: dict[str, Any], reader: Reader) -> dict[str, Any]:
     """One actor's record; meshes that it shows are added to ``meshes`` by path."""
-    class_path = paths[actor.get_class()]
     components, identities, slots, assets, colliding, primitives = [], [], [], set(), [], 0
-    parts = list(actor.get_components_by_class(unreal.SceneComponent))
-    for component in parts:
-        kind = paths[component.get_class()]
-        identities.append(kind)
-        called = component.get_name()
-        identity = f"{called}|{kind}"
-        collides, mesh_path = False, None
-        if isinstance(component, unreal.PrimitiveComponent):
-            primitives += 1
-            collides = component.get_collision_enabled() != unreal.CollisionEnabled.NO_COLLISION
-            if collides:
-                colliding.append(identity)
-            mesh = _mesh_of(component)
-            if mesh is not None:
-                mesh_path = paths[mesh]
-                assets.add(mesh_path)
-                meshes[mesh_path] = mesh
-                slots += _slots(component, identity, paths)
-        components.append(_component(component, called, kind, mesh_path, collides))
-    name, tags = actor.get_name(), [str(tag) for tag in actor.get_editor_property("tags")]
+    scene_components = reader.parts(actor)
+    for part in map(reader.part, scene_components):
+        identities.append(part.kind)
+        identity = f"{part.name}|{part.kind}"
+        primitives += part.primitive
+        if part.collides:
+            colliding.append(identity)
+        mesh_path = None
+        if part.mesh is not None:
+            mesh_path = reader.paths[part.mesh]
+            assets.add(mesh_path)
+            meshes[mesh_path] = part.mesh
+            slots += _slots(part, identity)
+        components.append(_component(part, mesh_path))
+    stand = reader.stand(actor)
     asset_paths = sorted(assets)
-    transform = actor.get_actor_transform()
-    origin, extent = actor.get_actor_bounds(False)
-    parent = actor.get_attach_parent_actor()
     single = asset_paths[0] if len(asset_paths) == 1 else None
+    parent_path, parent_label = stand.parent or (None, None)
     return {
-        "stable_actor_id": stable_actor_id(tags, name, class_path, asset_paths),
-        "actor_guid": actor.get_editor_property("actor_guid").to_string(),
-        "actor_origin": _origin_tag(tags), "logical_object_id": None, "actor_role": None,
-        "attachment_parent_path": parent.get_path_name() if parent is not None else None,
-        "attachment_parent_label": parent.get_actor_label() if parent is not None else None,
-        "label": actor.get_actor_label(), "name": name, "actor_path": actor.get_path_name(), "class": class_path,
-        "asset_path": single or (class_path if class_path.startswith("/Game/") else None), "asset_category": None,
+        "stable_actor_id": stable_actor_id(stand.tags, stand.name, stand.kind, asset_paths),
+        "actor_guid": stand.guid, "actor_origin": _origin_tag(stand.tags), "logical_object_id": None,
+        "actor_role": None, "attachment_parent_path": parent_path, "attachment_parent_label": parent_label,
+        "label": stand.label, "name": stand.name, "actor_path": stand.path, "class": stand.kind,
+        "asset_path": single or (stand.kind if stand.kind.startswith("/Game/") else None), "asset_category": None,
         "component_asset_paths": asset_paths,
         "material_paths": sorted({slot["material_path"] for slot in slots if slot["material_path"]}),
-        "component_material_slots": slots, "actor_tags": tags,
+        "component_material_slots": slots, "actor_tags": stand.tags,
         "collision": {"collision_enabled": bool(colliding), "primitive_component_count": primitives,
                       "collision_enabled_component_count": len(colliding), "collision_enabled_components": colliding},
-        "transform": {"location_cm": _row(transform.translation), "rotation_deg": _angles(actor.get_actor_rotation()),
-                      "scale": _row(transform.scale3d)},
-        "bounds": {"origin_cm": _row(origin), "extent_cm": _row(extent)},
-        "properties": _light_properties(actor, parts),
+        "transform": {"location_cm": stand.location, "rotation_deg": stand.rotation, "scale": stand.scale},
+        "bounds": {"origin_cm": stand.origin, "extent_cm": stand.extent},
+        "properties": _light_properties(actor, scene_components),
         "export_diagnostics": {"component_classes": sorted(set(identities))}, "export_errors": [],
-        "c4s": {"quaternion_xyzw": [getattr(transform.rotation, axis) for axis in "xyzw"], "components": components},
+        "c4s": {"quaternion_xyzw": stand.quaternion, "components": components},
     }
 
 
@@ -190,7 +143,7 @@ def _mesh_facts(path: str, mesh: Any) -> dict[str, Any]:
     if facts is not None:
         return facts
     box = mesh.get_bounding_box()
-    return {"sha256": None, "bounds_min_cm": _row(box.min), "bounds_max_cm": _row(box.max),
+    return {"sha256": None, "bounds_min_cm": row(box.min), "bounds_max_cm": row(box.max),
             "collision": _simple_collision(mesh)}
 
 
@@ -202,22 +155,26 @@ def _simple_collision(mesh: Any) -> list[dict[str, Any]] | None:
     geom = setup.get_editor_property("agg_geom")
     if len(geom.get_editor_property("convex_elems")):
         return None
-    boxes = [{"kind": "box", "center": _row(of("center")), "rotation_deg": _angles(of("rotation")),
+    boxes = [{"kind": "box", "center": row(of("center")), "rotation_deg": angles(of("rotation")),
               "half_extent": [of("x") / 2, of("y") / 2, of("z") / 2]}
              for of in (elem.get_editor_property for elem in geom.get_editor_property("box_elems"))]
-    spheres = [{"kind": "sphere", "center": _row(of("center")), "radius": of("radius")}
+    spheres = [{"kind": "sphere", "center": row(of("center")), "radius": of("radius")}
                for of in (elem.get_editor_property for elem in geom.get_editor_property("sphere_elems"))]
-    capsules = [{"kind": "capsule", "center": _row(of("center")), "rotation_deg": _angles(of("rotation")),
+    capsules = [{"kind": "capsule", "center": row(of("center")), "rotation_deg": angles(of("rotation")),
                  "radius": of("radius"), "length": of("length")}
                 for of in (elem.get_editor_property for elem in geom.get_editor_property("sphyl_elems"))]
     return [*boxes, *spheres, *capsules]
 
 
+make_reader: Callable[[], Reader] = Reader
+"""What reads the level, one an export; an engine may put a reader of its own here."""
+
+
 def export_snapshot() -> dict[str, Any]:
     """The open level as a snapshot."""
     meshes: dict[str, Any] = {}
-    paths = Paths()
-    actors = [export_actor(actor, meshes, paths)
+    reader = make_reader()
+    actors = [export_actor(actor, meshes, reader)
               for actor in unreal.get_editor_subsystem(unreal.EditorActorSubsystem).get_all_level_actors()]
     world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
     headless = hasattr(unreal, "c4s_mesh_facts")

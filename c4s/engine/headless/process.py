@@ -48,7 +48,9 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
     attach()
     draw_the_same_lots()
     from c4s.editor.capture import frame_level  # needs the `unreal` that boot installs
+    from c4s.engine.headless import facts
 
+    facts.attach()
     frame_level()
     gc.collect()
     gc.freeze()
