@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 from prefect import flow
 from prefect.futures import PrefectFuture
@@ -26,8 +27,8 @@ from warehouse.ingest import ingest_schedule, is_stored
 WAITING_THREADS = 32
 
 
-def _submit(trial: Trial, plan: Plan, warehouse: Path) -> PrefectFuture[None]:
-    """Submit a trial's stages; each waits for what it reads."""
+def _submit(trial: Trial, plan: Plan, warehouse: Path) -> list[PrefectFuture[Any]]:
+    """Submit a trial's stages, in order; each waits for what it reads, and the last one stores the trial."""
     ran_1 = attempt.submit(trial, 1)
     valid_1 = integrity.submit(trial, plan, 1, ran_1)
     ran_2 = attempt.submit(trial, 2, valid_1)
@@ -37,7 +38,7 @@ def _submit(trial: Trial, plan: Plan, warehouse: Path) -> PrefectFuture[None]:
                     *(semantic.submit(trial, plan, valid, name) for name in ("detailed", "overview"))]
     else:
         verdicts = [physics.submit(trial, plan, valid), repair.submit(trial, plan, valid)]
-    return persist.submit(trial, plan, warehouse, wait_for=verdicts)
+    return [ran_1, valid_1, ran_2, valid, *verdicts, persist.submit(trial, plan, warehouse, wait_for=verdicts)]
 
 
 @flow(name="evaluate", task_runner=ThreadPoolTaskRunner(max_workers=WAITING_THREADS), validate_parameters=False)
@@ -68,8 +69,8 @@ def evaluate(suite: str = "starter", agents: list[str] | None = None, run_id: st
     missing = [trial for trial in trials(run, folder, plan) if not is_stored(trial, plan, warehouse)]
     if missing:
         with engine_slots(slots or os.cpu_count() or 1):
-            futures = [(trial, _submit(trial, plan, warehouse)) for trial in missing]
-            failed = [(trial, state) for trial, future in futures if (state := _final(future)) is not None]
+            submitted = [(trial, _submit(trial, plan, warehouse)) for trial in missing]
+            failed = [(trial, reason) for trial, stages in submitted if (reason := _final(stages)) is not None]
     else:
         failed = []
     page = publish(warehouse, site_root())
@@ -80,8 +81,11 @@ def evaluate(suite: str = "starter", agents: list[str] | None = None, run_id: st
     return page.as_uri()
 
 
-def _final(future: PrefectFuture[None]) -> str | None:
-    """None when the trial is stored, else why not."""
-    future.wait()
-    state = future.state
-    return None if state.is_completed() else (state.message or state.name)
+def _final(stages: list[PrefectFuture[Any]]) -> str | None:
+    """None when the trial is stored, else why not: what the first stage that failed says."""
+    stages[-1].wait()
+    if stages[-1].state.is_completed():
+        return None
+    failed = [stage.state for stage in stages if stage.state.is_failed() or stage.state.is_crashed()]
+    state = failed[0] if failed else stages[-1].state
+    return state.message or state.name

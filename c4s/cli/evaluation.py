@@ -7,6 +7,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from c4s.agents.base import ModelClient, agent_of
 from c4s.case.package import SuiteFolder
 from c4s.cli.progress import watch
 from c4s.errors import BadInput
@@ -53,6 +54,10 @@ def evaluate_here(suite: str, agents: Sequence[str], *, run_id: str | None, case
     page = site_root() / "index.html"
     if not missing and page.is_file():
         return Evaluation(page.as_uri(), 0, len(scheduled), time.perf_counter() - started)
+    for chosen in plan.configurations:
+        agent = agent_of(chosen)
+        if isinstance(agent, ModelClient):
+            agent.ready(chosen)
     for name, value in {**QUIET, "PREFECT_HOME": str(home() / "prefect")}.items():
         os.environ.setdefault(name, value)
     from flows.evaluate import evaluate

@@ -17,6 +17,7 @@ from c4s.run.records import Plan
 from tests.run.conftest import Command, environment
 from warehouse.database import rows
 
+CASES = ["text-flat-family"]
 LADDER = ("noop", "vandal", "oracle", "planner", "random")
 
 
@@ -81,6 +82,19 @@ def test_a_second_run_finds_everything_done_and_a_rebuild_gives_the_same(ran: Pa
 def test_another_plan_under_the_same_name_is_refused(ran: Path, c4s: Command) -> None:
     refused = c4s("run", "small", "-a", "noop")
     assert refused.returncode == 2 and "another plan" in refused.stderr and refused.stderr.count("\n") == 1
+
+
+def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c4s: Command, tmp_path: Path) -> None:
+    agent = tmp_path / "agent.yaml"
+    agent.write_text("{name: absent, client: codex, model: some-model, options: {program: /nowhere/codex}}\n")
+    refused = c4s("run", "small", "-a", str(agent), "--run-id", "absent")
+    assert refused.returncode == 2 and len(refused.stderr.strip().splitlines()) == 1, refused.stderr
+    assert "codex" in refused.stderr and "npm install" in refused.stderr
+    flow = f"from flows.evaluate import evaluate; evaluate('small', [{str(agent)!r}], run_id='absent', cases={CASES!r})"
+    failed = subprocess.run([sys.executable, "-c", flow], env=environment(home), text=True, capture_output=True,
+                            timeout=200, check=False)
+    told = [line for line in failed.stderr.splitlines() if line.startswith("c4s.errors.MachineryFault: 1 of 1 trials")]
+    assert failed.returncode != 0 and told and "npm install" in told[0], failed.stderr
 
 
 def test_the_pages_show_what_happened(ran: Path) -> None:
