@@ -44,20 +44,21 @@ def evaluate_here(suite: str, agents: Sequence[str], *, run_id: str | None, case
         raise BadInput(f"unknown suite {suite!r}", where=str(suites_root()),
                        todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`")
     names = list(agents or BASELINES)
-    plan = open_run(run, make_plan(SuiteFolder(folder), [configuration(name) for name in names], run_id=run.name,
-                                   policy=DEFAULT_POLICY, judge="rule", engine="headless",
-                                   repeats=repeats, cases=cases))
+    plan = make_plan(SuiteFolder(folder), [configuration(name) for name in names], run_id=run.name,
+                     policy=DEFAULT_POLICY, judge="rule", engine="headless", repeats=repeats, cases=cases)
     scheduled = list(trials(run, folder, plan))
     for trial in {trial.case.case_id: trial for trial in scheduled}.values():
         inputs(trial)
     missing = [trial for trial in scheduled if not is_stored(trial, plan, warehouse_root())]
+    if missing:
+        for chosen in plan.configurations:
+            agent = agent_of(chosen)
+            if isinstance(agent, ModelClient):
+                agent.ready(chosen)
+    open_run(run, plan)
     page = site_root() / "index.html"
     if not missing and page.is_file():
         return Evaluation(page.as_uri(), 0, len(scheduled), time.perf_counter() - started)
-    for chosen in plan.configurations:
-        agent = agent_of(chosen)
-        if isinstance(agent, ModelClient):
-            agent.ready(chosen)
     for name, value in {**QUIET, "PREFECT_HOME": str(home() / "prefect")}.items():
         os.environ.setdefault(name, value)
     from flows.evaluate import evaluate
