@@ -81,11 +81,14 @@ def try_agent(name: Annotated[str, typer.Argument(help="configuration: a baselin
     chosen, suite_folder = configuration(name), _suite(suite)
     plan = make_plan(SuiteFolder(suite_folder), [chosen], run_id="try", policy=DEFAULT_POLICY, judge="rule",
                      engine="headless", cases=[case])
+    agent = agent_of(chosen)
+    if isinstance(agent, ModelClient):
+        agent.ready(chosen)
     root = _new_folder(home() / "tries", f"{chosen.name}-{case}")
     plan = open_run(root / "run", plan)
     trial = next(iter(trials(root / "run", suite_folder, plan)))
     if not json_output:
-        console.print(f"{chosen.name} on {case}, in {root}", style="dim", soft_wrap=True)
+        console.print(f"{chosen.name} on {case}, in {root}", style="dim", soft_wrap=True, highlight=False)
     score = _watched(trial, plan, quiet=json_output)
     page = _publish(root, suite_folder, plan, case)
     if json_output:
@@ -105,7 +108,7 @@ def _watched(trial: Trial, plan: Plan, *, quiet: bool) -> TrialScore:
         with nullcontext() if quiet else follow(console, trial.folder.attempt(number)):
             outcome = stages.attempt(trial, number)
         if not quiet:
-            console.print(_ending(outcome), soft_wrap=True)
+            console.print(_ending(outcome), soft_wrap=True, highlight=False)
         if stages.integrity(trial, plan, number):
             break
     return run_trial(trial, plan)
