@@ -1,7 +1,9 @@
 """The inventory of a scene: one thing an object that was placed, with the facts of its asset and its world box.
 
 A thing is known by its asset (catalog name, category, tags, description) or, where the catalog does not know the asset,
-by the last part of the asset's path. Actor labels are chosen by the agent under test and are never read.
+by the last part of the asset's path. Actor labels are chosen by the agent under test and are never read; so are the
+names of assets that it made itself: where there is a catalog, an asset that it does not hold has no name (an engine
+shape has).
 """
 
 from __future__ import annotations
@@ -33,6 +35,8 @@ class Thing:
     scale: Array
     materials: tuple[str, ...]
     """Paths of the materials that the actor shows."""
+    named: bool = True
+    """Whether the name of an asset without facts can be trusted."""
 
     @property
     def centre(self) -> Array:
@@ -48,14 +52,14 @@ class Thing:
         """Whether the asset is one of the named objects, by its own name, or by a tag or category that equals it."""
         wanted = list(phrases)
         if self.facts is None:
-            return names_object(leaf(self.asset), wanted)
+            return self.named and names_object(leaf(self.asset), wanted)
         exact = phrases_of([str(self.facts.get("category") or ""), *map(str, self.facts.get("tags") or [])])
         return names_object(str(self.facts.get("name") or leaf(self.asset)), wanted) \
             or any(phrase in exact for phrase in wanted)
 
     def says(self, phrase: tuple[str, ...]) -> bool:
         """Whether the asset's own text (name, tags, description) holds the phrase."""
-        facts = self.facts or {"name": leaf(self.asset)}
+        facts = self.facts or {"name": leaf(self.asset) if self.named else ""}
         texts = [str(facts.get("name") or ""), str(facts.get("description") or ""), *map(str, facts.get("tags") or [])]
         return any(has_phrase(text, phrase) for text in texts)
 
@@ -64,6 +68,11 @@ def leaf(path: str) -> str:
     """The last part of an asset path, without the class suffix ``_C``."""
     name = path.rstrip("'").rsplit("/", 1)[-1].rsplit(".", 1)[-1]
     return name.removesuffix("_C")
+
+
+def trusted(path: str, known: Mapping[str, Any]) -> bool:
+    """Whether a name is not the agent's: it is known, the engine's, or there is nothing to know it by."""
+    return not known or path in known or path.lower().startswith("/engine/")
 
 
 def inventory(snapshot: Mapping[str, Any], catalog: Mapping[str, Facts]) -> list[Thing]:
@@ -124,7 +133,7 @@ def _whole(actor: Mapping[str, Any], class_path: str, catalog: Mapping[str, Fact
         return []
     scale = _vector(actor.get("transform"), "scale")
     return [Thing(_name(actor), asset, _facts(asset, catalog), origin - extent, origin + extent,
-                  np.ones(3) if scale is None else scale, _materials(actor))]
+                  np.ones(3) if scale is None else scale, _materials(actor), trusted(asset, catalog))]
 
 
 def _parts(actor: Mapping[str, Any], component: Mapping[str, Any], meshes: Mapping[str, Any],
@@ -145,5 +154,5 @@ def _parts(actor: Mapping[str, Any], component: Mapping[str, Any], meshes: Mappi
         location, rotation, scale = (member.tolist() for member in place if member is not None)
         centre, half = transformed_box(affine(location, rotation, scale), low.tolist(), high.tolist())
         parts.append(Thing(_name(actor), str(asset), _facts(str(asset), catalog), centre - half, centre + half,
-                           np.array(scale), _materials(actor)))
+                           np.array(scale), _materials(actor), trusted(str(asset), catalog)))
     return parts

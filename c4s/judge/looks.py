@@ -6,7 +6,7 @@ import colorsys
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from c4s.judge.inventory import Facts, Thing, leaf
+from c4s.judge.inventory import Facts, Thing, leaf, trusted
 from c4s.judge.words import tokens, word_set
 
 MATERIAL_WORDS: dict[str, frozenset[str]] = {
@@ -45,11 +45,12 @@ def material_index(catalog: Mapping[str, Facts]) -> dict[str, Facts]:
 def is_made_of(thing: Thing, wanted: str, materials: Mapping[str, Facts]) -> bool | None:
     """Whether a thing is of a material, by its asset's words or material names; False when they name another only."""
     phrase = tokens(wanted)
-    if thing.says(phrase) or any(word in tokens(leaf(path)) for path in thing.materials for word in phrase):
+    told = [leaf(path) for path in thing.materials if trusted(path, materials)]
+    if thing.says(phrase) or any(word in tokens(name) for name in told for word in phrase):
         return True
     asked = material_families(phrase)
     shown = _shown_materials(thing, materials)
-    names = [leaf(path) for path in thing.materials] or [leaf(str(m.get("path") or "")) for m in shown]
+    names = told or [leaf(str(m.get("path") or "")) for m in shown]
     own = material_families(word for name in names for word in tokens(name))
     specific = set(phrase) & {word for names in MATERIAL_WORDS.values() for word in names} - GENERIC
     if asked and own & asked and not specific:

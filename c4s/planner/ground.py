@@ -39,19 +39,21 @@ def choose_tile(scene_text: str, catalog: Sequence[Asset]) -> Asset | None:
 def ground_tiles(scene_text: str, catalog: Sequence[Asset], half_extent_m: float = 100.0) -> list[dict[str, Any]]:
     """Entries that carpet the square of ``half_extent_m`` edge to edge; empty where the catalog has no flat asset.
 
-    A tile too small for ``MAX_TILES`` is laid over a smaller square around the centre.
+    A tile that would be needed more than ``MAX_TILES`` times is enlarged in plan until that many cover the square.
     """
     tile = choose_tile(scene_text, catalog)
     if tile is None:
         return []
     low, high = tile.bounds_min_cm, tile.bounds_max_cm
     width, depth = high[0] - low[0], high[1] - low[1]
-    columns, lines = (max(1, math.ceil(200 * half_extent_m / side)) for side in (width, depth))
-    shrink = math.sqrt(min(1.0, MAX_TILES / (columns * lines)))
-    columns, lines = max(1, int(columns * shrink)), max(1, int(lines * shrink))
-    centre = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2)
+    side_cm, factor = 200 * half_extent_m, 1.0
+    while math.ceil(side_cm / (width * factor)) * math.ceil(side_cm / (depth * factor)) > MAX_TILES:
+        factor *= 1.05
+    width, depth, factor = width * factor, depth * factor, round(factor, 6)
+    columns, lines = (max(1, math.ceil(side_cm / side - 1e-9)) for side in (width, depth))
+    centre = (factor * (low[0] + high[0]) / 2, factor * (low[1] + high[1]) / 2)
     return [{"name": f"GroundTile_{i}_{j}", "asset": tile.path, "kind": tile.kind, "rotation": [0.0, 0.0, 0.0],
-             "scale": [1.0, 1.0, 1.0], "tier": 0,
+             "scale": [factor, factor, 1.0], "tier": 0,
              "location": [round((i - (columns - 1) / 2) * width - centre[0], 3),
                           round((j - (lines - 1) / 2) * depth - centre[1], 3), round(-high[2], 3)]}
             for i in range(columns) for j in range(lines)]

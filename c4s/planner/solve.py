@@ -19,19 +19,15 @@ HALF_EXTENT_M = 100.0
 def validate(graph: Any, catalog: Sequence[Asset], half_extent_m: float = HALF_EXTENT_M) -> dict[str, Any]:
     """Report on a graph: whether it can be solved whole, and each problem with the node or copy that it drops.
 
-    ``dropped`` names all that solving would drop. Copies outside the square of ``half_extent_m`` are moved in by
-    the mode ``separate`` and dropped by ``exact``; what stands on another node is dropped by both.
+    ``dropped`` names all that solving would drop: nodes that cannot be used, and copies whose middle lies outside the
+    square of ``half_extent_m``.
     """
     nodes, problems = read_graph(graph, catalog)
     entries = place(nodes, 100 * half_extent_m)
-    beyond = [entry for entry in entries if _outside(entry, 100 * half_extent_m)]
-    drops = {problem.node: None for problem in problems if problem.drops}
-    solved = solve(graph, catalog, half_extent_m=half_extent_m) if nodes else {"dropped": []}
-    drops |= {item["node"]: None for item in solved["dropped"]}
     told = [{"node": problem.node, "problem": problem.text, "dropped": problem.drops} for problem in problems]
-    told += [{"node": entry.name, "problem": "outside the build area; mode exact drops it"
-              + ("" if entry.name in drops else ", mode separate moves it in"), "dropped": entry.name in drops}
-             for entry in beyond]
+    told += [{"node": entry.name, "problem": f"outside the build area ({half_extent_m:g} m to each side)",
+              "dropped": True} for entry in entries if _outside(entry, 100 * half_extent_m)]
+    drops = dict.fromkeys(row["node"] for row in told if row["dropped"])
     return {"valid": bool(nodes) and not drops, "nodes": len(nodes), "copies": len(entries), "dropped": list(drops),
             "problems": told}
 
@@ -44,18 +40,18 @@ def solve(graph: Any, catalog: Sequence[Asset], mode: str = "separate",
           half_extent_m: float = HALF_EXTENT_M) -> dict[str, Any]:
     """World transforms (cm, [pitch, yaw, roll] degrees) of every copy; equal input gives equal output.
 
-    ``mode`` is ``separate`` (push overlapping footprints apart) or ``exact`` (keep the positions). Copies that
-    leave the square of ``half_extent_m`` are dropped. Raises ``ValueError`` for an unknown mode.
+    ``mode`` is ``separate`` (push overlapping footprints apart) or ``exact`` (keep the positions). Copies whose middle
+    lies outside the square of ``half_extent_m`` are dropped first. Raises ``ValueError`` for an unknown mode.
     """
     if mode not in MODES:
         raise ValueError(f"mode must be one of {', '.join(MODES)}")
     nodes, problems = read_graph(graph, catalog)
     half_cm = 100.0 * half_extent_m
-    entries = place(nodes, half_cm)
-    moved, overlaps = separate(entries, half_cm) if mode == "separate" else ([], 0)
-    kept = [entry for entry in entries if not _outside(entry, half_cm)]
-    outside = [{"node": entry.name, "problem": "outside the build area"} for entry in entries
-               if _outside(entry, half_cm)]
+    placed = place(nodes, half_cm)
+    kept = [entry for entry in placed if not _outside(entry, half_cm)]
+    outside = [{"node": entry.name, "problem": f"outside the build area ({half_extent_m:g} m to each side)"}
+               for entry in placed if _outside(entry, half_cm)]
+    moved, overlaps = separate(kept, half_cm) if mode == "separate" else ([], 0)
     plain = [_plain(entry) for entry in kept]
     return {"entries": plain, "tier_counts": dict(Counter(entry["tier_name"] for entry in plain)),
             "moved": moved, "overlapping_pairs": overlaps,

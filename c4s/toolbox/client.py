@@ -73,6 +73,13 @@ class GatewayClient:
         portal, client = self._opened()
         return portal.call(client.list_tools).tools
 
+    def prompt(self, name: str) -> str:
+        """Text of a prompt that the server offers."""
+        portal, client = self._opened()
+        found = portal.call(client.get_prompt, name)
+        return "".join(message.content.text for message in found.messages
+                       if isinstance(message.content, wire.TextContent))
+
     def answer(self, name: str, arguments: dict[str, Any], *, call_id: str | None = None) -> wire.CallToolResult:
         """One call as it comes over the wire. ``call_id`` identifies the call; a repeat gets the first answer."""
         portal, client = self._opened()

@@ -13,7 +13,8 @@ _HEAD = """\
 
 Made by `python -m c4s.toolbox.page > docs/tools.md`; a test keeps it equal. Lengths are centimetres and rotations
 [pitch, yaw, roll] in degrees where nothing else is said. Every answer is one JSON text,
-`{{"result" | "error", "budget", "stop"?}}`, and at most one PNG of at most 2 MB. Arguments marked * must be given; others are refused.
+`{{"result" | "error", "budget", "stop"?}}`, and at most one PNG of at most 2 MB. Arguments marked * must be given;
+arguments that are not listed are refused.
 """
 
 

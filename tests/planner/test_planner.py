@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from itertools import pairwise
 
 import pytest
 from hypothesis import given, settings
@@ -64,6 +65,46 @@ def test_the_ground_pass_carpets_the_plate_with_its_top_at_zero() -> None:
     assert len(tiles) == 100
     assert {tile["asset"] for tile in tiles} == {"/Game/T/SM_floor_tile.SM_floor_tile"}
     assert {tile["location"][2] for tile in tiles} == {-5.0}
+
+
+@pytest.mark.parametrize("side_m", [130.0, 200.0])
+def test_the_ground_covers_the_whole_plate_without_gaps(side_m: float) -> None:
+    tiles = ground_tiles("a tiled floor", CATALOG, side_m / 2)
+    assert 0 < len(tiles) <= 700
+    tile = next(asset for asset in CATALOG if asset.id == "floor_tile")
+    edges = {axis: sorted({(round(t["location"][axis] + t["scale"][axis] * tile.bounds_min_cm[axis], 1),
+                            round(t["location"][axis] + t["scale"][axis] * tile.bounds_max_cm[axis], 1))
+                           for t in tiles}) for axis in (0, 1)}
+    for spans in edges.values():
+        assert spans[0][0] <= -50 * side_m + 0.5 and spans[-1][1] >= 50 * side_m - 0.5
+        assert all(abs(left[1] - right[0]) < 0.5 for left, right in pairwise(spans))
+    assert len({t["name"] for t in tiles}) == len(edges[0]) * len(edges[1]) == len(tiles)
+
+
+def test_validate_tells_what_solving_drops() -> None:
+    graph = {"nodes": [{"id": "far", "asset": "house", "at": [500, 0]}, {"id": "roof", "asset": "mug", "on": "far"},
+                       {"id": "ghost", "asset": "castle"}, {"id": "hat", "asset": "mug", "on": "ghost"},
+                       {"id": "huge", "asset": "mug", "at": [1e300, 0]}, {"id": "x" * 500, "asset": "mug"},
+                       {"id": "odd", "asset": "mug", "on": ["far"]}]}
+    report = validate(graph, CATALOG, 50)
+    solved = solve(graph, CATALOG, half_extent_m=50)
+    assert report["dropped"] == [item["node"] for item in solved["dropped"]] and not report["valid"]
+    assert {"ghost", "hat", "huge", "odd", "far", "roof"} <= set(report["dropped"])
+    exact = solve(graph, CATALOG, mode="exact", half_extent_m=50)
+    assert exact["dropped"] == solved["dropped"] and exact["entries"] == [] == solved["entries"]
+
+
+def test_what_starts_inside_is_pushed_no_further_than_the_edge_and_what_is_outside_does_not_come_in() -> None:
+    crowd = [{"id": f"h{i}", "asset": "house", "at": [46, 46]} for i in range(6)]
+    solved = solve({"nodes": [*crowd, {"id": "far", "asset": "mug", "at": [60, 0]}]}, CATALOG, half_extent_m=50)
+    assert [item["node"] for item in solved["dropped"]] == ["far"] and len(solved["entries"]) == 6
+    assert all(abs(side) <= 5001 for entry in solved["entries"] for side in entry["footprint_cm"])
+
+
+def test_a_graph_of_too_many_copies_loses_its_last_nodes() -> None:
+    graph = {"nodes": [{"id": f"n{i}", "asset": "mug", "count": 2000, "layout": {"kind": "grid"}} for i in range(3)]}
+    report = validate(graph, CATALOG)
+    assert report["copies"] == 4000 and report["dropped"] == ["n2"]
 
 
 def test_the_plan_picture_shows_footprints() -> None:

@@ -15,6 +15,7 @@ from made_case import make_case
 from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped
 from c4s.toolbox.gateway import Endpoint
 from c4s.toolbox.run import Run
+from c4s.toolbox.skill import skill_text
 
 HEADERS = {"Accept": "application/json, text/event-stream", "Content-Type": "application/json"}
 INITIALIZE = {"jsonrpc": "2.0", "id": 0, "method": "initialize", "params": {
@@ -144,6 +145,15 @@ def test_pictures_are_recorded_by_digest_and_never_with_structured_content(open_
     assert [block.type for block in answer.content] == ["text", "image"] and answer.structured_content is None
     line = opened.trajectory()[0]
     assert len(line["images"][0]["sha256"]) == 64 and answer.content[1].data not in json.dumps(line)
+
+
+def test_the_skill_is_a_prompt_of_the_server_and_polls_are_told_apart(open_run: Callable) -> None:
+    opened = open_run()
+    assert opened.client.prompt("skill") == skill_text()
+    opened.client.call("execute_python_script", script="print(1)")
+    opened.client.call("read_job_log", wait_s=10)
+    assert (opened.run.calls, opened.run.polls) == (2, 1)
+    assert [line["polling"] for line in opened.trajectory()] == [False, True]
 
 
 def test_numbers_that_are_none_are_refused(open_run: Callable) -> None:
