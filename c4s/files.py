@@ -13,6 +13,7 @@ from typing import Any
 import orjson
 
 from c4s.errors import BadInput
+from c4s.garbage import put_off
 
 
 def write_bytes(path: Path, data: bytes) -> None:
@@ -70,10 +71,11 @@ def digest_tree(folder: Path) -> str:
 
 def parse_json(data: bytes) -> Any:
     """Parse JSON. The tokens NaN and Infinity, which some exporters write, are accepted; else ``ValueError``."""
-    try:
-        return orjson.loads(data)
-    except orjson.JSONDecodeError:
-        return json.loads(data)
+    with put_off():
+        try:
+            return orjson.loads(data)
+        except orjson.JSONDecodeError:
+            return json.loads(data)
 
 
 def read_json(path: Path, *, what: str = "file") -> Any:

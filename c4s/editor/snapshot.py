@@ -6,6 +6,7 @@ read stops the export: a snapshot is complete, so ``export_errors`` is always em
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import json
 from collections.abc import Callable
@@ -174,8 +175,14 @@ def export_snapshot() -> dict[str, Any]:
     """The open level as a snapshot."""
     meshes: dict[str, Any] = {}
     reader = make_reader()
-    actors = [export_actor(actor, meshes, reader)
-              for actor in unreal.get_editor_subsystem(unreal.EditorActorSubsystem).get_all_level_actors()]
+    collecting = gc.isenabled()
+    gc.disable()  # the records hold no garbage, and looking through them as they grow takes as long as making them
+    try:
+        actors = [export_actor(actor, meshes, reader)
+                  for actor in unreal.get_editor_subsystem(unreal.EditorActorSubsystem).get_all_level_actors()]
+    finally:
+        if collecting:
+            gc.enable()
     world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
     headless = hasattr(unreal, "c4s_mesh_facts")
     return {

@@ -25,6 +25,7 @@ import orjson
 
 from c4s.engine.headless import channel
 from c4s.engine.headless.joblog import JobLog
+from c4s.garbage import put_off
 
 KEPT_JOBS = 512
 KEPT_VALUES = 16
@@ -247,7 +248,8 @@ class JobBoard:
         job.error, job.fault = (None if text is None else str(text) for text in (error, fault))
         if error is None:
             try:
-                orjson.loads(value)
+                with put_off():
+                    orjson.loads(value)
                 job.value = value
             except orjson.JSONDecodeError as wrong:
                 job.error, job.fault = f"the value that it returned is not JSON: {wrong}", "ValueError"
