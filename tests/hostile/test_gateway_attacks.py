@@ -6,8 +6,8 @@ import json
 
 import httpx2
 import pytest
-from conftest import Prey
 from made_case import make_case, make_pack
+from prey import Prey
 
 from c4s.files import json_lines
 from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped

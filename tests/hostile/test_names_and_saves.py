@@ -6,8 +6,8 @@ import json
 from pathlib import Path
 
 import pytest
-from conftest import Prey
 from made_case import START, path_of
+from prey import Prey
 
 from c4s.agents.attempt import last_saved
 from c4s.files import digest_file

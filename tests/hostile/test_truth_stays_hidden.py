@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from conftest import SECRET, TRUTH, Prey
+from prey import SECRET, TRUTH, Prey
 
 from c4s.toolbox.client import CallRefused
 
