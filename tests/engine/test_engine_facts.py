@@ -14,7 +14,7 @@ from c4s.engine.headless.boot import boot
 
 SHAPES = ("Cube", "Sphere", "Cylinder")
 CLASSES = ("PointLight", "SpotLight", "DirectionalLight", "ExponentialHeightFog", "PostProcessVolume", "CameraActor",
-           "StaticMeshActor", "TriggerBox", "TextRenderActor", "DecalActor", "SkyLight")
+           "StaticMeshActor", "TextRenderActor", "DecalActor", "SkyLight")
 NUMBERS = st.integers(-4000, 4000).map(lambda whole: whole / 8)
 SCALES = st.sampled_from([-2.0, -1.0, 0.0, 0.5, 1.0, 3.0])
 PICK = st.integers(0, 30)
