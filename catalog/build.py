@@ -1,4 +1,4 @@
-"""Writes packs: one GLB an asset, textures, previews on request, and the manifest. Same specification, same bytes.
+"""Writes packs: one GLB an asset, textures, previews, and the manifest. Same specification, same bytes.
 
 ``python -m catalog.build [pack ...] [--out FOLDER]`` builds the starter packs.
 """
@@ -19,6 +19,7 @@ from c4s.packs.manifest import Asset, BlueprintPart, Material, MaterialSlot, Pac
 from c4s.packs.meshes import Mesh
 from c4s.scene.level import Transform
 from c4s.scene.transform import affine, transformed_box
+from catalog.preview import write_previews
 from catalog.shapes import AssetSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec, Shape
 from catalog.shapes.spec import asset_id, readable
 from catalog.shapes.textures import png
@@ -125,7 +126,7 @@ def build_pack(spec: PackSpec, root: Path) -> Pack:
                 description=spec.description, assets=assets, materials=materials,
                 category_descriptions=spec.category_descriptions)
     pack.write(writer.folder / "pack.json")
-    return pack
+    return write_previews(writer.folder)
 
 
 def sources_digest() -> str:

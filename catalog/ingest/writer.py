@@ -18,6 +18,7 @@ from c4s.packs.manifest import Asset, CollisionBody, Material, MaterialSlot, Pac
 from c4s.packs.meshes import Mesh
 from catalog.build import glb
 from catalog.ingest.surface import SourcePart, Surface
+from catalog.preview import write_previews
 
 MAX_NAME = 100
 NAMES_TOLD = 8
@@ -138,6 +139,7 @@ class PackWriter:
                     description=description, assets=self.assets, materials=list(self.materials.values()),
                     category_descriptions={name: self._told(name) for name in categories})
         pack.write(self.folder / "pack.json")
+        pack = write_previews(self.folder)
         if license_text:
             write_bytes(self.folder / "LICENSE.txt", license_text.encode())
         final = self.root / self.pack_id
