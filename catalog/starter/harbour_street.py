@@ -81,10 +81,10 @@ def sign(b: Builder) -> None:
 def parking(b: Builder) -> None:
     b.cylinder("Steel", 3, 220, segments=10, body=None)
     b.box("SignBlue", (56, 3, 56), (0, 4, 200), body=None)
-    b.box("WhitePaint", (8, 2, 38), (10, 6, 209), body=None)
-    b.box("WhitePaint", (22, 2, 8), (3, 6, 239), body=None)
-    b.box("WhitePaint", (22, 2, 8), (3, 6, 225), body=None)
-    b.box("WhitePaint", (8, 2, 22), (-10, 6, 225), body=None)
+    b.box("WhitePaint", (8, 2, 38), (-10, 6, 209), body=None)
+    b.box("WhitePaint", (22, 2, 8), (-3, 6, 239), body=None)
+    b.box("WhitePaint", (22, 2, 8), (-3, 6, 225), body=None)
+    b.box("WhitePaint", (8, 2, 22), (10, 6, 225), body=None)
     b.body_box((8, 8, 256))
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from c4s.engine.headless.render import Fog, Grade, Lights, LocalLight, Sky, Sun
 from c4s.engine.headless.render.textures import decode_table
 from c4s.engine.headless.render.types import Point, Rgb
+from c4s.engine.headless.render_air import Air, air_of, through_air
 
 if TYPE_CHECKING:
     from c4s.engine.headless.world import LightSource
@@ -44,10 +45,14 @@ def lights_of(sources: Sequence[LightSource]) -> Lights:
     local: list[LocalLight] = []
     sky: tuple[float, Rgb] | None = None
     fog: LightSource | None = None
+    air: Air | None = None
+    in_air: list[bool] = []
     shining = False
     for source in sources:
         if source.kind == "ExponentialHeightFogComponent":
             fog = fog or source
+        elif source.kind == "SkyAtmosphereComponent":
+            air = air or air_of(source.properties)
         if not source.properties.get("affects_world"):
             continue
         shining = True
@@ -60,6 +65,7 @@ def lights_of(sources: Sequence[LightSource]) -> Lights:
                 suns.append(Sun(direction, _colour(source), intensity,
                                 max(_MIN_SUN_DEG, float(source.properties["light_source_angle"])),
                                 bool(source.properties["cast_shadows"])))
+                in_air.append(bool(source.properties["atmosphere_sun_light"]))
         elif intensity > 0:
             local.append(_local(source))
     day = Sky()
@@ -70,6 +76,8 @@ def lights_of(sources: Sequence[LightSource]) -> Lights:
         dome = Sky(intensity=follows, light=_DIM_LIGHT)
     else:
         dome = Sky(intensity=follows * max(sky[0], _MIN_SKY), light_color=sky[1])
+    if air is not None and suns and in_air[0]:
+        suns[0], dome = through_air(air, suns[0], dome)
     return Lights(sun=suns[0] if suns else None, other_suns=tuple(suns[1:]), sky=dome, local=tuple(local),
                   fog=_fog(fog, dome))
 
