@@ -122,7 +122,7 @@ REFUSED = {
 """Each must raise. Names: ``TRUTH``, ``ROOT``, ``HOST`` (process), ``LOGS``, ``CONTENT``, ``KERNELS``, and
 ``fail``, which raises for a C call that returned an error."""
 _SMALL = Limits(cpu_s=4, memory=700 << 20, threads=64, files=2000, disk=64 << 20)
-_ON_SOCKETS = ("import os, socket, stat\nfor n in range(3, 40):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): {}\n"
+_ON_SOCKETS = ("import os, socket, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): {}\n"
                " except OSError: pass")
 ENDED = {
     "fill the memory": ("b = bytearray(1 << 30)\nfor i in range(0, 1 << 30, 4096): b[i] = 1", "of memory"),

@@ -14,7 +14,7 @@ from c4s.engine.session import EngineDied, EngineSession
 STUCK = "import re\nprint('begun')\nre.match(r'(a+)+b', 'a' * 64)"
 """Holds the interpreter's lock for longer than anyone waits."""
 
-HANG_UP = ("import os, socket, stat\nfor n in range(3, 40):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): "
+HANG_UP = ("import os, socket, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): "
            "socket.socket(fileno=os.dup(n)).shutdown(2)\n except OSError: pass")
 """Cuts the engine's line to its host."""
 

@@ -88,10 +88,15 @@ def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c
     agent = tmp_path / "agent.yaml"
     agent.write_text("{name: absent, client: codex, model: some-model, options: {program: /nowhere/codex}}\n")
     refused = c4s("run", "small", "-a", str(agent), "--run-id", "absent")
+    assert not (home / "runs" / "absent").exists()
     assert refused.returncode == 2 and len(refused.stderr.strip().splitlines()) == 1, refused.stderr
     assert "codex" in refused.stderr and "npm install" in refused.stderr
     flow = f"from flows.evaluate import evaluate; evaluate('small', [{str(agent)!r}], run_id='absent', cases={CASES!r})"
-    failed = subprocess.run([sys.executable, "-c", flow], env=environment(home), text=True, capture_output=True,
+    apart = tmp_path / "home"
+    apart.mkdir()
+    for name in ("packs", "suites"):
+        (apart / name).symlink_to(home / name)
+    failed = subprocess.run([sys.executable, "-c", flow], env=environment(apart), text=True, capture_output=True,
                             timeout=200, check=False)
     told = [line for line in failed.stderr.splitlines() if line.startswith("c4s.errors.MachineryFault: 1 of 1 trials")]
     assert failed.returncode != 0 and told and "npm install" in told[0], failed.stderr
