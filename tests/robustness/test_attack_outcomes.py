@@ -52,8 +52,8 @@ ENDINGS = {
     "threads": ("import threading\nthreading.stack_size(65536)\nwhile True: threading.Thread(target=threading.Event()"
                 ".wait, daemon=True).start()", "threads"),
     "crash": ("import ctypes\nctypes.string_at(1)", "SIGSEGV"),
-    "nonsense": ("import os, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): os.write(n, "
-                 "b'\\xff' * 64)\n except OSError: pass\nwhile True: pass", "a message of"),
+    "nonsense": ("import os, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): "
+                 "os.write(n, b'\\xff' * 64)\n except OSError: pass\nwhile True: pass", "a message of"),
 }
 
 
