@@ -145,11 +145,12 @@ class DepthMeter:
             return 0.0, True
         return depth, depth <= CONFIRM_CM or _touch(a, b)
 
-
-    def signed(self, a: Body, b: Body) -> float:
-        """Signed distance in cm, negative where the bodies overlap; as coal finds it, without a proof."""
+    def signed(self, a: Body, b: Body) -> tuple[float, Array]:
+        """Signed distance in cm, negative where the bodies overlap, and the unit normal from a to b along it; as coal
+        finds them, without a proof."""
         self._result.clear()
-        return float(coal.distance(a.form.coal, a.coal_pose, b.form.coal, b.coal_pose, self._request, self._result))
+        distance = float(coal.distance(a.form.coal, a.coal_pose, b.form.coal, b.coal_pose, self._request, self._result))
+        return distance, np.array(self._result.normal)
 
 
 def _proves(depth: Array, way_out: Array, push_out: Array) -> NDArray[np.bool_]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
@@ -44,9 +45,10 @@ Boxes = NDArray[np.float64]
 _HUMP = re.compile(r"([a-z0-9])([A-Z])")
 
 
-def words(text: object) -> list[str]:
+@lru_cache(maxsize=1 << 16)
+def words(text: str) -> tuple[str, ...]:
     """Lower-case words of a name, split at capitals and punctuation; digits stay with their word."""
-    return re.findall(r"[a-z0-9]+", _HUMP.sub(r"\1 \2", str(text)).lower())
+    return tuple(re.findall(r"[a-z0-9]+", _HUMP.sub(r"\1 \2", text).lower()))
 
 
 def _variants(texts: Iterable[str]) -> set[str]:
@@ -106,9 +108,13 @@ def _no_body(actor: Mapping[str, Any]) -> bool:
         return True
     classes = _texts([actor.get("class"), *_component_classes(actor)])
     texts = _texts([*_titles(actor), *_paths(actor), *_many(actor, "material_paths")]) + classes
-    return (any(not EFFECT_WORDS.isdisjoint(words(text)) or "groupactor" in re.sub(r"[^a-z0-9]+", "", text.lower())
-                for text in texts)
+    return (any(map(_names_effect_or_group, texts))
             or any(not CLASS_WORDS.isdisjoint(words(name)) for name in classes))
+
+
+@lru_cache(maxsize=1 << 16)
+def _names_effect_or_group(text: str) -> bool:
+    return not EFFECT_WORDS.isdisjoint(words(text)) or "groupactor" in re.sub(r"[^a-z0-9]+", "", text.lower())
 
 
 def _is_water(actor: Mapping[str, Any], box: tuple[Boxes, Boxes] | None) -> bool:

@@ -146,7 +146,9 @@ def _standing(table: Array) -> list[bool]:
 DIRECTIONS = np.array([(0, 0, -1)] + [(math.cos(a), math.sin(a), 0) for a in np.arange(8) * math.pi / 4])
 """Straight down, then eight sideways directions."""
 TOUCH_CM = 1e-3
-"""The step goes this far beyond the inclusive gap and half of it must overlap: rounding of flush faces is nothing."""
+"""The step goes this far beyond the inclusive gap: rounding of flush faces is nothing."""
+OVERLAP_CM = TOUCH_CM / 2
+"""Two bodies meet where they overlap by more than this."""
 
 
 def edited_support(scene: SceneBodies, edited: Sequence[int], solid: Collection[int],
@@ -188,36 +190,37 @@ def _held(body: Body, others: Sequence[Body], owners: Sequence[int], owner: int,
     """Whether a body meets a body of another actor on a way of 5 cm down or sideways."""
     margin = GAP_CM + TOUCH_CM
     plan = shapely.box(*(body.low[:2] - margin), *(body.high[:2] + margin))
-    for other in (others[i] for i in tree.query(plan).tolist() if owners[i] != owner):
-        if body.low[2] - margin > other.high[2] or body.high[2] < other.low[2]:
-            continue
-        if any(_meets(body, other, direction * margin, meter) for direction in DIRECTIONS):
-            return True
-    return False
+    near = [others[i] for i in tree.query(plan).tolist() if owners[i] != owner]
+    if not near:
+        return False
+    ways = DIRECTIONS * margin
+    low, high = body.low + np.minimum(ways, 0.0), body.high + np.maximum(ways, 0.0)
+    push_out = np.minimum(high - np.array([other.low for other in near])[:, None],
+                          np.array([other.high for other in near])[:, None] - low).min(axis=2)
+    return any(_meets(body, near[other], ways[way], meter) for other, way in np.argwhere(push_out > OVERLAP_CM).tolist())
 
 
 def _meets(body: Body, other: Body, way: Array, meter: DepthMeter) -> bool:
     """Whether a body overlaps another one somewhere on a straight way, however thin both are.
 
-    The signed distance of two convex bodies is a convex function of the way gone, and changes by no more than it: what
-    both ends allow to touch in between is searched by thirds.
+    The signed distance of two convex bodies is a convex function of the way gone. Its slope at any place is the share
+    of the normal in the way, so each place without an overlap rules out all that lies on its uphill side.
     """
-    def overlaps(share: float) -> bool:
-        return meter(body.moved(share * way), other)[0] > TOUCH_CM / 2
-
-    if overlaps(1.0):
-        return True
-    length = float(np.linalg.norm(way))
-    low, high = 0.0, 1.0
-    at_low, at_high = meter.signed(body, other), meter.signed(body.moved(way), other)
-    while (at_low + at_high - (high - low) * length) / 2 < -TOUCH_CM / 2 and (high - low) * length > TOUCH_CM / 4:
-        left, right = low + (high - low) / 3, high - (high - low) / 3
-        at_left, at_right = meter.signed(body.moved(left * way), other), meter.signed(body.moved(right * way), other)
-        for share, distance in ((left, at_left), (right, at_right)):
-            if distance < -TOUCH_CM / 2 and overlaps(share):
-                return True
-        if at_left < at_right:
-            high, at_high = right, at_right
+    first, last = 0.0, 1.0
+    place = last
+    shortest = TOUCH_CM / 4 / float(np.linalg.norm(way))
+    while last - first > shortest:
+        moved = body.moved(place * way)
+        distance, normal = meter.signed(moved, other)
+        if distance < -OVERLAP_CM and meter(moved, other)[0] > OVERLAP_CM:
+            return True
+        slope = -float(normal @ way)
+        missing = max(distance, -OVERLAP_CM) + OVERLAP_CM
+        if slope < 0:
+            first = max(first, place - missing / slope, place)
+        elif slope > 0:
+            last = min(last, place - missing / slope, place)
         else:
-            low, at_low = left, at_left
+            return False
+        place = (first + last) / 2
     return False
