@@ -197,7 +197,8 @@ def _held(body: Body, others: Sequence[Body], owners: Sequence[int], owner: int,
     low, high = body.low + np.minimum(ways, 0.0), body.high + np.maximum(ways, 0.0)
     push_out = np.minimum(high - np.array([other.low for other in near])[:, None],
                           np.array([other.high for other in near])[:, None] - low).min(axis=2)
-    return any(_meets(body, near[other], ways[way], meter) for other, way in np.argwhere(push_out > OVERLAP_CM).tolist())
+    meeting = np.argwhere(push_out > OVERLAP_CM).tolist()
+    return any(_meets(body, near[other], ways[way], meter) for other, way in meeting)
 
 
 def _meets(body: Body, other: Body, way: Array, meter: DepthMeter) -> bool:
