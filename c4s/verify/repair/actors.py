@@ -8,6 +8,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
+import msgspec
+
 from c4s.errors import BadInput
 from c4s.verify.repair.entries import Entry, PlainEntry, Record, posed_locations
 from c4s.verify.repair.kinds import Descriptor, Kind
@@ -68,8 +70,7 @@ def scene_actors(snapshot: Any, role: Role) -> list[Entry]:
     return scene.actors
 
 
-@dataclass(slots=True, eq=False)
-class Actor:
+class Actor(msgspec.Struct, gc=False, eq=False):
     """A semantic actor prepared for matching."""
 
     entry: Entry
@@ -78,7 +79,8 @@ class Actor:
     kind: Kind
     location: Vector3 | None
     """Location in cm; None unless location, rotation and scale are all valid."""
-    _order: str | None = None
+    content: str | None = None
+    """Its canonical content, once it was needed."""
 
     @property
     def record(self) -> Record:
@@ -97,10 +99,10 @@ class Actor:
 
     def order(self) -> tuple[str, int]:
         """Sort key that makes results independent of export order: canonical content, then position in the export."""
-        if self._order is None:
+        if self.content is None:
             content = {field: self.record[field] for field in _CONTENT_FIELDS if field in self.record}
-            self._order = json.dumps(content, sort_keys=True)
-        return self._order, self.index
+            self.content = json.dumps(content, sort_keys=True)
+        return self.content, self.index
 
 
 def prepare(entries: Iterable[Entry], keys: Iterable[str], kinds: Iterable[Kind]) -> list[Actor]:

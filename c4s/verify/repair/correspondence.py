@@ -11,9 +11,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Hashable, Iterable, Iterator
 from dataclasses import dataclass, field
-from itertools import product
-from typing import Literal, NamedTuple, TypeAlias
+from itertools import chain, product
+from typing import Literal, TypeAlias
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -44,7 +45,7 @@ _PROPERTY_FIELDS = ("class", "asset_path", "component_asset_paths", "material_pa
                     "properties")
 
 
-class Pair(NamedTuple):
+class Pair(msgspec.Struct, frozen=True, gc=False):
     """An input actor and its candidate actor, by index; ``fields`` are those that changed."""
 
     start: int
@@ -90,7 +91,8 @@ def _near(actors: Iterable[Actor], others: Iterable[Actor],
 def _posed(actors: Iterable[Actor]) -> tuple[list[Actor], NDArray[np.float64]]:
     """The posed actors and their locations (n, 3) in cm."""
     posed = [actor for actor in actors if actor.location is not None]
-    return posed, np.array([actor.location for actor in posed], dtype=float).reshape(-1, 3)
+    numbers = chain.from_iterable([actor.location or () for actor in posed])
+    return posed, np.fromiter(numbers, float, 3 * len(posed)).reshape(-1, 3)
 
 
 def _cells(actors: Iterable[Actor], shift_cm: float) -> tuple[list[Actor], list[list[float]]]:
@@ -113,7 +115,7 @@ def _lonely(start: list[Actor], candidate: list[Actor]) -> Iterator[tuple[Actor,
     cell = np.floor(places / _CELL_CM)
     inner = ((np.floor((places - _REACH_CM) / _CELL_CM) == cell) & (np.floor((places + _REACH_CM) / _CELL_CM) == cell)
              & (np.abs(cell) < _FAR_CELL)).all(axis=1)
-    kinds = np.array([actor.kind.number for side in (left, right) for actor in side], dtype=np.int64)
+    kinds = np.fromiter([actor.kind.number for side in (left, right) for actor in side], np.int64)
     mixed = np.column_stack([kinds, np.clip(cell, -_FAR_CELL, _FAR_CELL).astype(np.int64)]) @ _MIX
     _, bucket = np.unique(mixed, return_inverse=True)
     here, there = bucket[:len(left)], bucket[len(left):]
@@ -123,8 +125,7 @@ def _lonely(start: list[Actor], candidate: list[Actor]) -> Iterator[tuple[Actor,
     i = np.nonzero(inner[:len(left)] & (sizes[0][here] == 1) & (sizes[1][here] == 1))[0]
     j = owner[here[i]]
     near = inner[len(left) + j] & (np.abs(left_places[i] - right_places[j]) <= _REACH_CM).all(axis=1)
-    for s, c in zip(i[near].tolist(), j[near].tolist(), strict=True):
-        yield left[s], right[c]
+    yield from zip(map(left.__getitem__, i[near].tolist()), map(right.__getitem__, j[near].tolist()), strict=True)
 
 
 class _Matcher:
@@ -138,8 +139,9 @@ class _Matcher:
         """The unchanged actors without a rival on either side: the only pair that each can be in."""
         self.pairs = [Pair(actor.index, other.index, "unchanged_semantic", ())
                       for actor, other in _lonely(self.start, self.candidate) if unchanged(actor, other)]
-        for pair in self.pairs:
-            del self.open_start[pair.start], self.open_candidate[pair.candidate]
+        starts, candidates = {pair.start for pair in self.pairs}, {pair.candidate for pair in self.pairs}
+        self.open_start = {s: None for s in self.open_start if s not in starts}
+        self.open_candidate = {c: None for c in self.open_candidate if c not in candidates}
 
     def take(self, start: int, candidate: int, method: Method, fields: tuple[str, ...]) -> None:
         self.pairs.append(Pair(start, candidate, method, fields))

@@ -6,7 +6,7 @@ an actor is parsed only when a closer look is due.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from operator import itemgetter
 from typing import Any, Protocol, TypeAlias
 
@@ -53,7 +53,7 @@ class Entry(Protocol):
     def identity(self) -> str:
         """Its identity key: see ``identity``."""
 
-    def kind_texts(self) -> tuple[Any, ...] | None:
+    def kind_text(self) -> Hashable | None:
         """What its descriptor is made of, as a key; None when it cannot be one."""
 
     def alike(self, other: Entry) -> bool:
@@ -75,7 +75,7 @@ class PlainEntry:
         """See ``Entry``."""
         return identity(self.record)
 
-    def kind_texts(self) -> tuple[Any, ...] | None:
+    def kind_text(self) -> Hashable | None:
         """See ``Entry``."""
         read = self.record.get
         parts = read("component_asset_paths")
@@ -103,12 +103,21 @@ class TextEntry(msgspec.Struct, gc=False, eq=False):
     properties: msgspec.Raw = msgspec.Raw()
     text: Any = None
     parsed: Any = None
+    key: Any = None
+    kind: Any = None
+    compared: Any = None
+    place: Any = None
 
     @classmethod
     def read(cls, text: msgspec.Raw) -> TextEntry:
         """Raises ``msgspec.DecodeError`` when the text is no JSON object."""
         entry = _ENTRY.decode(text)
-        entry.text, entry.parsed = text, None
+        entry.text, entry.parsed, entry.place = text, None, None
+        stable = entry.stable_actor_id
+        entry.key = f"stable:{stable}" if type(stable) is str and (stable := stable.strip()) else None
+        entry.kind = _LINE((entry.class_path, entry.asset_path, entry.component_asset_paths))
+        entry.compared = _LINE((entry.kind, entry.transform, entry.material_paths, entry.component_material_slots,
+                                entry.properties))
         return entry
 
     @property
@@ -121,22 +130,17 @@ class TextEntry(msgspec.Struct, gc=False, eq=False):
 
     def identity(self) -> str:
         """See ``Entry``."""
-        stable = self.stable_actor_id
-        if type(stable) is str and (stable := stable.strip()):
-            return f"stable:{stable}"
-        return identity(self.record)
+        key: str | None = self.key
+        return identity(self.record) if key is None else key
 
-    def kind_texts(self) -> tuple[Any, ...] | None:
+    def kind_text(self) -> Hashable:
         """See ``Entry``."""
-        return bytes(self.class_path), bytes(self.asset_path), bytes(self.component_asset_paths)
+        text: bytes = self.kind
+        return text
 
     def alike(self, other: Entry) -> bool:
         """See ``Entry``."""
-        return (type(other) is TextEntry and self.transform == other.transform and self.class_path == other.class_path
-                and self.asset_path == other.asset_path and self.material_paths == other.material_paths
-                and self.component_asset_paths == other.component_asset_paths
-                and self.component_material_slots == other.component_material_slots
-                and self.properties == other.properties)
+        return type(other) is TextEntry and self.compared == other.compared
 
 
 class _Pose(msgspec.Struct, gc=False):
@@ -145,8 +149,22 @@ class _Pose(msgspec.Struct, gc=False):
     scale: tuple[float, float, float]
 
 
+_LINE = b"\0".join
+"""JSON values side by side. None of them goes on past a zero byte, so equal lines are equal values one by one."""
 _ENTRY = msgspec.json.Decoder(TextEntry)
-_POSE_TEXT = msgspec.json.Decoder(_Pose)
+_POSES = msgspec.json.Decoder(list[_Pose])
+
+
+def read_texts(texts: Sequence[msgspec.Raw]) -> list[Entry]:
+    """The actors of a scene file. Raises ``msgspec.DecodeError`` when one is no JSON object."""
+    entries = list(map(TextEntry.read, texts))
+    try:
+        poses = _POSES.decode(b"[" + b",".join([entry.transform for entry in entries]) + b"]")
+    except msgspec.DecodeError:
+        return [*entries]
+    for entry, pose in zip(entries, poses, strict=True):
+        entry.place = pose.location_cm
+    return [*entries]
 
 
 def _location(entry: Entry) -> Vector3 | None:
@@ -156,10 +174,6 @@ def _location(entry: Entry) -> Vector3 | None:
     return None
 
 
-def _text_locations(entries: Sequence[TextEntry]) -> list[Vector3]:
-    return [_POSE_TEXT.decode(entry.transform).location_cm for entry in entries]
-
-
 def _plain_locations(entries: Sequence[Entry]) -> list[Vector3] | None:
     members = [[entry.record["transform"][name] for entry in entries] for name in _POSE]
     return members[0] if all(map(all_valid, members)) else None
@@ -167,10 +181,11 @@ def _plain_locations(entries: Sequence[Entry]) -> list[Vector3] | None:
 
 def posed_locations(entries: Sequence[Entry]) -> Sequence[Vector3 | None]:
     """The location in cm of each actor whose location, rotation and scale are all valid vectors, else None."""
-    regular: Sequence[Vector3] | None
     texts = [entry for entry in entries if isinstance(entry, TextEntry)]
+    if len(texts) == len(entries):
+        return [_location(entry) if entry.place is None else entry.place for entry in texts]
     try:
-        regular = _text_locations(texts) if len(texts) == len(entries) else _plain_locations(entries)
-    except (TypeError, KeyError, msgspec.DecodeError):
+        regular = _plain_locations(entries)
+    except (TypeError, KeyError):
         regular = None
     return list(map(_location, entries)) if regular is None else regular

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
@@ -72,20 +73,20 @@ class Kind:
 
 
 class Kinds:
-    """The kinds of a case's actors, worked out once for each combination of recorded texts."""
+    """The kinds of a case's actors, worked out once for each combination of recorded text."""
 
     def __init__(self) -> None:
-        self._known: dict[tuple[Any, ...], Kind] = {}
+        self._known: dict[Hashable, Kind] = {}
         self._numbers: dict[Descriptor, int] = {}
 
     def of(self, entry: Entry) -> Kind:
         """The kind of an actor."""
-        texts = entry.kind_texts()
-        known = None if texts is None else self._known.get(texts)
+        text = entry.kind_text()
+        known = None if text is None else self._known.get(text)
         if known is None:
             record = entry.record
             kind = descriptor(record)
             known = Kind(kind, self._numbers.setdefault(kind, len(self._numbers)), is_semantic(record))
-            if texts is not None:
-                self._known[texts] = known
+            if text is not None:
+                self._known[text] = known
         return known

@@ -17,7 +17,7 @@ import msgspec
 from c4s.errors import BadInput
 from c4s.files import digest_bytes, parse_json
 from c4s.verify.repair.actors import Scene
-from c4s.verify.repair.entries import TextEntry
+from c4s.verify.repair.entries import read_texts
 
 
 class _Document(msgspec.Struct):
@@ -54,7 +54,7 @@ def _as_text(data: bytes) -> Scene | None:
     try:
         data.decode()
         document = _DOCUMENT.decode(data)
-        return Scene(list(map(TextEntry.read, document.actors)), document.export_metadata)
+        return Scene(read_texts(document.actors), document.export_metadata)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         return None
 
