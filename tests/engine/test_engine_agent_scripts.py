@@ -12,20 +12,15 @@ import math
 import subprocess
 import sys
 from collections.abc import Callable
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 import pytest
-import trimesh
+from script_stage import SIZES_CM, make_pack, start_level
 
 from c4s.engine.headless.boot import boot
-from c4s.packs.manifest import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
 
 SCRIPTS = sorted((Path(__file__).parent / "scripts").glob("*.py"))
-SIZES_CM = {"House": (600, 500, 400), "Tree": (200, 200, 500), "Rock": (150, 120, 80), "Fence": (200, 10, 100),
-            "Bench": (160, 60, 80), "Post": (20, 20, 300)}
 CLEAN = """
 import json, sys
 from hashlib import sha256
@@ -41,57 +36,6 @@ for name in names:
         found[name] = {**export_snapshot(), "dependencies": export_dependencies()}
 out.write_text(json.dumps(found, allow_nan=False))
 """
-
-
-def make_pack(folder: Path) -> Path:
-    """A pack of boxes in the size of things, two materials, and a gate of two posts and a fence."""
-    assets = []
-    (folder / "meshes").mkdir(parents=True)
-    (folder / "textures").mkdir()
-    for name, (x, y, z) in SIZES_CM.items():
-        box = trimesh.creation.box(extents=(x / 100, z / 100, y / 100))
-        box.apply_translation((0, z / 200, 0))
-        box.export(folder / f"meshes/{name}.glb")
-        assets.append(Asset(
-            id=name.lower(), name=name, path=f"/Game/Props/SM_{name}.SM_{name}", category="props",
-            mesh=f"meshes/{name}.glb", mesh_sha256="0" * 64, bounds_min_cm=(-x / 2, -y / 2, 0),
-            bounds_max_cm=(x / 2, y / 2, z), slots=[MaterialSlot(name="Main", material="/Game/Props/M_Wood.M_Wood")],
-            collision=[BoxBody(center=(0, 0, z / 2), half_extent=(x / 2, y / 2, z / 2))]))
-    parts = [BlueprintPart(name="Left", asset="/Game/Props/SM_Post.SM_Post"),
-             BlueprintPart(name="Right", asset="/Game/Props/SM_Post.SM_Post",
-                           relative=Transform(location_cm=(220, 0, 0)))]
-    assets.append(Asset(id="gate", name="Gate", kind="blueprint", path="/Game/Props/BP_Gate.BP_Gate",
-                        category="props", bounds_min_cm=(-10, -10, 0), bounds_max_cm=(230, 10, 300), parts=parts))
-    Pack(pack_id="props", content_folder="Props", title="Props", license="CC0-1.0", assets=assets,
-         materials=[Material(path="/Game/Props/M_Wood.M_Wood", base_color=(0.4, 0.25, 0.1)),
-                    Material(path="/Game/Props/M_Stone.M_Stone", base_color=(0.5, 0.5, 0.5))]).write(
-                        folder / "pack.json")
-    return folder
-
-
-def placed(name: str, mesh: str, location=(0, 0, 0), rotation=(0, 0, 0), scale=(1, 1, 1)) -> LevelActor:
-    where = Transform(location_cm=location, rotation_deg=rotation, scale=scale)
-    return LevelActor(name=f"{name}_0", label=name, class_path="/Script/Engine.StaticMeshActor", transform=where,
-                      guid=sha256(name.encode()).hexdigest()[:32].upper(), components=[LevelComponent(
-                          name="StaticMeshComponent0", class_path="/Script/Engine.StaticMeshComponent",
-                          static_mesh=mesh)])
-
-
-def start_level(folder: Path) -> Path:
-    """The level that scripts of repair open: read-only, with things that lie, float, sink and repeat."""
-    prop = "/Game/Props/SM_{0}.SM_{0}".format
-    sun = LevelActor(name="DirectionalLight_0", label="Sun", class_path="/Script/Engine.DirectionalLight",
-                     guid="A" * 32, transform=Transform(rotation_deg=(-50, 30, 0)), components=[
-                         LevelComponent(name="LightComponent0",
-                                        class_path="/Script/Engine.DirectionalLightComponent")])
-    Level(package="/Game/Maps/Start", actors=[
-        placed("Ground", "/Engine/BasicShapes/Plane.Plane", scale=(100, 100, 1)),
-        placed("House_A", prop("House"), (0, 0, 120), (20, 35, 90)), placed("Tree_A", prop("Tree"), (900, 0, 60)),
-        placed("Tree_B", prop("Tree"), (900, 600, -80), scale=(1, 1, 3)),
-        placed("Tree_B_copy", prop("Tree"), (900, 600, -80), scale=(1, 1, 3)),
-        placed("Rock_A", prop("Rock"), (-700, 200, 250)), placed("Bench_A", prop("Bench"), (-300, -900, 0)),
-        sun]).write(folder / "start.level.json")
-    return folder / "start.level.json"
 
 
 @pytest.fixture(scope="module")
@@ -347,6 +291,50 @@ def stacked(s: Scene) -> None:
     assert tops[-1][1] == pytest.approx(50 + 100 + 80 + 50 + 50)
 
 
+def foliage(s: Scene) -> None:
+    trees, rocks = (next(part for part in s.actors[name]["c4s"]["components"] if part["mesh"])["instances"]
+                    for name in ("Foliage_Trees", "Foliage_Rocks"))
+    assert len(trees) + len(rocks) == 80 and max(t["location_cm"][2] for t in trees) > 30
+    assert all(abs(t["rotation_deg"][0]) < 1e-6 and abs(t["rotation_deg"][2]) < 1e-6 for t in trees)
+    assert any(abs(r["rotation_deg"][0]) + abs(r["rotation_deg"][2]) > 1 for r in rocks)
+
+
+def building(s: Scene) -> None:
+    assert s.near("Block_A", 2000, -500, 20) and s.turned("Block_A") == pytest.approx([0, 90, 0])
+    assert s.actors["Block_A_Bench"]["attachment_parent_label"] == "Block_A_Slab_0"
+    assert s.near("Block_A_Bench", 1800, -500, 20) and s.turned("Block_A_Bench") == pytest.approx([0, 135, 0])
+    assert s.near("Block_A_N_1_2", 1600, -100, 470) and s.near("Block_A_Lamp", 2000, -500, 280)
+    assert s.actors["Gate_Standalone"]["class"] == s.actors["Block_A_Door"]["class"] == "/Game/Props/BP_Gate.BP_Gate_C"
+    assert s.count("Block_A") == 25 + 1 and s.near("Gate_Standalone", 0, 0, 0)
+
+
+def mood(s: Scene) -> None:
+    assert s.actors["Sun"]["properties"]["temperature"] == 3200 and s.turned("Moon") == pytest.approx([-40, 60, 0])
+    assert s.actors["HeightFog"]["properties"]["fog_density"] == pytest.approx(0.035)
+    bias = [s.actors[f"PPV_{name}"]["properties"]["exposure_compensation"] for name in ("Global", "Indoor")]
+    assert bias == [-0.5, 1.0] and s.actors["PPV_Indoor"]["bounds"]["extent_cm"] == pytest.approx([300, 200, 150])
+    head = s.actors["LampHead_3"]
+    assert head["attachment_parent_label"] == "LampPost_3" and head["properties"]["light_color"][:3] == [255, 190, 110]
+    assert s.actors["Cam_Hero"]["class"] == "/Script/CinematicCamera.CineCameraActor"
+    assert s.turned("Cam_Hero")[1] == pytest.approx(math.degrees(math.atan2(1000, 1500)))
+
+
+def library(s: Scene) -> None:
+    assert s.unresolved == []
+    used = {label: actor["material_paths"] for label, actor in s.actors.items()}
+    assert used["Wall_Worn"] == ["/Game/MaterialLib/Worn/MI_BrickWorn.MI_BrickWorn"]
+    assert used["Wall_Blue"] == ["/Game/MaterialLib/MI_BrickBlue.MI_BrickBlue"] and len(used) == 5
+
+
+def edited(s: Scene) -> None:
+    assert len(s.rows) == 7 and s.actors["Tree_A"]["actor_tags"] == ["plant", "classified"]
+    assert s.turned("House_A") == pytest.approx([0, 35, 0])
+    (tall,) = {"Tree_B", "Tree_B_copy"} & set(s.actors)
+    assert s.scale(tall) == pytest.approx([3 ** (1 / 3)] * 3)
+    low = [s.actors[n]["bounds"]["origin_cm"][2] - s.actors[n]["bounds"]["extent_cm"][2] for n in ("Rock_A", "Bench_A")]
+    assert low == pytest.approx([0, 0], abs=0.01)
+
+
 OUTCOMES: dict[str, Callable[[Scene], None]] = {
     "s01_village_street": village, "s02_lighting_rig": rig, "s03_hism_forest": forest, "s04_fence_around_yard": fence,
     "s05_ground_snap": snapped, "s06_materials_and_instances": paints, "s07_organize_outliner": organized,
@@ -357,7 +345,9 @@ OUTCOMES: dict[str, Callable[[Scene], None]] = {
     "s20_mirror_copies": mirrored, "s21_asset_housekeeping": housekept, "s22_capture_pose_check": subject,
     "s23_terraces": terraces, "s24_town_from_spec": town, "s25_merge_to_hism": merged, "s26_transform_chain": clock,
     "s27_version_tolerant": probed, "s28_batch_light_edit": lamps, "s29_save_twice_extend": extended,
-    "s30_level_markup": markup, "s31_stack_by_bounds": stacked,
+    "s30_level_markup": markup, "s31_stack_by_bounds": stacked, "s32_foliage_on_hills": foliage,
+    "s33_modular_building": building, "s34_evening_mood": mood, "s35_material_library": library,
+    "s36_mass_edit": edited,
 }
 
 

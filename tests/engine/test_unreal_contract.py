@@ -27,6 +27,7 @@ BEYOND_THE_STUB = {
 
 OTHER_CONSTRUCTORS = {
     "ARFilter": "keywords only: the fields between those that exist here hold soft paths and sets, which do not",
+    "CameraFocusSettings": "keywords only: the settings of tracking, between those that exist here, do not",
     "StaticMaterial": "the first two fields: texture density and overlays do not exist here",
     "PostProcessSettings": "keywords only: the stub leaves its hundreds of fields open",
 }

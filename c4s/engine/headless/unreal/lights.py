@@ -5,13 +5,15 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.components import Bounds, PrimitiveComponent, SceneComponent
-from c4s.engine.headless.unreal.core import Prop, api, public
+from c4s.engine.headless.unreal.core import Prop, api, public, with_setters
 from c4s.engine.headless.unreal.enums import AutoExposureMethod, CollisionEnabled, ComponentMobility, LightUnits
 from c4s.engine.headless.unreal.kept import KEPT
+from c4s.engine.headless.unreal.setters import SETTERS
 from c4s.engine.headless.unreal.structs import Color, LinearColor, StructBase, Vector4
 
 
 @public
+@with_setters(SETTERS["LightComponentBase"])
 class LightComponentBase(SceneComponent):
     """What all lights have."""
 
@@ -41,6 +43,7 @@ class LightComponentBase(SceneComponent):
 
 
 @public
+@with_setters(SETTERS["LightComponent"])
 class LightComponent(LightComponentBase):
     """Directional and local lights."""
 
@@ -85,6 +88,7 @@ class LightComponent(LightComponentBase):
 
 
 @public
+@with_setters(SETTERS["DirectionalLightComponent"])
 class DirectionalLightComponent(LightComponent):
     """A sun; it shines along its +X; intensity in lux."""
 
@@ -123,6 +127,7 @@ class LocalLightComponent(LightComponent):
 
 
 @public
+@with_setters(SETTERS["PointLightComponent"])
 class PointLightComponent(LocalLightComponent):
     """A light in all directions."""
 
@@ -154,6 +159,7 @@ class SpotLightComponent(PointLightComponent):
 
 
 @public
+@with_setters(SETTERS["RectLightComponent"])
 class RectLightComponent(LocalLightComponent):
     """A shining rectangle that faces +X."""
 
@@ -172,6 +178,7 @@ class RectLightComponent(LocalLightComponent):
 
 
 @public
+@with_setters(SETTERS["SkyLightComponent"])
 class SkyLightComponent(LightComponentBase):
     """Light of the sky."""
 
@@ -196,6 +203,7 @@ class SkyLightComponent(LightComponentBase):
 
 
 @public
+@with_setters(SETTERS["ExponentialHeightFogComponent"])
 class ExponentialHeightFogComponent(SceneComponent):
     """Fog that thins out with height."""
 
@@ -239,6 +247,7 @@ class ExponentialHeightFogComponent(SceneComponent):
 
 
 @public
+@with_setters(SETTERS["SkyAtmosphereComponent"])
 class SkyAtmosphereComponent(SceneComponent):
     """The air."""
 
@@ -278,6 +287,7 @@ class PostProcessSettings(StructBase):
 
 
 @public
+@with_setters(SETTERS["CameraComponent"])
 class CameraComponent(SceneComponent):
     """A camera; ``field_of_view`` is horizontal, in degrees."""
 

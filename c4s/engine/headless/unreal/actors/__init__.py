@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.actors.base import Actor, Info, Parts
-from c4s.engine.headless.unreal.actors.cameras import CameraActor
+from c4s.engine.headless.unreal.actors.cameras import CameraActor, CineCameraActor
 from c4s.engine.headless.unreal.actors.lighting import (
     DirectionalLight,
     ExponentialHeightFog,
@@ -25,7 +25,7 @@ from c4s.engine.headless.unreal.actors.volumes import (
 )
 
 __all__ = [
-    "Actor", "BlockingVolume", "CameraActor", "DirectionalLight", "ExponentialHeightFog", "Info", "Light",
-    "NavMeshBoundsVolume", "Parts", "PlayerStart", "PointLight", "PostProcessVolume", "RectLight", "SkyAtmosphere",
-    "SkyLight", "SpotLight", "StaticMeshActor", "TriggerVolume", "Volume",
+    "Actor", "BlockingVolume", "CameraActor", "CineCameraActor", "DirectionalLight", "ExponentialHeightFog",
+    "Info", "Light", "NavMeshBoundsVolume", "Parts", "PlayerStart", "PointLight", "PostProcessVolume",
+    "RectLight", "SkyAtmosphere", "SkyLight", "SpotLight", "StaticMeshActor", "TriggerVolume", "Volume",
 ]

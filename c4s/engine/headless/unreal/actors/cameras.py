@@ -7,10 +7,11 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.engine.headless.unreal.actors.base import Actor
+from c4s.engine.headless.unreal.cine import CineCameraComponent
 from c4s.engine.headless.unreal.components import (
     SceneComponent,
 )
-from c4s.engine.headless.unreal.core import Prop, public
+from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.lights import (
     CameraComponent,
 )
@@ -25,3 +26,18 @@ class CameraActor(Actor):
 
     def _get_camera(self) -> Any:
         return next(c for c in self._components if isinstance(c, CameraComponent))
+
+
+@public
+class CineCameraActor(CameraActor):
+    """A film camera."""
+
+    _class_module = "CinematicCamera"
+    _parts = (("SceneComponent", SceneComponent), ("CameraComponent", CineCameraComponent))
+
+    @api
+    def get_cine_camera_component(self) -> CineCameraComponent:
+        """Its camera."""
+        found = self._get_camera()
+        assert isinstance(found, CineCameraComponent)
+        return found

@@ -53,3 +53,8 @@ class NavMeshBoundsVolume(Volume):
     """The region in which paths are found."""
 
     _class_module = "NavigationSystem"
+
+
+@public
+class LightmassImportanceVolume(Volume):
+    """Where baked light matters; none is baked here."""

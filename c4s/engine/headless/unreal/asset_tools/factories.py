@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.asset_tools import operations
 from c4s.engine.headless.unreal.asset_tools.paths import new_object_path
 from c4s.engine.headless.unreal.assets import (
     AssetObject,
@@ -16,6 +17,7 @@ from c4s.engine.headless.unreal.assets import (
 )
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, as_class, public
+from c4s.engine.headless.unreal.structs import StructBase
 from c4s.packs import manifest
 
 
@@ -53,6 +55,14 @@ class AssetImportTask(Object):
 
 
 @public
+class AssetRenameData(StructBase):
+    """An asset and where it is to go."""
+
+    _fields = {"asset": Prop("Object | None", None), "new_package_path": Prop("str", ""),
+               "new_name": Prop("str", "")}
+
+
+@public
 class AssetTools(Object):
     """Makes assets."""
 
@@ -82,6 +92,28 @@ class AssetTools(Object):
         """Refused: a case offers the assets of its packs only."""
         for task in import_tasks:
             world().log.error(f"ImportAssetTasks: importing '{task.filename}' is refused by the headless engine")
+
+
+    @api
+    def duplicate_asset(self, asset_name: str, package_path: str, original_object: Object) -> Any:
+        """Copy an asset into a folder; None when refused."""
+        return operations.duplicate_loaded_asset(original_object, f"{str(package_path).rstrip('/')}/{asset_name}")
+
+    @api
+    def rename_assets(self, assets_and_names: Sequence[AssetRenameData]) -> bool:
+        """Move assets; False when one is refused."""
+        moved = [operations.rename_loaded_asset(each.asset, f"{each.new_package_path.rstrip('/')}/{each.new_name}")
+                 for each in assets_and_names if each.asset is not None]
+        return len(moved) == len(assets_and_names) and False not in moved
+
+    @api
+    def create_unique_asset_name(self, base_package_name: str, suffix: str) -> tuple[str, str]:
+        """A free package name that begins so, and its asset name: a number is added until it is free."""
+        wanted = stem = f"{base_package_name}{suffix}"
+        serial = 1
+        while operations.does_asset_exist(wanted):
+            wanted, serial = f"{stem}{serial}", serial + 1
+        return wanted, wanted.rsplit("/", 1)[-1]
 
 
 @public

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.asset_tools.registry import AssetData
 from c4s.engine.headless.unreal.assets import (
     SCALAR_PARAMETERS,
     VECTOR_FIELDS,
@@ -17,7 +18,7 @@ from c4s.engine.headless.unreal.assets import (
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, api, as_class, public
 from c4s.engine.headless.unreal.enums import MaterialParameterAssociation, MaterialProperty
-from c4s.engine.headless.unreal.expressions import SURFACE_FIELDS, MaterialExpression, recompile
+from c4s.engine.headless.unreal.expressions import SURFACE_FIELDS, MaterialExpression, links, recompile
 from c4s.engine.headless.unreal.structs import LinearColor
 
 _GLOBAL = MaterialParameterAssociation.GLOBAL_PARAMETER
@@ -88,14 +89,14 @@ class MaterialEditingLibrary(Object):
     def get_vector_parameter_names(cls, material: MaterialInterface) -> Array:
         """Vector parameters of a material: the surface's colours."""
         own = [n for n, field in material._named().items() if field in VECTOR_FIELDS]
-        return Array._of("Name", [Name(n) for n in (*own, *VECTOR_PARAMETERS)])
+        return Array._of("Name", [Name(n) for n in dict.fromkeys((*own, *VECTOR_PARAMETERS))])
 
     @classmethod
     @api
     def get_scalar_parameter_names(cls, material: MaterialInterface) -> Array:
         """Scalar parameters of a material: the surface's factors."""
         own = [n for n, field in material._named().items() if field not in VECTOR_FIELDS]
-        return Array._of("Name", [Name(n) for n in (*own, *SCALAR_PARAMETERS)])
+        return Array._of("Name", [Name(n) for n in dict.fromkeys((*own, *SCALAR_PARAMETERS))])
 
     @classmethod
     @api
@@ -123,9 +124,109 @@ class MaterialEditingLibrary(Object):
         material, field = from_expression._outer, SURFACE_FIELDS.get(property_.name)
         if field is None or not isinstance(material, Material):
             return False
-        material._links = {**getattr(material, "_links", {}), field: from_expression}
+        links(material)[field] = (from_expression, from_output_name)
         recompile(material)
         return True
+
+    @classmethod
+    @api
+    def connect_material_expressions(cls, from_expression: MaterialExpression, from_output_name: str,
+                                     to_expression: MaterialExpression, to_input_name: str) -> bool:
+        """Let an expression feed an input of another (its first for an empty name); False for a wrong one, a circle."""
+        names = {name.casefold(): name for name in to_expression._inputs}
+        wanted = names.get(to_input_name.casefold()) if to_input_name else next(iter(to_expression._inputs), None)
+        if wanted is None or from_expression._outer is not to_expression._outer \
+                or to_expression in from_expression._sources():
+            return False
+        to_expression._wires[wanted] = (from_expression, from_output_name)
+        return True
+
+    @classmethod
+    @api
+    def get_num_material_expressions(cls, material: Material) -> int:
+        """Number of expressions."""
+        return len(material._expressions)
+
+    @classmethod
+    @api
+    def layout_material_expressions(cls, material: Material) -> None:
+        """Nothing is drawn here, so nothing is put in order."""
+
+    @classmethod
+    @api
+    def delete_material_expression(cls, material: Material, expression: MaterialExpression) -> None:
+        """Take an expression away, and what it feeds."""
+        material._expressions = [each for each in material._expressions if each is not expression]
+        for each in material._expressions:
+            each._wires = {name: wire for name, wire in each._wires.items() if wire[0] is not expression}
+        for field in [field for field, wire in links(material).items() if wire[0] is expression]:
+            del links(material)[field]
+
+    @classmethod
+    @api
+    def delete_all_material_expressions(cls, material: Material) -> None:
+        """Take all expressions away."""
+        material._expressions = []
+        links(material).clear()
+
+    @classmethod
+    @api
+    def get_material_default_vector_parameter_value(cls, material: Material, parameter_name: Name | str
+                                                    ) -> LinearColor:
+        """Value of a vector parameter in the material itself."""
+        field = material._field(parameter_name, True)
+        r, g, b = getattr(material._surface(), field) if field else (0.0, 0.0, 0.0)
+        return LinearColor(r, g, b, 1.0) if field else LinearColor()
+
+    @classmethod
+    @api
+    def get_material_default_scalar_parameter_value(cls, material: Material, parameter_name: Name | str) -> float:
+        """Value of a scalar parameter in the material itself."""
+        field = material._field(parameter_name, False)
+        return float(getattr(material._surface(), field)) if field else 0.0
+
+    @classmethod
+    @api
+    def get_material_default_texture_parameter_value(cls, material: Material, parameter_name: Name | str
+                                                     ) -> Texture | None:
+        """None: materials here have no texture parameters."""
+        return None
+
+    @classmethod
+    @api
+    def get_material_instance_texture_parameter_value(cls, instance: MaterialInstanceConstant,
+                                                      parameter_name: Name | str,
+                                                      association: MaterialParameterAssociation = _GLOBAL
+                                                      ) -> Texture | None:
+        """None: materials here have no texture parameters."""
+        return None
+
+    @classmethod
+    @api
+    def get_static_switch_parameter_names(cls, material: MaterialInterface) -> Array:
+        """None: materials here have no switches."""
+        return Array._of("Name", [])
+
+    @classmethod
+    @api
+    def get_used_textures(cls, material: Material) -> Array:
+        """None: a texture is no asset of its own here."""
+        return Array._of("Texture", [])
+
+    @classmethod
+    @api
+    def clear_all_material_instance_parameters(cls, instance: MaterialInstanceConstant) -> None:
+        """Take all of an instance's own values away."""
+        if instance._created:
+            instance._vectors, instance._scalars, instance._dirty = {}, {}, True
+
+    @classmethod
+    @api
+    def get_child_instances(cls, parent: MaterialInterface) -> Array:
+        """Asset data of the instances whose parent this is."""
+        return Array._of("AssetData", [
+            AssetData._for(asset._path(), asset._class_path()) for asset in world().assets()
+            if isinstance(asset, MaterialInstanceConstant) and asset._parent() is parent])
 
     @classmethod
     @api

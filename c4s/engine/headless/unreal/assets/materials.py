@@ -90,6 +90,11 @@ class Texture(AssetObject):
     """Base of textures. None is an asset of its own here: a texture belongs to its material."""
 
 
+@public
+class Texture2D(Texture):
+    """A picture."""
+
+
 class _Overriding(MaterialInterface):
     """A material given by a parent and parameter values."""
 

@@ -8,9 +8,10 @@ from c4s.engine.headless.unreal.assets import MaterialInstanceDynamic, MaterialI
 from c4s.engine.headless.unreal.components.frames import Bounds
 from c4s.engine.headless.unreal.components.primitive import PrimitiveComponent
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import Object, Prop, api, public
+from c4s.engine.headless.unreal.core import Object, Prop, api, public, with_setters
 from c4s.engine.headless.unreal.kept import KEPT
-from c4s.engine.headless.unreal.structs import Vector
+from c4s.engine.headless.unreal.setters import SETTERS
+from c4s.engine.headless.unreal.structs import LinearColor, Vector
 
 
 @public
@@ -112,6 +113,34 @@ class MeshComponent(PrimitiveComponent):
         self.set_material(element_index, made)
         return made
 
+    def _dynamic_instances(self) -> list[MaterialInstanceDynamic]:
+        """The dynamic instance on each slot that has a material; made where there is none."""
+        found = []
+        for index in range(self._slot_count()):
+            used = self._material(index)
+            made = used if isinstance(used, MaterialInstanceDynamic) else self.create_dynamic_material_instance(index)
+            found += [made] if made is not None else []
+        return found
+
+    @api
+    def set_vector_parameter_value_on_materials(self, parameter_name: Name | str, parameter_value: Vector) -> None:
+        """Set a vector parameter on all slots, by dynamic instances of their materials."""
+        value = LinearColor(parameter_value.x, parameter_value.y, parameter_value.z, 1.0)
+        for material in self._dynamic_instances():
+            material._set_vector(parameter_name, value)
+
+    @api
+    def set_color_parameter_value_on_materials(self, parameter_name: Name | str, parameter_value: LinearColor) -> None:
+        """Set a colour parameter on all slots, by dynamic instances of their materials."""
+        for material in self._dynamic_instances():
+            material._set_vector(parameter_name, parameter_value)
+
+    @api
+    def set_scalar_parameter_value_on_materials(self, parameter_name: Name | str, parameter_value: float) -> None:
+        """Set a scalar parameter on all slots, by dynamic instances of their materials."""
+        for material in self._dynamic_instances():
+            material._set_scalar(parameter_name, parameter_value)
+
     @api
     def create_and_set_material_instance_dynamic(self, element_index: int) -> MaterialInstanceDynamic | None:
         """Put a dynamic instance of the slot's material on it."""
@@ -119,6 +148,7 @@ class MeshComponent(PrimitiveComponent):
 
 
 @public
+@with_setters(SETTERS["StaticMeshComponent"])
 class StaticMeshComponent(MeshComponent):
     """Shows a static mesh."""
 

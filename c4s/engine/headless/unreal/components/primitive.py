@@ -4,12 +4,14 @@
 
 from __future__ import annotations
 
-from c4s.engine.headless.unreal.core import Prop, api, public
+from c4s.engine.headless.unreal.core import Prop, api, public, with_setters
 from c4s.engine.headless.unreal.kept import KEPT
+from c4s.engine.headless.unreal.setters import SETTERS
 from c4s.engine.headless.unreal.traces.own import ComponentQueries
 
 
 @public
+@with_setters(SETTERS["PrimitiveComponent"])
 class PrimitiveComponent(ComponentQueries):
     """A component with geometry: bounds, collision and materials."""
 

@@ -10,8 +10,9 @@ from c4s.engine.headless.unreal.core.checks import TYPES, api, camel, deprecated
 from c4s.engine.headless.unreal.core.enumeration import EnumBase
 from c4s.engine.headless.unreal.core.objects import Class, Object, Package, as_class, subclass_of
 from c4s.engine.headless.unreal.core.properties import ObjectBase, Prop, converted, copied
+from c4s.engine.headless.unreal.core.setters import with_setters
 
 __all__ = [
     "TYPES", "Class", "EnumBase", "Object", "ObjectBase", "Package", "Prop", "api", "as_class", "camel", "converted",
-    "copied", "deprecated", "fits", "need", "public", "subclass_of",
+    "copied", "deprecated", "fits", "need", "public", "subclass_of", "with_setters",
 ]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import MaterialInterface, StaticMesh
 from c4s.engine.headless.unreal.components import MeshComponent, StaticMeshComponent
-from c4s.engine.headless.unreal.core import api, public
+from c4s.engine.headless.unreal.core import Object, api, deprecated, public
 from c4s.engine.headless.unreal.enums import CollisionTraceFlag
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
 from c4s.engine.headless.unreal.subsystems.replacing import parts_of, replace_materials, replace_meshes
@@ -23,12 +23,12 @@ class StaticMeshEditorSubsystem(EditorSubsystem):
     @api
     def get_simple_collision_count(self, static_mesh: StaticMesh) -> int:
         """Number of boxes, spheres and capsules."""
-        return sum(not isinstance(b, HullBody) for b in static_mesh._asset.collision)
+        return _counts(static_mesh)[0]
 
     @api
     def get_convex_collision_count(self, static_mesh: StaticMesh) -> int:
         """Number of convex hulls."""
-        return sum(isinstance(b, HullBody) for b in static_mesh._asset.collision)
+        return _counts(static_mesh)[1]
 
     @api
     def get_collision_complexity(self, static_mesh: StaticMesh) -> CollisionTraceFlag:
@@ -76,3 +76,62 @@ class StaticMeshEditorSubsystem(EditorSubsystem):
                                                     new_material: MaterialInterface | None) -> None:
         """Use another material where actors use one (or any, without one)."""
         replace_materials(parts_of(actors), material_to_be_replaced, new_material)
+
+
+_OLD = "The Editor Scripting Utilities Plugin is deprecated - Use the function in Static Mesh Editor Subsystem"
+
+
+def _counts(static_mesh: StaticMesh) -> tuple[int, int]:
+    """Simple bodies and convex hulls."""
+    hulls = sum(isinstance(body, HullBody) for body in static_mesh._asset.collision)
+    return len(static_mesh._asset.collision) - hulls, hulls
+
+
+@public
+class EditorStaticMeshLibrary(Object):
+    """The older home of the subsystem's functions."""
+
+    _class_module = "EditorScriptingUtilities"
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def get_simple_collision_count(cls, static_mesh: StaticMesh) -> int:
+        """Number of boxes, spheres and capsules."""
+        return _counts(static_mesh)[0]
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def get_convex_collision_count(cls, static_mesh: StaticMesh) -> int:
+        """Number of convex hulls."""
+        return _counts(static_mesh)[1]
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def get_collision_complexity(cls, static_mesh: StaticMesh) -> CollisionTraceFlag:
+        """Which geometry collides."""
+        return CollisionTraceFlag.CTF_USE_DEFAULT
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def get_number_verts(cls, static_mesh: StaticMesh, lod_index: int) -> int:
+        """Number of vertices."""
+        mesh = static_mesh._geometry()
+        return len(mesh.vertices) if mesh is not None else 0
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def get_number_materials(cls, static_mesh: StaticMesh) -> int:
+        """Number of slots."""
+        return len(static_mesh._asset.slots)
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def get_lod_count(cls, static_mesh: StaticMesh) -> int:
+        """Always one level of detail."""
+        return 1
