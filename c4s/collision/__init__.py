@@ -1,7 +1,7 @@
 """Contacts and penetration depths from the collision bodies that a snapshot carries."""
 
-from c4s.collision.contacts import Contact, contacts, scene_contacts
+from c4s.collision.contacts import Contact, ContactRule, contacts, scene_contacts
 from c4s.collision.depth import NOISE_CM
 from c4s.collision.scene import SceneBodies, scene_bodies
 
-__all__ = ["NOISE_CM", "Contact", "SceneBodies", "contacts", "scene_bodies", "scene_contacts"]
+__all__ = ["NOISE_CM", "Contact", "ContactRule", "SceneBodies", "contacts", "scene_bodies", "scene_contacts"]

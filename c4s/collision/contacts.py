@@ -7,7 +7,9 @@ is what an engine with separate shapes reports.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,12 +20,15 @@ from c4s.collision.depth import BodyTable, DepthMeter, Pairs
 from c4s.collision.mesh_body import Array
 from c4s.collision.scene import SceneBodies, scene_bodies
 
-__all__ = ["Contact", "DepthMeter", "contacts", "scene_contacts"]
+__all__ = ["Contact", "ContactRule", "DepthMeter", "contacts", "scene_contacts"]
 
 CHUNK = 1024
 """Bodies that are searched for partners at a time: bounds the memory of a crowded scene."""
-MOST_PAIRS = 100_000
-"""Pairs from which on those found so far are measured: bounds the memory too."""
+MOST_PAIRS = 20_000
+"""Pairs that are measured at a time: bounds the memory too."""
+ENOUGH = 24
+"""Contacts beyond its limit that settle an actor: two settled actors are not measured against each other. Thousands of
+actors at one point (a spawn loop gone wrong) would have millions of contacts."""
 
 
 class Contact(NamedTuple):
@@ -40,6 +45,28 @@ class Contact(NamedTuple):
     b_index: int = -1
 
 
+@dataclass(frozen=True)
+class ContactRule:
+    """What counts as a contact, by position of the actors (arrays of one length)."""
+
+    limits_cm: Array
+    """Depth in cm from which on a contact settles an actor."""
+    solid: NDArray[np.bool_]
+    """False for actors that nothing bumps into."""
+    group: Pairs
+    """Actors of one group (not negative) do not count against each other."""
+
+    @classmethod
+    def everything(cls, actors: int) -> ContactRule:
+        """All contacts count, and none settles anything."""
+        return cls(np.full(actors, math.inf), np.ones(actors, dtype=bool), np.full(actors, -1))
+
+    def wanted(self, a: Pairs, b: Pairs, beyond: Pairs) -> NDArray[np.bool_]:
+        """Which pairs of actors to measure, given how many contacts beyond its limit each actor has so far."""
+        counts = self.solid[a] & self.solid[b] & ((self.group[a] < 0) | (self.group[a] != self.group[b]))
+        return np.asarray(counts & ((beyond[a] < ENOUGH) | (beyond[b] < ENOUGH)))
+
+
 def contacts(snapshot: Mapping[str, Any], *, minimum_depth_cm: float = 0.0,
              actors: Collection[str] | None = None) -> list[Contact]:
     """Contacts deeper than ``minimum_depth_cm``, in snapshot order; ``actors``: only those of these object names."""
@@ -48,21 +75,31 @@ def contacts(snapshot: Mapping[str, Any], *, minimum_depth_cm: float = 0.0,
 
 
 def scene_contacts(snapshot: Mapping[str, Any], scene: SceneBodies, *, minimum_depth_cm: float = 0.0,
-                   actors: Collection[int] | None = None) -> list[Contact]:
+                   actors: Collection[int] | None = None, rule: ContactRule | None = None) -> list[Contact]:
     """``contacts`` for bodies that are already placed; ``actors``: only those at these positions.
 
     Two actors have one contact, of their deepest trusted pair of bodies; and a second one when a pair that is not
     trusted may be deeper.
+
+    ``rule``: what counts. Without it every contact is found; with it those that do not count are left out, and those
+    between two actors that both have ``ENOUGH`` trusted ones beyond their limits.
     """
     names = _names(snapshot)
     table = BodyTable(scene.bodies)
     owners = np.array(scene.owners, dtype=np.int64)
+    rule = rule or ContactRule.everything(len(names))
+    beyond = np.zeros(len(names), dtype=np.int64)
     parts = []
     for i, j, push_out in _candidates(table, owners, minimum_depth_cm, actors):
+        wanted = rule.wanted(owners[i], owners[j], beyond)
+        i, j, push_out = i[wanted], j[wanted], push_out[wanted]
         depth, trusted = table.depths(i, j, push_out, minimum_depth_cm)
         hit = np.flatnonzero(depth > 0)
-        parts.append(_deepest(np.minimum(owners[i[hit]], owners[j[hit]]), np.maximum(owners[i[hit]], owners[j[hit]]),
-                              depth[hit], trusted[hit]))
+        part = _deepest(np.minimum(owners[i[hit]], owners[j[hit]]), np.maximum(owners[i[hit]], owners[j[hit]]),
+                        depth[hit], trusted[hit])
+        parts.append(part)
+        for side in part[:2]:
+            beyond += np.bincount(side[part[3] & (part[2] > rule.limits_cm[side])], minlength=len(beyond))
     if not parts:
         return []
     a, b, depth, trusted = _deepest(*(np.concatenate(column) for column in zip(*parts, strict=True)))
@@ -99,7 +136,9 @@ def _candidates(table: BodyTable, owners: Pairs, minimum_depth_cm: float, actors
     chosen = None if actors is None else np.isin(owners, np.fromiter(actors, dtype=np.int64, count=len(actors)))
     boxes = shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1])
     tree = shapely.STRtree(boxes)
-    searching = np.arange(len(boxes)) if chosen is None else np.flatnonzero(chosen)
+    searching = np.argsort(table.rank)
+    if chosen is not None:
+        searching = searching[chosen[searching]]
     found: list[tuple[Pairs, Pairs, Array]] = []
     for start in range(0, len(searching), CHUNK):
         part = searching[start:start + CHUNK]
@@ -112,12 +151,14 @@ def _candidates(table: BodyTable, owners: Pairs, minimum_depth_cm: float, actors
         keep = push_out > minimum_depth_cm
         found.append((i[keep], j[keep], push_out[keep]))
         if sum(len(pairs) for pairs, _, _ in found) > MOST_PAIRS:
-            yield _joined(found)
+            yield from _portions(found)
             found = []
     if found:
-        yield _joined(found)
+        yield from _portions(found)
 
 
-def _joined(found: list[tuple[Pairs, Pairs, Array]]) -> tuple[Pairs, Pairs, Array]:
+def _portions(found: Sequence[tuple[Pairs, Pairs, Array]]) -> Iterator[tuple[Pairs, Pairs, Array]]:
     i, j, push_out = (np.concatenate(column) for column in zip(*found, strict=True))
-    return i, j, push_out
+    for start in range(0, len(i), MOST_PAIRS):
+        part = slice(start, start + MOST_PAIRS)
+        yield i[part], j[part], push_out[part]

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from c4s.collision import NOISE_CM, Contact, SceneBodies
+from c4s.collision import NOISE_CM, Contact, ContactRule, SceneBodies
 from c4s.score.policy import FIXED_TOLERANCE_CM, MAXIMUM_TOLERANCE_CM, SHORTEST_SPAN_CM, TOLERANCE_SHARE
 from c4s.verify.roles import Role, bounds_of
 
@@ -49,8 +49,30 @@ def adaptive_tolerance_cm(extent: Sequence[float]) -> float:
     return min(max(FIXED_TOLERANCE_CM, TOLERANCE_SHARE * shortest), MAXIMUM_TOLERANCE_CM)
 
 
+def tolerances_cm(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], scored: Iterable[int], *,
+                  adaptive: bool) -> dict[int, float]:
+    """Tolerance of each scored solid with a valid box: by size (text-to-scene), or 5 cm for all."""
+    boxes = {i: bounds_of(actors[i]) for i in scored if role[i] == "scored_solid"}
+    return {i: adaptive_tolerance_cm(box[1].tolist()) if adaptive else FIXED_TOLERANCE_CM
+            for i, box in boxes.items() if box is not None}
+
+
+def contact_rule(actors: Sequence[Mapping[str, Any]], role: Sequence[Role],
+                 tolerances: Mapping[int, float]) -> ContactRule:
+    """Contacts that can count: between solids of different logical objects, judged by the tolerances (cm)."""
+    rule = ContactRule.everything(len(actors))
+    logical: dict[str, int] = {}
+    for index, actor in enumerate(actors):
+        rule.solid[index] = role[index] != "non_solid"
+        if name := actor.get("logical_object_id"):
+            rule.group[index] = logical.setdefault(repr(name), len(logical))
+    for index, tolerance in tolerances.items():
+        rule.limits_cm[index] = tolerance + NOISE_CM
+    return rule
+
+
 def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found: Iterable[Contact],
-                scene: SceneBodies, *, scored: Iterable[int], adaptive: bool) -> Penetration:
+                scene: SceneBodies, *, scored: Iterable[int], tolerances: Mapping[int, float]) -> Penetration:
     """Judge the scored solids among ``scored``.
 
     Args:
@@ -60,12 +82,10 @@ def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found
         scene: bodies, for which actors are unresolved.
         scored: positions of the population. Its ``scored_solid`` members are judged; those whose role is not known are
             unresolved.
-        adaptive: tolerance by size (text-to-scene) or 5 cm for all.
+        tolerances: see ``tolerances_cm``.
     """
     targets = [i for i in scored if role[i] == "scored_solid"]
     boxes = {i: bounds_of(actor) for i, actor in enumerate(actors)}
-    tolerances = {i: adaptive_tolerance_cm(box[1].tolist()) if adaptive else FIXED_TOLERANCE_CM
-                  for i in targets if (box := boxes[i]) is not None}
     touching: dict[int, list[tuple[int, float, bool]]] = {i: [] for i in targets}
     for contact in found:
         a, b = contact.a_index, contact.b_index
@@ -75,8 +95,8 @@ def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found
         for mine, other in ((a, b), (b, a)):
             if mine in touching:
                 touching[mine].append((other, contact.depth_cm, contact.trusted))
-    result = Penetration([], [], {i: "no valid world box" for i in scored if role[i] == "unresolved"}, tolerances,
-                         touching)
+    result = Penetration([], [], {i: "no valid world box" for i in scored if role[i] == "unresolved"},
+                         dict(tolerances), touching)
     held: list[int] = []
     for index in targets:
         touching[index].sort(key=lambda contact: (-contact[1], not contact[2]))

@@ -22,13 +22,15 @@ from c4s.score.policy import (
     T2S_FLOATING_METRIC,
 )
 from c4s.verify.edited import edited_actors
-from c4s.verify.penetration import Penetration, penetration
+from c4s.verify.penetration import Penetration, contact_rule, penetration, tolerances_cm
 from c4s.verify.roles import Role, bounds_of, needs_no_support, roles
 from c4s.verify.support import Support, edited_support, excluded_by_label, text_to_scene_support
 from c4s.verify.support_advisories import support_advisories
 from c4s.verify.verdict import Verdict
 
 Leaf = dict[str, Any]
+MOST_LISTED = 20
+"""Contacts of one actor that a verdict lists."""
 
 
 def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any] | None = None, *,
@@ -59,9 +61,11 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
         floating = _edited_floating(actors, role, scene, chosen)
     if contacts is not None:
         scene = SceneBodies(scene.bodies, scene.owners, {})
+    tolerances = tolerances_cm(actors, role, chosen, adaptive=whole)
     found = list(contacts) if contacts is not None else scene_contacts(
-        snapshot, scene, minimum_depth_cm=FIXED_TOLERANCE_CM, actors=None if whole else chosen)
-    judged = penetration(actors, role, found, scene, scored=chosen, adaptive=whole)
+        snapshot, scene, minimum_depth_cm=FIXED_TOLERANCE_CM, actors=None if whole else chosen,
+        rule=contact_rule(actors, role, tolerances))
+    judged = penetration(actors, role, found, scene, scored=chosen, tolerances=tolerances)
     solid = _penetration_leaf(actors, chosen, judged)
     leaves = {"leaf_results": [floating, solid],
               "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"}}
@@ -166,17 +170,19 @@ def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int]
         "solid_penetration", status, score, "higher_is_better", metric=PENETRATION_METRIC, evaluated=evaluated,
         unresolved=len(judged.unresolved), failed=len(judged.violators),
         violations=[{"actor": _name(actors[i]), "tolerance_cm": judged.tolerances_cm[i],
-                     "contacts": _contact_rows(actors, deep)}
+                     **_contact_rows(actors, deep)}
                     for i in judged.tolerances_cm if (deep := judged.deep(i))],
         unresolved_actors=[_name(actors[i]) for i in judged.unresolved], measured_beyond_cm=FIXED_TOLERANCE_CM,
         actors=[{"actor": _name(actors[i]), "state": state[i], "tolerance_cm": judged.tolerances_cm.get(i),
-                 "contacts": _contact_rows(actors, judged.contacts.get(i, [])),
+                 **_contact_rows(actors, judged.contacts.get(i, [])),
                  **({"reason": judged.unresolved[i]} if i in judged.unresolved else {})} for i in sorted(state)])
 
 
-def _contact_rows(actors: Sequence[Mapping[str, Any]], rows: Sequence[tuple[int, float, bool]]) -> list[dict[str, Any]]:
-    return [{"actor": _name(actors[other]), "depth_cm": round(depth, 4), "trusted": trusted}
-            for other, depth, trusted in rows]
+def _contact_rows(actors: Sequence[Mapping[str, Any]], rows: Sequence[tuple[int, float, bool]]) -> dict[str, Any]:
+    """The deepest contacts of an actor, and their number where more were found."""
+    listed = [{"actor": _name(actors[other]), "depth_cm": round(depth, 4), "trusted": trusted}
+              for other, depth, trusted in rows[:MOST_LISTED]]
+    return {"contacts": listed} if len(rows) <= MOST_LISTED else {"contacts": listed, "contacts_found": len(rows)}
 
 
 def _support_oddities(snapshot: Mapping[str, Any], actors: Sequence[Mapping[str, Any]],
