@@ -171,6 +171,20 @@ make_reader: Callable[[], Reader] = Reader
 """What reads the level, one an export; an engine may put a reader of its own here."""
 
 
+def _unknown() -> None:
+    return None
+
+
+revision: Callable[[], int | None] = _unknown
+"""Which state the level is in: a number that another state never has, or None where the engine cannot tell."""
+
+
+def export_if_changed(known: int | None = None) -> dict[str, Any]:
+    """``{"revision", "snapshot"}``: the level's state, and its snapshot; no snapshot when ``known`` is that state."""
+    now = revision()
+    return {"revision": now, "snapshot": None if now is not None and now == known else export_snapshot()}
+
+
 def export_snapshot() -> dict[str, Any]:
     """The open level as a snapshot."""
     meshes: dict[str, Any] = {}

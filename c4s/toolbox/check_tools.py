@@ -13,13 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from c4s.collision import contacts, scene_bodies
+from c4s.collision import scene_contacts
 from c4s.score.policy import GAP_CM
 from c4s.toolbox.gaps import gaps_below
 from c4s.toolbox.pictures import read_picture, within_limit
 from c4s.toolbox.tool import Arguments, Tool, ToolRefused, ToolResult, names, number, text
 from c4s.toolbox.workbench import Workbench
-from c4s.verify.physics import verify_physics
 from c4s.verify.roles import bounds_of, roles
 from c4s.verify.support import excluded_by_name
 
@@ -74,10 +73,9 @@ def _chosen(actors: Sequence[Mapping[str, Any]], wanted: Sequence[str] | None) -
 
 
 def _measure(bench: Workbench, _: Arguments) -> ToolResult:
-    snapshot = bench.snapshot()
-    actors = snapshot["actors"]
-    verdict = verify_physics(bench.case.setting, snapshot, {"actors": []})
-    floating, solid = verdict.measurements["leaf_results"]
+    scene = bench.measured()
+    actors = scene.actors
+    floating, solid = scene.physics.measurements["leaf_results"]
     by_name = {actor.get("name"): _label(actor) for actor in actors}
     role = roles(actors)
     boxes = [box for i, actor in enumerate(actors)
@@ -101,15 +99,13 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
 
 def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
     threshold = float(arguments.get("threshold_cm", GAP_CM))
-    snapshot = bench.snapshot()
-    actors = snapshot["actors"]
+    scene = bench.measured()
+    actors = scene.actors
     chosen = _chosen(actors, arguments.get("actor_names"))
-    scene = scene_bodies(snapshot)
-    gaps = gaps_below(snapshot, scene, set(chosen), ground_plane=bench.case.setting == "text-to-scene")
+    gaps = gaps_below(scene.snapshot, scene.bodies, set(chosen), ground_plane=bench.case.setting == "text-to-scene")
     floating = [{**_label(actors[i]), "gap_cm": None if gaps[i] is None else round(gaps[i] or 0.0, 2)}
                 for i in chosen if i in gaps and (gaps[i] is None or (gaps[i] or 0.0) > threshold)]
-    leaf = verify_physics(bench.case.setting, snapshot, {"actors": []}).measurements["leaf_results"][0]
-    counted = set(leaf["floating_actors"])
+    counted = scene.scored_as_floating
     return ToolResult({"count": len(floating), "checked": sum(i in gaps for i in chosen),
                        "threshold_cm": threshold,
                        **_listed(floating=floating,
@@ -120,13 +116,13 @@ def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 def _check_collisions(bench: Workbench, arguments: Arguments) -> ToolResult:
     tolerance = float(arguments.get("touch_tolerance_cm", TOUCH_TOLERANCE_CM))
-    snapshot = bench.snapshot()
-    actors = snapshot["actors"]
+    scene = bench.measured()
+    actors = scene.actors
     wanted = arguments.get("actor_names")
-    chosen = None if wanted is None else {str(actors[i].get("name")) for i in _chosen(actors, wanted)}
+    chosen = None if wanted is None else _chosen(actors, wanted)
     found = [{"a": _label(actors[contact.a_index]), "b": _label(actors[contact.b_index]),
               "depth_cm": round(contact.depth_cm, 2), "trusted": contact.trusted}
-             for contact in contacts(snapshot, minimum_depth_cm=tolerance, actors=chosen)]
+             for contact in scene_contacts(scene.snapshot, scene.bodies, minimum_depth_cm=tolerance, actors=chosen)]
     return ToolResult({"count": len(found), "touch_tolerance_cm": tolerance, **_listed(pairs=found)})
 
 

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 from c4s.case.package import AgentCase
 from c4s.engine.session import EngineCallError
 from c4s.toolbox.catalog import CaseCatalog
+from c4s.toolbox.measured import MeasuredScene
 from c4s.toolbox.tool import ToolRefused
 
 ENGINE_TIMEOUT_S = 60.0
@@ -62,6 +63,8 @@ class Workbench:
         self._pictures = 0
         self.ran_script = False
         """Whether agent code has run inside the engine."""
+        self._measured: tuple[int | None, MeasuredScene] | None = None
+        """The last measured scene, and which state of the level it was."""
         self.given: list[str] = list(engine.call("scene_tools.actor_ids"))
         """Ids of the actors that the start level had: everything else was spawned by the run."""
 
@@ -74,10 +77,14 @@ class Workbench:
         """Call a function of ``c4s.editor.scene_tools``; what it raises becomes a refusal with its message."""
         return self._call(f"scene_tools.{function}", **params)
 
-    def snapshot(self) -> dict[str, Any]:
-        """The scene as it is now, as a snapshot document."""
-        snapshot: dict[str, Any] = self._call("snapshot.export_snapshot")
-        return snapshot
+    def measured(self) -> MeasuredScene:
+        """The scene as it is now. The same object while the engine knows that nothing has changed."""
+        known = self._measured
+        told = self._call("snapshot.export_if_changed", known=known[0] if known is not None else None)
+        if told["snapshot"] is None and known is not None:
+            return known[1]
+        self._measured = told["revision"], MeasuredScene(self.case.setting, told["snapshot"])
+        return self._measured[1]
 
     def _call(self, function: str, **params: Any) -> Any:
         self.wait_for_editor()

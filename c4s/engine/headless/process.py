@@ -48,14 +48,15 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
     attach()
     draw_the_same_lots()
     from c4s.editor.capture import frame_level  # needs the `unreal` that boot installs
-    from c4s.engine.headless import facts
+    from c4s.engine.headless import facts, revision
 
     facts.attach()
+    revision.attach()
     frame_level()
     gc.collect()
     gc.freeze()
     gc.enable()
-    Worker(connection, tick).run_forever()
+    Worker(connection, tick, revision.begin).run_forever()
 
 
 def draw_the_same_lots() -> None:

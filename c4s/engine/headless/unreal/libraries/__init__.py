@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.libraries.module import FUNCTIONS
-from c4s.engine.headless.unreal.libraries.ticks import tick
+from c4s.engine.headless.unreal.libraries.ticks import tick, ticking
 
-__all__ = ["FUNCTIONS", "tick"]
+__all__ = ["FUNCTIONS", "tick", "ticking"]

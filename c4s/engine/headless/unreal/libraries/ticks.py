@@ -26,6 +26,11 @@ class _Handle:
         self.number, self.anchor = number, anchor
 
 
+def ticking() -> bool:
+    """Whether there are tick functions."""
+    return bool(_ticks)
+
+
 def tick(delta_seconds: float) -> None:
     """Call the tick functions once (the server does so between requests)."""
     for callback in list(_ticks.values()):

@@ -1,0 +1,52 @@
+"""A snapshot and what the checks derive from it, each thing once, however many checks ask."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+from c4s.collision import SceneBodies, scene_bodies
+from c4s.verify.physics import verify_physics
+from c4s.verify.support import text_to_scene_support
+from c4s.verify.verdict import Verdict
+
+
+class MeasuredScene:
+    """One state of the level.
+
+    Args:
+        setting: the setting whose physics rule counts.
+        snapshot: the level as the engine exported it; nobody changes it.
+    """
+
+    def __init__(self, setting: str, snapshot: Mapping[str, Any]) -> None:
+        self.setting, self.snapshot = setting, snapshot
+        self.actors: list[Mapping[str, Any]] = snapshot["actors"]
+
+    @cached_property
+    def bodies(self) -> SceneBodies:
+        """All collision bodies."""
+        return scene_bodies(self.snapshot)
+
+    @cached_property
+    def physics(self) -> Verdict:
+        """The physics verdict over all actors, since the input scene is not at hand."""
+        return verify_physics(self.setting, self.snapshot, {"actors": []})
+
+    @cached_property
+    def scored_as_floating(self) -> frozenset[str]:
+        """Object names of the actors that the verdict counts as floating."""
+        if self.setting == "text-to-scene" and "physics" not in self.__dict__:
+            return self._floating_boxes()
+        leaf = self.physics.measurements["leaf_results"][0]
+        return frozenset(leaf["floating_actors"])
+
+    def _floating_boxes(self) -> frozenset[str]:
+        """The same by the rule of text-to-scene alone, which asks for nothing else of the verdict."""
+        try:
+            states = text_to_scene_support(self.snapshot).per_actor
+        except ValueError:
+            return frozenset()
+        return frozenset(str(actor.get("name") or actor.get("label"))
+                         for actor, state in zip(self.actors, states, strict=True) if state == "floating")
