@@ -15,6 +15,7 @@ from c4s.run.plan import Trial
 
 INTERVAL_S = 0.5
 PLAIN_INTERVAL_S = 10.0
+SIGN_OF_LIFE_S = 60.0
 
 
 def bars() -> Progress:
@@ -58,8 +59,13 @@ def watch(trials: list[Trial], done: set[Path], stored: list[Path]) -> Iterator[
         progress.update(task, completed=count(), description=f"{'trials scored and stored':51}")
 
     def print_lines() -> None:
+        shown, silent_s = -1, 0.0
         while not stop.wait(PLAIN_INTERVAL_S):
-            print(f"  {count()} of {len(stored)} trials stored", file=sys.stderr, flush=True)
+            finished = count()
+            silent_s += PLAIN_INTERVAL_S
+            if finished != shown or silent_s >= SIGN_OF_LIFE_S:
+                print(f"  {finished} of {len(stored)} trials stored", file=sys.stderr, flush=True)
+                shown, silent_s = finished, 0.0
 
     if interactive:
         with bars() as progress:
