@@ -12,20 +12,19 @@ from typing import Any
 
 from c4s.agents.base import AgentContext, AgentReport
 from c4s.errors import BadInput
-from c4s.files import json_lines
 from c4s.toolbox.client import CallRefused
+from c4s.trajectory.lines import counted_calls, read_lines
 
 
 def recorded_calls(trajectory: Path) -> Iterator[tuple[str, dict[str, Any], bool]]:
     """Tool, arguments and whether it succeeded, of every call that was carried out, in the order of their start.
 
-    A call that the end of its run cut short was not carried out to its end and is left out. Raises ``BadInput``.
+    A call that the end of its run, or of its process, cut short was not carried out to its end and is left out. Raises
+    ``BadInput``.
     """
     if not trajectory.is_file():
         raise BadInput("no such trajectory", where=str(trajectory), todo="give the trajectory.jsonl of an attempt")
-    with trajectory.open(encoding="utf-8") as source:
-        lines = [line for line in json_lines(source) if line.get("event") == "call" and line.get("counted")]
-    for line in sorted(lines, key=lambda line: int(line["call"])):
+    for line in sorted(counted_calls(read_lines(trajectory)), key=lambda line: int(line["call"])):
         if line["outcome"] in ("ok", "error"):
             yield str(line["tool"]), dict(line["arguments"]), line["outcome"] == "ok"
 

@@ -51,6 +51,8 @@ class LiveView:
         """Print what is new."""
         self._requests += self._usage.lines()
         for line in self._calls.lines():
+            if line["event"] == "started":
+                continue
             self.console.print(call_line(line, cost_text(self._requests)), soft_wrap=True)
             for image in line.get("images") or []:
                 path = self.attempt / "images" / f"{image['sha256']}.png"

@@ -59,7 +59,7 @@ TOOLS = (
                 "description": f"How many results at most (default {DEFAULT_RESULTS})."},
           "offset": page(DEFAULT_RESULTS, MOST_RESULTS)["offset"]}, ("query",)),
     Tool("get_categories", GROUP, "List the categories of this case's catalog with their size and a short text.",
-         _categories),
+         _categories, instant=True),
     Tool("get_asset_metadata", GROUP, "Category, description, tags, size in metres and spawn path of assets.",
          _metadata, {"ids": {**names("Asset ids or paths."), "minItems": 1, "maxItems": 200}}, ("ids",)),
     Tool("get_asset_preview", GROUP, "A preview picture of one asset, where there is one.", _preview,

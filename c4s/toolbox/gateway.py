@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import base64
-import hmac
+import hashlib
 import json
 import socket
 import threading
@@ -51,7 +51,8 @@ class Gateway:
     """The server. Use it as a context manager; ``open`` and ``close`` of runs are thread-safe."""
 
     def __init__(self) -> None:
-        self._runs: dict[str, Run] = {}
+        self._runs: dict[bytes, Run] = {}
+        """By the digest of their token: the time of a look-up tells nothing of a token."""
         self._session_owner: dict[str, str] = {}
         self._in_flight: dict[tuple[str, str], _Flight] = {}
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -92,20 +93,21 @@ class Gateway:
     def open_run(self, run: Run) -> Endpoint:
         """Admit a run and start its clock."""
         assert self._loop is not None, "the gateway has not started"
-        self._runs[run.run_id] = run
+        self._runs[_digest(run.token)] = run
         run.start(self._loop)
         return Endpoint(f"http://127.0.0.1:{self.port}/mcp", run.token)
 
     def close_run(self, run: Run) -> None:
         """End a run, if it has not ended, and forget its token."""
         run.end("finished", "the agent has finished")
-        self._runs.pop(run.run_id, None)
+        self._runs.pop(_digest(run.token), None)
 
     def _app(self) -> ASGIApp:
         server: Server[Any] = Server("c4s", version="1", on_list_tools=_list_tools, on_call_tool=_call_tool,
                                      on_list_prompts=_list_prompts, on_get_prompt=_get_prompt,
                                      get_tool_input_schema=lambda name: TOOLS[name].input_schema if name in TOOLS
                                      else None)
+        server.middleware.clear()  # spans for an exporter that is not there
         inner = server.streamable_http_app(host="127.0.0.1", max_request_body_size=MAX_BODY_BYTES,
                                            session_idle_timeout=None)
 
@@ -130,13 +132,13 @@ class Gateway:
         scheme, _, token = authorization.partition(" ")
         if scheme.lower() != "bearer":
             return None
-        return next((run for run in list(self._runs.values())
-                     if hmac.compare_digest(run.token.encode(), token.strip().encode())), None)
+        return self._runs.get(_digest(token.strip()))
 
     async def _forward(self, inner: ASGIApp, run: Run, session: str, scope: Scope, receive: Receive,
                        send: Send) -> None:
         """Hand a request to the SDK; a repeat of one that is in flight waits for the first one's response."""
         async def noting(message: Message) -> None:
+            """Pass on an answer; a session that it opens belongs to the run."""
             if message["type"] == "http.response.start":
                 for key, value in message["headers"]:
                     if key.lower() == b"mcp-session-id":
@@ -144,12 +146,12 @@ class Gateway:
             await send(message)
 
         if scope["method"] != "POST" or not session:
-            await inner(scope, receive, noting)
+            await inner(scope, receive, noting if not session else send)
             return
         body, replay = await _read_body(receive)
         call = _call_of(body)
         if call is None:
-            await inner(scope, replay, noting)
+            await inner(scope, replay, send)
             return
         flight = self._in_flight.get((session, call[0]))
         if flight is not None:
@@ -161,10 +163,14 @@ class Gateway:
             return
         flight = self._in_flight[session, call[0]] = _Flight(body)
         try:
-            await inner(scope, replay, flight.recording(noting))
+            await inner(scope, replay, flight.recording(send))
         finally:
             del self._in_flight[session, call[0]]
             flight.done.set()
+
+
+def _digest(token: str) -> bytes:
+    return hashlib.sha256(token.encode()).digest()
 
 
 class _Flight:

@@ -1,7 +1,9 @@
 """One run behind the gateway: its tool set, budgets, trajectory, and the execution of its calls.
 
 A call counts when it starts, failed or not. Calls that are refused before they start (a tool off the list, a spent
-budget, an ended run) and repeats of a request id do not count. Every one of them is a line of ``trajectory.jsonl``.
+budget, an ended run) and repeats of a request id do not count. Every one of them is a line of ``trajectory.jsonl``; a
+call that counts has two, one before its tool runs and one before its answer goes out, so that one which a killed
+process left behind is on record as unfinished.
 """
 
 from __future__ import annotations
@@ -11,22 +13,27 @@ import json
 import secrets
 import threading
 import time
-import weakref
 from collections import deque
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO, Literal
+from typing import Any, Literal
+
+import orjson
 
 from c4s.case.package import Budget
-from c4s.errors import C4SError
-from c4s.files import canonical_json, digest_bytes, write_bytes
-from c4s.toolbox.registry import TOOLS, VALIDATORS, tool_set
-from c4s.toolbox.tool import ToolRefused, ToolResult
+from c4s.errors import C4SError, MachineryFault
+from c4s.files import digest_bytes
+from c4s.toolbox.arguments import plain, schema_problem
+from c4s.toolbox.record import Record, whole
+from c4s.toolbox.registry import TOOLS, tool_set
+from c4s.toolbox.tool import ToolRefused
 from c4s.toolbox.workbench import Workbench
 
 EndReason = Literal["finished", "wall_budget", "killed", "fault"]
+Outcome = Literal["ok", "error", "ended", "fault"]
 KEPT_ANSWERS = 32
 """Answers kept for repeats of a request id; older repeats are refused, never run again."""
 RECORDED_RESULT_CHARACTERS = 20_000
@@ -36,12 +43,42 @@ POLLING = "read_job_log"
 """The tool that asks for the state of a job; its calls count, and are told apart."""
 
 
+@dataclass(frozen=True, slots=True)
 class Answer:
     """What goes back to the client: one JSON text and at most one PNG."""
 
-    def __init__(self, payload: dict[str, Any], *, error: bool, image: bytes | None = None) -> None:
-        self.text = json.dumps(payload, ensure_ascii=False, allow_nan=False)
-        self.error, self.image = error, image
+    text: str
+    error: bool
+    image: bytes | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Given:
+    """What a tool gave: its data as JSON, its picture, and how the trajectory names that."""
+
+    text: str
+    image: bytes | None
+    images: list[dict[str, Any]]
+
+
+@dataclass(eq=False, slots=True)
+class _Call:
+    """A call that counts, until it is answered."""
+
+    number: int
+    name: str
+    arguments: dict[str, Any]
+    told: bytes
+    """The arguments as JSON."""
+    key: str | None
+    start_s: float
+    clock: float
+    answered: asyncio.Future[Answer]
+
+    def fields(self) -> dict[str, Any]:
+        """What both of its lines tell."""
+        return {"tool": self.name, "request": self.key, "call": self.number, "polling": self.name == POLLING,
+                "arguments": orjson.Fragment(self.told), "start_s": round(self.start_s, 4)}
 
 
 class Run:
@@ -64,14 +101,13 @@ class Run:
         self.ended = threading.Event()
         self._started: float | None = None
         self._stopped: float | None = None
-        self._records = 0
-        self._lines: BinaryIO | None = None
-        self._answers: dict[str, asyncio.Task[Answer] | None] = {}
+        self._record = Record(trajectory)
+        self._answers: dict[str, asyncio.Future[Answer] | None] = {}
         self._kept: deque[str] = deque()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._timer: asyncio.TimerHandle | None = None
-        self._waiting: set[asyncio.Future[ToolResult | None]] = set()
-        """The tools at work."""
+        self._waiting: set[_Call] = set()
+        """The calls whose tools are at work."""
         self._pool = ThreadPoolExecutor(PARALLEL_CALLS, thread_name_prefix=f"tools-{run_id}")
 
     def start(self, loop: asyncio.AbstractEventLoop) -> None:
@@ -97,8 +133,8 @@ class Run:
         if self.end_reason is None:
             self.end_reason, self.end_message = reason, message
             self._stopped = time.monotonic()
-            for waiting in self._waiting:
-                _settle(waiting, None)
+            for call in list(self._waiting):
+                self._finish(call, None)
             if self._timer is not None:
                 self._timer.cancel()
             self._pool.shutdown(wait=False, cancel_futures=True)
@@ -122,24 +158,26 @@ class Run:
                 "seconds_left": max(0, round(self.budget.wall_minutes * 60 - self.wall_s))}
 
     async def call(self, name: str, arguments: Mapping[str, Any], key: str | None) -> Answer:
-        """Answer one call. A request id that was seen before gets the first answer again."""
-        arguments, told, problem = _plain_arguments(arguments)
+        """Answer one call. A request id that was seen before gets the first answer again.
+
+        Who waits may be cancelled: the call goes on, and is recorded.
+        """
+        given, told, problem = plain(arguments)
         if key is None:
-            return await self._serve(name, arguments, problem, None)
+            return await asyncio.shield(self._begin(name, given, told, problem, None))
         key = f"{key} {name} {digest_bytes(told)}"
         if key in self._answers:
             self.record_duplicate(name, key)
-            task = self._answers[key]
-            if task is None:
-                return self._refusal("this request id was already answered")
-            return await asyncio.shield(task)
-        task = self._answers[key] = asyncio.ensure_future(self._serve(name, arguments, problem, key))
-        task.add_done_callback(lambda _: self._keep_answer(key))
-        return await asyncio.shield(task)
+            first = self._answers[key]
+            return self._refusal("this request id was already answered") if first is None else \
+                await asyncio.shield(first)
+        answered = self._answers[key] = self._begin(name, given, told, problem, key)
+        answered.add_done_callback(lambda _: self._keep_answer(key))
+        return await asyncio.shield(answered)
 
     def record_duplicate(self, name: str, key: str) -> None:
         """Note a repeat of a request id."""
-        self._record("duplicate", name, key, counted=False, outcome="duplicate")
+        self._write("duplicate", tool=name, request=key, counted=False, outcome="duplicate")
 
     def _keep_answer(self, key: str) -> None:
         """Keep a finished answer for repeats, and let go of the oldest one above ``KEPT_ANSWERS``."""
@@ -147,129 +185,113 @@ class Run:
         if len(self._kept) > KEPT_ANSWERS:
             self._answers[self._kept.popleft()] = None
 
-    async def _serve(self, name: str, arguments: dict[str, Any], problem: str, key: str | None) -> Answer:
-        if self.end_reason is not None:
-            return self._refuse(name, arguments, key, f"the run has ended: {self.end_message}", stop=True)
-        if self._started is None:
-            return self._refuse(name, arguments, key, "the run has not started")
-        if name not in self.tools:
-            self.blocked += 1
-            return self._refuse(name, arguments, key, f"there is no tool {name!r} in this run; the tools are "
-                                + ", ".join(tool for tool in TOOLS if tool in self.tools))
-        if self.calls >= self.budget.tool_calls:
-            self.over_calls = True
-            return self._refuse(name, arguments, key, "the tool call budget is spent", stop=True)
+    def _begin(self, name: str, arguments: dict[str, Any], told: bytes, problem: str, key: str | None
+               ) -> asyncio.Future[Answer]:
+        """Refuse a call, or count it, record its start and set its tool to work."""
+        assert self._loop is not None, "the run has not started"
+        answered: asyncio.Future[Answer] = self._loop.create_future()
+        refused = self._refused(name)
+        if refused is not None:
+            why, stop = refused
+            self._write("refused", tool=name, request=key, counted=False, outcome="refused",
+                        arguments=orjson.Fragment(told), error=why)
+            answered.set_result(self._refusal(why, stop=stop))
+            return answered
         self.calls += 1
         self.polls += name == POLLING
-        started, clock = self.wall_s, time.perf_counter()
-        number = self.calls
-        result, error, outcome = None, problem or _schema_problem(name, arguments), "error"
-        if not error:
-            result, error, outcome = await self._work(name, arguments)
-        image = result.image if result is not None else None
-        stop = {"stop": self.end_message} if outcome == "ended" else {}
+        call = _Call(self.calls, name, arguments, told, key, self.wall_s, time.perf_counter(), answered)
+        self._waiting.add(call)
+        if self._write("started", counted=False, outcome="unfinished", **call.fields()):
+            problem = problem or schema_problem(name, arguments)
+            if problem:
+                self._finish(call, ToolRefused(problem))
+            elif TOOLS[name].instant:
+                self._finish(call, self._carry_out(call))
+            else:
+                self._pool.submit(self._work, call)
+        return answered
+
+    def _refused(self, name: str) -> tuple[str, bool] | None:
+        """Why a call does not count and is not carried out, and whether no other will be; None for one that is."""
+        if self.end_reason is not None:
+            return f"the run has ended: {self.end_message}", True
+        if name not in self.tools:
+            self.blocked += 1
+            return (f"there is no tool {name!r} in this run; the tools are "
+                    + ", ".join(tool for tool in TOOLS if tool in self.tools)), False
+        if self.calls >= self.budget.tool_calls:
+            self.over_calls = True
+            return "the tool call budget is spent", True
+        return None
+
+    def _work(self, call: _Call) -> None:
+        """Carry a call out in a thread of the pool; it is answered in the gateway's loop."""
+        assert self._loop is not None
+        given = self._carry_out(call)
+        with suppress(RuntimeError):  # the gateway's loop is closed: nobody waits
+            self._loop.call_soon_threadsafe(self._finish, call, given)
+
+    def _carry_out(self, call: _Call) -> _Given | BaseException:
+        """Run the tool: what it gives, or raises."""
         try:
-            answer = Answer({"result": result.data, "budget": self.left()} if result is not None
-                            else {"error": error, "budget": self.left(), **stop}, error=result is None, image=image)
-        except ValueError:
-            outcome, error, image = "error", "the scene holds numbers that are not finite: mend those actors", None
-            answer = self._refusal(error)
-        if image is not None:
-            self._keep(image)
-        self._record("call", name, key, counted=True, polling=name == POLLING, outcome=outcome, call=number,
-                     arguments=arguments, start_s=round(started, 4),
-                     duration_s=round(time.perf_counter() - clock, 4), error=error,
-                     result=answer.text[:RECORDED_RESULT_CHARACTERS], result_characters=len(answer.text),
-                     images=[] if image is None else [{"sha256": digest_bytes(image), "bytes": len(image)}])
-        return answer
+            result = TOOLS[call.name].run(self.bench, call.arguments)
+            images = [] if result.image is None else [self._record.keep(result.image)]
+            return _Given(_json(result.data), result.image, images)
+        except BaseException as error:
+            return error
 
-    async def _work(self, name: str, arguments: dict[str, Any]) -> tuple[ToolResult | None, str, str]:
-        """Run the tool in a thread until it is done or the run ends: (result, error, outcome)."""
-        loop = asyncio.get_running_loop()
-        done: asyncio.Future[ToolResult | None] = loop.create_future()
-        """Holds what the tool gave or raised; None when the run has ended before."""
-
-        def work() -> None:
-            try:
-                result: ToolResult | BaseException = TOOLS[name].run(self.bench, arguments)
-            except BaseException as error:
-                result = error
-            with suppress(RuntimeError):  # the gateway's loop is closed: nobody waits
-                loop.call_soon_threadsafe(_settle, done, result)
-
-        self._waiting.add(done)
-        try:
-            self._pool.submit(work)
-            result = await done
-            if result is None:
-                return None, f"the run has ended: {self.end_message}", "ended"
-            return result, "", "ok"
-        except ToolRefused as refusal:
-            return None, refusal.line(), "error"
-        except Exception as fault:
-            self.fault = fault
-            line = fault.line() if isinstance(fault, C4SError) else f"{type(fault).__name__}: {fault}"
+    def _finish(self, call: _Call, given: _Given | BaseException | None) -> None:
+        """Record a call's end and answer it, once; None is given where the run ended before its tool did."""
+        if call not in self._waiting:
+            return
+        self._waiting.discard(call)
+        image, images, stop, error = None, [], "", ""
+        budget = json.dumps(self.left())
+        if isinstance(given, _Given):
+            outcome: Outcome = "ok"
+            image, images, text = given.image, given.images, f'{{"result": {given.text}, "budget": {budget}}}'
+        else:
+            outcome, error = _failure(given, self.end_message)
+            stop = self.end_message if outcome == "ended" else ""
+            text = self._refusal(error, stop=bool(stop)).text
+        answer = Answer(text, outcome != "ok", image)
+        if isinstance(given, BaseException) and outcome == "fault":
+            self.fault = self.fault or given
+        written = self._write("call", counted=True, outcome=outcome, error=error, **call.fields(),
+                              duration_s=round(time.perf_counter() - call.clock, 4),
+                              result=text[:RECORDED_RESULT_CHARACTERS], result_characters=len(text), images=images)
+        call.answered.set_result(answer if written else self._refusal(f"the run has ended: {self.end_message}",
+                                                                     stop=True))
+        if self.fault is not None:
             self._end("fault", "the engine or a tool failed")
-            return None, line, "fault"
-        finally:
-            self._waiting.discard(done)
-
-    def _refuse(self, name: str, arguments: dict[str, Any], key: str | None, error: str, *, stop: bool = False
-                ) -> Answer:
-        self._record("refused", name, key, counted=False, outcome="refused", arguments=arguments, error=error)
-        return self._refusal(error, stop=stop)
 
     def _refusal(self, error: str, *, stop: bool = False) -> Answer:
-        return Answer({"error": error, "budget": self.left(), **({"stop": error} if stop else {})}, error=True)
+        return Answer(_json({"error": error, "budget": self.left(), **({"stop": error} if stop else {})}), True)
 
-    def _keep(self, image: bytes) -> None:
-        """Keep a picture beside the trajectory, which names it by its digest."""
-        path = self.trajectory.parent / "images" / f"{digest_bytes(image)}.png"
-        if not path.is_file():
-            write_bytes(path, image)
-
-    def _record(self, event: str, name: str, key: str | None, **more: Any) -> None:
-        self._records += 1
-        line = canonical_json({"seq": self._records, "time": round(time.time(), 4), "event": event, "tool": name,
-                               "request": key, **more, **self.left()})
-        self._file().write(line.encode() + b"\n")
-
-    def _file(self) -> BinaryIO:
-        """The trajectory, open for appending without a buffer: a line is in the file when it is written."""
-        if self._lines is None:
-            self.trajectory.parent.mkdir(parents=True, exist_ok=True)
-            self._lines = self.trajectory.open("ab", buffering=0)
-            weakref.finalize(self, self._lines.close)
-        return self._lines
+    def _write(self, event: str, **fields: Any) -> bool:
+        """Record a line. A line that cannot be written is a fault of the machinery and ends the run: False."""
+        try:
+            self._record.write(event, **fields, **self.left())
+        except OSError as error:
+            self.fault = self.fault or MachineryFault(f"the trajectory cannot be written: {error.strerror}",
+                                                      where=str(self.trajectory), todo="is the disk full?")
+            self._end("fault", "the trajectory cannot be written")
+            return False
+        return True
 
 
-def _settle(done: asyncio.Future[ToolResult | None], result: ToolResult | BaseException | None) -> None:
-    """Give a future its result or error, unless it has one."""
-    if done.done():
-        return
-    if isinstance(result, BaseException):
-        done.set_exception(result)
-    else:
-        done.set_result(result)
+def _failure(given: BaseException | None, end_message: str) -> tuple[Outcome, str]:
+    """How a call without a result ended, and what the agent is told of it."""
+    if given is None:
+        return "ended", f"the run has ended: {end_message}"
+    line = given.line() if isinstance(given, C4SError) else f"{type(given).__name__}: {given}"
+    return "error" if isinstance(given, ToolRefused) else "fault", whole(line)
 
 
-def _plain_arguments(arguments: Mapping[str, Any]) -> tuple[dict[str, Any], bytes, str]:
-    """The arguments that can be written down, as JSON, and what is wrong with them (a number that is none)."""
-    plain = dict(arguments)
+def _json(value: dict[str, Any]) -> str:
+    """JSON that can be sent. ``ToolRefused`` for numbers that are not finite."""
     try:
-        return plain, canonical_json(plain).encode(), ""
-    except ValueError as error:
-        shown = repr(plain)[:1000].encode("ascii", "backslashreplace").decode()
-        return {"unusable": shown}, shown.encode(), f"invalid arguments: {error}"
-
-
-def _schema_problem(name: str, arguments: dict[str, Any]) -> str:
-    """The first way in which arguments break the tool's schema, in one line; empty when they do not."""
-    errors = sorted(VALIDATORS[name].iter_errors(arguments), key=lambda error: list(map(str, error.absolute_path)))
-    if not errors:
-        return ""
-    where = ".".join(map(str, errors[0].absolute_path))[:200]
-    tool = TOOLS[name]
-    takes = ", ".join(f"{key}*" if key in tool.required else key for key in tool.properties) or "no arguments"
-    return (f"invalid arguments{f' in {where}' if where else ''}: {errors[0].message[:500]} "
-            f"({name} takes {takes}; * must be given)")
+        text = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    except ValueError:
+        raise ToolRefused("the scene holds numbers that are not finite", todo="mend those actors") from None
+    return text if whole(text) == text else json.dumps(value, allow_nan=False)

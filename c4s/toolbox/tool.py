@@ -39,6 +39,8 @@ class Tool:
     run: Callable[[Workbench, Arguments], ToolResult]
     properties: Mapping[str, Schema] = field(default_factory=dict)
     required: tuple[str, ...] = ()
+    instant: bool = False
+    """It looks up a few things in memory and never waits: it runs where its call arrives, without a thread."""
 
     @property
     def input_schema(self) -> Schema:

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from c4s.files import json_lines
 from c4s.model import Record
 from c4s.trajectory.feedback import Feedback, read_answer
+from c4s.trajectory.lines import counted_calls, read_lines
 from c4s.trajectory.operations import families_of
 
 PYTHON_TOOL, POLLING_TOOL = "execute_python_script", "read_job_log"
@@ -40,7 +40,9 @@ class Analysis(Record):
     """Asynchronous status checks among the calls."""
     python: int
     failed: int
-    """Calls that were answered with an error."""
+    """Calls that gave no result: answered with an error, or unfinished."""
+    unfinished: int
+    """Calls that were cut short by the end of their run, or of its process."""
     named_transform_calls: int
     by_tool: dict[str, int]
     submissions: list[Submission]
@@ -51,29 +53,17 @@ class Analysis(Record):
         return self.calls - self.polling
 
 
-def _calls(lines: Iterable[Mapping[str, Any]]) -> Iterable[Mapping[str, Any]]:
-    seen: set[str] = set()
-    for line in lines:
-        if line.get("event") != "call" or not line.get("counted"):
-            continue
-        request = line.get("request")
-        if isinstance(request, str):
-            if request in seen:
-                continue
-            seen.add(request)
-        yield line
-
-
 def analyse_lines(lines: Iterable[Mapping[str, Any]]) -> Analysis:
     """The analysis of trajectory lines, in their order."""
     by_tool: Counter[str] = Counter()
-    failed = 0
+    failed = unfinished = 0
     scripts: list[tuple[int, str, Feedback]] = []
     by_job: dict[str, Feedback] = {}
-    for number, line in enumerate(sorted(_calls(lines), key=lambda line: int(line.get("call") or 0)), 1):
+    for number, line in enumerate(sorted(counted_calls(lines), key=lambda line: int(line.get("call") or 0)), 1):
         tool = str(line.get("tool"))
         by_tool[tool] += 1
         failed += line.get("outcome") != "ok"
+        unfinished += line.get("outcome") in ("ended", "unfinished")
         answer = read_answer(line)
         if tool == PYTHON_TOOL:
             feedback = Feedback()
@@ -86,6 +76,7 @@ def analyse_lines(lines: Iterable[Mapping[str, Any]]) -> Analysis:
         elif tool == POLLING_TOOL and answer.job_id in by_job:
             by_job[answer.job_id].add(answer)
     return Analysis(calls=by_tool.total(), polling=by_tool[POLLING_TOOL], python=by_tool[PYTHON_TOOL], failed=failed,
+                    unfinished=unfinished,
                     named_transform_calls=sum(by_tool[tool] for tool in TRANSFORM_TOOLS),
                     by_tool=dict(sorted(by_tool.items())),
                     submissions=[_submission(*script) for script in scripts])
@@ -101,5 +92,4 @@ def analyse(trajectory: Path) -> Analysis:
     """The analysis of a ``trajectory.jsonl``; one that is not there is an attempt without calls."""
     if not trajectory.is_file():
         return analyse_lines(())
-    with trajectory.open(encoding="utf-8") as lines:
-        return analyse_lines(json_lines(lines))
+    return analyse_lines(read_lines(trajectory))

@@ -48,7 +48,7 @@ def test_the_api_loop_plays_a_case(attempt: Attempt) -> None:
     assert outcome.output_tokens == total["output"] and outcome.cost_usd == pytest.approx(
         (10 * total["fresh"] + total["cache_read"] + 12 * total["cache_write"] + 100 * total["output"]) / 1e6)
     turns = [line for line in lines(folder / "agent/api.jsonl") if line["event"] == "turn"]
-    pictures = [line["images"] for line in lines(folder / "trajectory.jsonl") if line["images"]]
+    pictures = [line["images"] for line in lines(folder / "trajectory.jsonl") if line.get("images")]
     assert turns[1]["pictures"] == [pictures[0][0]["sha256"]]
     assert Ledger(folder.parent / "spending.jsonl", None).spent().settled_usd == pytest.approx(outcome.cost_usd)
 
@@ -70,7 +70,8 @@ def test_a_full_context_is_trimmed_bad_arguments_are_counted_and_a_loop_is_stopp
     assert all(trim["after_tokens"] < trim["before_tokens"] for trim in trims)
     assert (outcome.ended_by, outcome.tool_calls) == ("finished", 19) and "same call 3 times" in outcome.message
     assert outcome.submission == "/Game/SavedScenes/submission"
-    errors = [line for line in lines(folder / "trajectory.jsonl") if line["tool"] == "get_categories"][:8]
+    errors = [line for line in lines(folder / "trajectory.jsonl")
+              if line["event"] == "call" and line["tool"] == "get_categories"][:8]
     assert len(errors) == 8 and all(line["outcome"] == "error" and line["counted"] for line in errors)
 
 

@@ -118,7 +118,7 @@ def test_a_spent_call_budget_keeps_what_was_saved(tmp_path: Path, pack: Path, mo
     outcome, folder = attempt(tmp_path, pack, "local", calls=4)
     assert (outcome.ended_by, outcome.tool_calls, outcome.submission) == ("call_budget", 4, "/Game/SavedScenes/early")
     with (folder / "trajectory.jsonl").open() as lines:
-        assert [line["event"] for line in json_lines(lines)] == ["call"] * 4 + ["refused"]
+        assert [line["event"] for line in json_lines(lines)] == ["started", "call"] * 4 + ["refused"]
 
 
 def test_the_wall_budget_ends_an_attempt(tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -30,6 +30,7 @@ class Opened:
     folder: Path
     engine: EngineSession
     gateway: Gateway
+    pack: Path
 
     def trajectory(self) -> list[dict[str, Any]]:
         with self.run.trajectory.open() as lines:
@@ -73,7 +74,8 @@ def open_run(tmp_path: Path, pack: Path, engines: Callable[[str], tuple[EngineSe
             bench = Workbench(case, agent_folder, CaseCatalog.load(case, [pack]), engine, folder / "scratch")
             run = Run("room-1", bench, case.budget, tmp_path / "trajectory.jsonl", tools)
             endpoint = gateway.open_run(run)
-            return Opened(run, endpoint, stack.enter_context(GatewayClient(endpoint)), folder, engine, gateway)
+            return Opened(run, endpoint, stack.enter_context(GatewayClient(endpoint)), folder, engine, gateway,
+                          pack)
         yield start
 
 

@@ -7,11 +7,13 @@ import os
 import threading
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import httpx2
 import pytest
 from made_case import make_case
 
+from c4s.errors import MachineryFault
 from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped
 from c4s.toolbox.gateway import Endpoint
 from c4s.toolbox.run import Run
@@ -37,8 +39,14 @@ def test_a_call_counts_when_it_starts_and_the_budget_is_told(open_run: Callable)
         opened.client.call("get_categories")
     assert opened.run.calls == 3 and opened.run.over_calls
     lines = opened.trajectory()
+    begun = [line for line in lines if line["event"] == "started"]
+    lines = [line for line in lines if line["event"] != "started"]
     assert [(line["event"], line["outcome"], line["counted"]) for line in lines] == [
         ("call", "ok", True), ("call", "error", True), ("call", "error", True), ("refused", "refused", False)]
+    assert [(line["call"], line["outcome"], line["counted"]) for line in begun] == [
+        (number, "unfinished", False) for number in (1, 2, 3)]
+    assert all(start["seq"] < end["seq"] and start["arguments"] == end["arguments"]
+               for start, end in zip(begun, lines, strict=False))
     assert all(line["start_s"] >= 0 and line["duration_s"] >= 0 for line in lines[:3])
     assert lines[1]["tool"] == "delete_actor" and lines[1]["arguments"] == {"name": "nobody"}
 
@@ -61,7 +69,7 @@ def test_a_repeated_call_id_is_answered_once_more_and_counted_once(open_run: Cal
     other = opened.client.answer("spawn_actor", {**where, "name": "Two"}, call_id="use-1")
     assert payload(other)["result"]["actor"]["label"] == "Two"
     assert opened.run.calls == 2
-    assert [line["event"] for line in opened.trajectory()] == ["call", "duplicate", "call"]
+    assert [line["event"] for line in opened.trajectory()] == ["started", "call", "duplicate", "started", "call"]
 
 
 def test_two_posts_with_one_id_in_flight_share_one_call(open_run: Callable) -> None:
@@ -128,7 +136,7 @@ def test_a_run_is_killed_from_the_server_side(open_run: Callable) -> None:
     assert time.monotonic() - began < 5 and "the operator ended it" in str(caught[0])
     with pytest.raises(RunStopped):
         opened.client.call("get_categories")
-    assert opened.trajectory()[0]["outcome"] == "ended"
+    assert [line["outcome"] for line in opened.trajectory()] == ["unfinished", "ended", "refused"]
 
 
 def test_the_wall_budget_ends_the_run(open_run: Callable) -> None:
@@ -143,7 +151,7 @@ def test_pictures_are_recorded_by_digest_and_never_with_structured_content(open_
     opened = open_run()
     answer = opened.client.answer("get_asset_preview", {"id": "crate"})
     assert [block.type for block in answer.content] == ["text", "image"] and answer.structured_content is None
-    line = opened.trajectory()[0]
+    line = opened.trajectory()[1]
     assert len(line["images"][0]["sha256"]) == 64 and answer.content[1].data not in json.dumps(line)
 
 
@@ -153,7 +161,27 @@ def test_the_skill_is_a_prompt_of_the_server_and_polls_are_told_apart(open_run: 
     opened.client.call("execute_python_script", script="print(1)")
     opened.client.call("read_job_log", wait_s=10)
     assert (opened.run.calls, opened.run.polls) == (2, 1)
-    assert [line["polling"] for line in opened.trajectory()] == [False, True]
+    assert [line["polling"] for line in opened.trajectory()] == [False, False, True, True]
+
+
+def test_a_line_that_cannot_be_written_ends_the_run_before_the_tool_works(open_run: Callable) -> None:
+    opened = open_run()
+    case, _ = make_case(opened.folder / "full", opened.pack)
+    run = Run("full", opened.run.bench, case.budget, Path("/dev/full"))
+    with GatewayClient(opened.gateway.open_run(run)) as client, pytest.raises(RunStopped, match="cannot be written"):
+        client.call("spawn_actor", name="Unseen", static_mesh="crate", location=[0, 0, 0])
+    assert isinstance(run.fault, MachineryFault) and "No space left" in run.fault.what
+    assert opened.client.call("find_actors_by_name", pattern="Unseen").data["total"] == 0
+
+
+def test_half_a_character_does_not_break_the_record(open_run: Callable) -> None:
+    opened = open_run()
+    told = opened.client.call("execute_python_script", script="print('a\\ud800b')", execution_mode="sync").data
+    assert told["status"] in ("done", "error") and opened.trajectory()[-1]["tool"] == "execute_python_script"
+    with pytest.raises(CallRefused):
+        opened.client.call("execute_python_script", script="raise ValueError('\\udcff')", execution_mode="sync",
+                           wrong="\u00e9")
+    assert opened.trajectory()[-1]["outcome"] == "error"
 
 
 def test_numbers_that_are_none_are_refused(open_run: Callable) -> None:

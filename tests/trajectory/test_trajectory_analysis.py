@@ -44,6 +44,25 @@ def test_calls_count_once_failed_and_unfinished_too() -> None:
     assert found.by_tool == {"read_job_log": 1, "search_assets": 1, "set_actor_transform": 1, "spawn_actor": 1}
 
 
+def _started(number: int, tool: str, **arguments: Any) -> dict[str, Any]:
+    return {"event": "started", "counted": False, "call": number, "tool": tool, "outcome": "unfinished",
+            "arguments": arguments, "request": f"id {number}"}
+
+
+@pytest.mark.parametrize("cut", [0, 1, 40])
+def test_a_call_that_its_process_left_behind_counts_as_unfinished(tmp_path: Path, cut: int) -> None:
+    lines = [_started(1, "search_assets"), _call(1, "search_assets"),
+             _started(2, "execute_python_script", script="a()"), _started(3, "spawn_actor"),
+             _call(3, "spawn_actor", outcome="ended"),
+             {"event": "duplicate", "counted": False, "tool": "spawn_actor", "request": "id 3", "outcome": "duplicate"}]
+    text = "".join(json.dumps(line) + "\n" for line in lines)
+    path = tmp_path / "trajectory.jsonl"
+    path.write_text(text + json.dumps(_call(2, "execute_python_script", script="a()"))[:cut])
+    found = analyse(path)
+    assert (found.calls, found.failed, found.unfinished, found.python) == (3, 2, 2, 1)
+    assert found.submissions[0].parseable and not found.submissions[0].feedback
+
+
 @pytest.mark.parametrize(("script", "families"), [
     ("import unreal\nx.set_actor_location(v, False, True)", ["pose_editing"]),
     ("move = actor.set_actor_rotation\nmove(r, False)", ["pose_editing"]),

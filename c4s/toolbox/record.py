@@ -1,0 +1,52 @@
+"""What is kept of a run: ``trajectory.jsonl``, one JSON object a line, and the pictures beside it by their SHA-256."""
+
+from __future__ import annotations
+
+import errno
+import os
+import time
+import weakref
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import orjson
+
+from c4s.files import digest_bytes, write_bytes
+
+
+class Record:
+    """Appends to a trajectory. Lines are written by one thread, pictures by any."""
+
+    def __init__(self, trajectory: Path) -> None:
+        self._trajectory = trajectory
+        self._lines = 0
+        self._file: BinaryIO | None = None
+
+    def write(self, event: str, tool: str, request: str | None, **fields: Any) -> None:
+        """Append one line, numbered and dated; it is in the file, not in a buffer, when this returns.
+
+        A process that is killed afterwards has lost nothing. Raises ``OSError`` when the line cannot be written whole.
+        """
+        if self._file is None:
+            self._trajectory.parent.mkdir(parents=True, exist_ok=True)
+            self._file = self._trajectory.open("ab", buffering=0)
+            weakref.finalize(self, self._file.close)
+        self._lines += 1
+        line = orjson.dumps({"seq": self._lines, "time": round(time.time(), 4), "event": event, "tool": whole(tool),
+                             "request": None if request is None else whole(request), **fields},
+                            option=orjson.OPT_APPEND_NEWLINE)
+        if self._file.write(line) != len(line):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    def keep(self, image: bytes) -> dict[str, Any]:
+        """Keep a picture; how the line of its call names it."""
+        sha256 = digest_bytes(image)
+        path = self._trajectory.parent / "images" / f"{sha256}.png"
+        if not path.is_file():
+            write_bytes(path, image)
+        return {"sha256": sha256, "bytes": len(image)}
+
+
+def whole(text: str) -> str:
+    """The text with halves of characters spelt out: they can stand in JSON as escapes, but in no UTF-8."""
+    return text if text.isascii() else text.encode("utf-8", "backslashreplace").decode()
