@@ -40,7 +40,10 @@ def export(level: Annotated[Path, typer.Argument(help="level document, of a case
     if json_output:
         print_json(report)
         return
-    print(f"{glb}: {report['actors']} actors, {report['meshes']} meshes, {report['triangles']} triangles")
+    print(f"{glb}: {report['actors']} actors, {report['meshes']} meshes, {report['triangles']} triangles, "
+          f"{report['lights']} lights, {report['cameras']} cameras")
+    for label in report["left_out"]:
+        print(f"c4s: left out, glTF has no such light or camera: {label}", file=sys.stderr)
     for path in report["unresolved"]:
         print(f"c4s: unresolved and left out: {path}", file=sys.stderr)
 

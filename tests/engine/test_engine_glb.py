@@ -1,15 +1,22 @@
-"""Levels as GLB: instances as nodes below their actor, and levels with nothing to show."""
+"""Levels as GLB: instances as nodes below their actor, lights and cameras, and levels with nothing to show."""
 
 from __future__ import annotations
 
+import json
+import math
+import shutil
+import struct
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
+from scipy.spatial.transform import Rotation
 
 from c4s.engine.headless.boot import boot
 from c4s.engine.headless.glb import write_glb
+from c4s.engine.headless.render_lights import candela_of, lights_of
 from c4s.engine.headless.state import world
 from c4s.errors import BadInput
 
@@ -37,3 +44,92 @@ def test_an_empty_level_is_refused(tmp_path: Path):
     with pytest.raises(BadInput, match="shows no mesh"):
         write_glb(world(), tmp_path / "none.glb")
     assert not (tmp_path / "none.glb").exists()
+
+
+def lit_level(folder: Path) -> tuple[dict, dict]:
+    """The GLB's JSON of a level with a cube, every kind of light and a camera, and what the writer told."""
+    unreal = boot([], folder / "content")
+    library = unreal.EditorLevelLibrary
+    library.spawn_actor_from_object(unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector())
+
+    def spawn(kind: str, place=(0, 0, 0), **turn: float):
+        actor = library.spawn_actor_from_class(getattr(unreal, kind), unreal.Vector(*place), unreal.Rotator(**turn))
+        actor.set_actor_label(kind)
+        return actor
+
+    sun = spawn("DirectionalLight", pitch=-30, yaw=40).get_component_by_class(unreal.DirectionalLightComponent)
+    sun.set_editor_properties({"intensity": 8.0, "use_temperature": True, "temperature": 3000.0})
+    lamp = spawn("PointLight", (100, 200, 300)).point_light_component
+    lamp.set_editor_properties({"intensity": 800.0, "intensity_units": unreal.LightUnits.LUMENS,
+                                "light_color": unreal.Color(r=255, g=188, b=0), "attenuation_radius": 450.0})
+    spot = spawn("SpotLight", pitch=90).spot_light_component
+    spot.set_editor_properties({"intensity": 50.0, "intensity_units": unreal.LightUnits.CANDELAS,
+                                "inner_cone_angle": 60.0, "outer_cone_angle": 44.0})
+    spawn("RectLight", yaw=90).rect_light_component.set_editor_property("intensity", 625.0)
+    spawn("SkyLight")
+    spawn("PointLight").set_is_temporarily_hidden_in_editor(True)
+    spawn("CameraActor", (-500, 0, 0), yaw=180, roll=20).camera_component.set_editor_property("field_of_view", 90.0)
+    told = write_glb(world(), folder / "lit.glb")
+    data = (folder / "lit.glb").read_bytes()
+    return json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]]), told
+
+
+def forward(node: dict, local=(0.0, 0.0, -1.0)) -> list[float]:
+    """Where a node's -Z (or another local direction) points, in Unreal's axes."""
+    x, y, z, w = node["rotation"]
+    turned = Rotation.from_quat([x, y, z, w]).apply(local)
+    return [turned[0], turned[2], turned[1]]
+
+
+def test_lights_and_cameras_come_along_with_their_units_and_directions(tmp_path: Path):
+    tree, told = lit_level(tmp_path)
+    assert (told["lights"], told["cameras"], told["left_out"]) == (4, 1, ["SkyLight"])
+    lights = {each["name"]: each for each in tree["extensions"]["KHR_lights_punctual"]["lights"]}
+    nodes = {node["name"]: node for node in tree["nodes"]}
+    below = set(tree["scenes"][0]["nodes"])
+    assert all(tree["nodes"].index(nodes[name]) in below for name in (*lights, "CameraActor"))
+
+    sun = lights["DirectionalLight"]
+    assert sun["type"] == "directional" and "range" not in sun and max(sun["color"]) == 1 and sun["color"][2] < 0.3
+    assert forward(nodes["DirectionalLight"]) == pytest.approx(
+        [math.cos(math.radians(30)) * math.cos(math.radians(40)), math.cos(math.radians(30)) * math.sin(
+            math.radians(40)), -0.5])
+    lamp = lights["PointLight"]
+    assert lamp["intensity"] == pytest.approx(800 / (4 * math.pi)) and lamp["range"] == 4.5
+    assert lamp["color"] == pytest.approx([1.0, 0.5029, 0.0], abs=1e-3)
+    assert nodes["PointLight"]["translation"] == [1.0, 3.0, 2.0]
+    spot = lights["SpotLight"]
+    assert spot["intensity"] == 50 and spot["spot"]["outerConeAngle"] == pytest.approx(math.radians(44))
+    assert spot["spot"]["innerConeAngle"] < spot["spot"]["outerConeAngle"], "glTF wants it so"
+    assert forward(nodes["SpotLight"]) == pytest.approx([0, 0, 1], abs=1e-9)
+    assert lights["RectLight"]["intensity"] == 1 and lights["RectLight"]["spot"]["outerConeAngle"] == math.pi / 2
+    assert forward(nodes["RectLight"]) == pytest.approx([0, 1, 0], abs=1e-9)
+
+    camera = tree["cameras"][nodes["CameraActor"]["camera"]]["perspective"]
+    assert camera["yfov"] == pytest.approx(2 * math.atan(9 / 16)) and camera["aspectRatio"] == pytest.approx(16 / 9)
+    assert forward(nodes["CameraActor"]) == pytest.approx([-1, 0, 0], abs=1e-9)
+    up = (-math.sin(math.radians(20)), math.cos(math.radians(20)))
+    assert forward(nodes["CameraActor"], (0, 1, 0)) == pytest.approx([0, up[0], up[1]], abs=1e-9)
+
+
+def test_nits_count_by_the_area_that_shines(tmp_path: Path):
+    unreal = boot([], tmp_path / "content")
+    light = unreal.EditorLevelLibrary.spawn_actor_from_class(unreal.RectLight, unreal.Vector()).rect_light_component
+    light.set_editor_properties({"intensity": 200.0, "intensity_units": unreal.LightUnits.NITS,
+                                 "source_width": 100.0, "source_height": 50.0})
+    (source,) = world().light_sources()
+    assert candela_of(source) == pytest.approx(100.0)
+    assert lights_of([source]).local[0].intensity == pytest.approx(100.0)
+
+
+def test_the_khronos_validator_accepts_lights_cameras_and_instances(tmp_path: Path):
+    """Needs node and the npm package ``gltf-validator`` where node finds it (``NODE_PATH``)."""
+    if shutil.which("node") is None:
+        pytest.skip("node is not installed")
+    if subprocess.run(["node", "-e", "require.resolve('gltf-validator')"], capture_output=True, check=False).returncode:
+        pytest.skip("the npm package gltf-validator is not installed")
+    lit_level(tmp_path)
+    script = ("require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[1])))"
+              ".then(found => console.log(JSON.stringify(found.issues)))")
+    done = subprocess.run(["node", "-e", script, str(tmp_path / "lit.glb")], capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout)["messages"] == []

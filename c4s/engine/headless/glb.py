@@ -1,8 +1,8 @@
 """The open level as one GLB: metres, Y up, right-handed; every mesh once, a node an actor, named by its label.
 
 Unreal's (x, y, z) cm is glTF's (x, z, y) / 100. Triangles, whose winding means nothing here, are turned to face where
-their normals point. Mirrored scales stay in the node matrices, where viewers expect them. Lights and cameras are
-left out.
+their normals point. Mirrored scales stay in the node matrices, where viewers expect them. Lights and cameras come
+along (``glb_lights.py``).
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import trimesh
 from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
+from c4s.engine.headless.glb_lights import LightsAndCameras
 from c4s.engine.headless.unreal.components import StaticMeshComponent
 from c4s.engine.headless.world import Drawable, World
 from c4s.errors import BadInput
@@ -32,8 +33,8 @@ _MIN_VOLUME = 1e-9
 _VERTICES, _INDICES = 34962, 34963
 
 
-def write_glb(world: World, path: Path) -> dict[str, int]:
-    """Write the open level of ``world`` to ``path``; returns counts of nodes, meshes and triangles shown.
+def write_glb(world: World, path: Path) -> dict[str, Any]:
+    """Write the open level of ``world`` to ``path``; returns what it holds by count, and lights that it cannot hold.
 
     Raises:
         BadInput: the level shows no mesh, or a mesh file is broken.
@@ -46,7 +47,8 @@ def write_glb(world: World, path: Path) -> dict[str, int]:
         raise BadInput("the level shows no mesh", where=world.package, todo="give the packs that it uses")
     write_bytes(path, scene.bytes())
     return {"actors": len({d.actor_index for d in shown}), "nodes": len(scene.nodes), "meshes": len(scene.geometries),
-            "triangles": scene.triangles}
+            "triangles": scene.triangles, "lights": len(scene.extras.lights), "cameras": len(scene.extras.cameras),
+            "left_out": scene.extras.left_out}
 
 
 def to_gltf(matrix_cm: Array) -> Array:
@@ -82,6 +84,7 @@ class _Scene:
         self._opened: dict[tuple[Path, bool], Image.Image] = {}
         self._exact: dict[str, tuple[str, Material, Pictures]] = {}
         self.triangles = 0
+        self.extras = LightsAndCameras(world)
 
     def add(self, parts: list[Drawable]) -> None:
         """The meshes of one actor: on its node when there is one, on nodes below it otherwise."""
@@ -165,6 +168,7 @@ class _Scene:
             path = next(key[0] for key, name in self.geometries.items() if name == mesh["name"])
             mesh["name"] = path.rsplit(".", 1)[-1]
         _tell_targets(tree)
+        self.extras.add_to(tree)
         strong = False
         for material in tree["materials"]:
             name, surface, pictures = self._exact[material["name"]]

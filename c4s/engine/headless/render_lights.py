@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 _UNITLESS_PER_CANDELA = 625.0
 _EV_OF_ONE_CANDELA = 3.0
 _MAX_EV = 30.0
+_BULB_CM = 4.0
 _DIM_LIGHT = 0.25
 _MIN_SUN_DEG = 0.3
 _MIN_SKY = 0.05
@@ -58,11 +59,11 @@ def lights_of(sources: Sequence[LightSource]) -> Lights:
         shining = True
         intensity = float(source.properties["intensity"])
         if source.kind == "SkyLightComponent":
-            sky = (intensity, _colour(source)) if sky is None or intensity > sky[0] else sky
+            sky = (intensity, light_colour(source)) if sky is None or intensity > sky[0] else sky
         elif source.kind == "DirectionalLightComponent":
             direction = _axis(source, 0)
             if direction[2] < 0 and intensity > 0:
-                suns.append(Sun(direction, _colour(source), intensity,
+                suns.append(Sun(direction, light_colour(source), intensity,
                                 max(_MIN_SUN_DEG, float(source.properties["light_source_angle"])),
                                 bool(source.properties["cast_shadows"])))
                 in_air.append(bool(source.properties["atmosphere_sun_light"]))
@@ -110,7 +111,7 @@ def _white(kelvin: float, tint: float) -> Any:
     return np.array([x / y, 1.0, (1 - x - y) / y])
 
 
-def _colour(source: LightSource) -> Rgb:
+def light_colour(source: LightSource) -> Rgb:
     """Linear colour of a light, whose bytes are sRGB, times that of its temperature where it uses one."""
     colour = source.properties["light_color"]
     red, green, blue = (float(decode_table()[int(byte)]) for byte in (colour.r, colour.g, colour.b))
@@ -120,28 +121,43 @@ def _colour(source: LightSource) -> Rgb:
     return red * warm[0], green * warm[1], blue * warm[2]
 
 
+def _source_radius(properties: Mapping[str, Any]) -> float:
+    """In cm; a point has the size of a bulb."""
+    return max(_BULB_CM, float(properties.get("source_radius", 0.0)))
+
+
+def candela_of(source: LightSource) -> float:
+    """Luminous intensity of a local light along its axis; nits are those of its source as it is seen from there."""
+    properties = source.properties
+    solid_angle, area_cm2 = 4 * math.pi, math.pi * _source_radius(properties) ** 2
+    if source.kind == "SpotLightComponent":
+        outer = min(max(float(properties["outer_cone_angle"]), 1.0), 89.0)
+        solid_angle = 2 * math.pi * (1 - math.cos(math.radians(outer)))
+    elif source.kind == "RectLightComponent":
+        solid_angle, area_cm2 = math.pi, float(properties["source_width"]) * float(properties["source_height"])
+    intensity, units = float(properties["intensity"]), str(properties["intensity_units"].name)
+    return {"UNITLESS": intensity / _UNITLESS_PER_CANDELA, "LUMENS": intensity / solid_angle,
+            "CANDELAS": intensity, "NITS": intensity * area_cm2 / 1e4, "EV": float(2.0 ** (min(intensity, _MAX_EV) - _EV_OF_ONE_CANDELA))}[units]
+
+
 def _local(source: LightSource) -> LocalLight:
     """A point, spot or rectangle light."""
     properties = source.properties
-    inner, outer, solid_angle = 180.0, 180.0, 4 * math.pi
+    inner, outer = 180.0, 180.0
     across: Point = (0.0, 0.0, 0.0)
     upwards: Point = (0.0, 0.0, 0.0)
     if source.kind == "SpotLightComponent":
         inner, outer = (float(properties[f"{part}_cone_angle"]) for part in ("inner", "outer"))
-        solid_angle = 2 * math.pi * (1 - math.cos(math.radians(min(max(outer, 1.0), 89.0))))
     elif source.kind == "RectLightComponent":
-        solid_angle = math.pi
         wide, high = (float(properties[f"source_{side}"]) / 2 for side in ("width", "height"))
         right, up = _axis(source, 1), _axis(source, 2)
         across = (right[0] * wide, right[1] * wide, right[2] * wide)
         upwards = (up[0] * high, up[1] * high, up[2] * high)
-    intensity, units = float(properties["intensity"]), properties["intensity_units"].name
-    candela = {"UNITLESS": intensity / _UNITLESS_PER_CANDELA, "LUMENS": intensity / solid_angle,
-               "CANDELAS": intensity, "EV": 2.0 ** (min(intensity, _MAX_EV) - _EV_OF_ONE_CANDELA)}[units]
+    intensity, candela = float(properties["intensity"]), candela_of(source)
     by_exponent = not properties.get("use_inverse_squared_falloff", True)
-    return LocalLight(source.pose.location, _colour(source), intensity if by_exponent else candela,
+    return LocalLight(source.pose.location, light_colour(source), intensity if by_exponent else candela,
                       float(properties["attenuation_radius"]), _axis(source, 0), inner, outer,
-                      max(4.0, float(properties.get("source_radius", 0.0))), across, upwards,
+                      _source_radius(properties), across, upwards,
                       float(properties["light_falloff_exponent"]) if by_exponent else 0.0,
                       bool(properties["cast_shadows"]))
 
