@@ -1,6 +1,8 @@
 """Which actors of a candidate were edited: added, moved or changed against the input, paired by identity.
 
-Besides what repair calls a change, a new label or tag is an edit here (scorer facts 4).
+The published population (scorer facts 4) is wider and narrower than what repair calls a change: labels, tags, roles,
+origins and logical objects are edits too, and so is another way to write a rotation; of the recorded properties only
+the visible ones are. What the input does not record is no edit.
 """
 
 from __future__ import annotations
@@ -8,8 +10,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from c4s.verify.repair.difference import changed_fields
+from c4s.verify.repair.difference import property_differences, transform_differences
 from c4s.verify.repair.entries import Record, identity
+
+_OWN_FIELDS = ("label", "actor_origin", "logical_object_id", "actor_role")
 
 
 def edited_actors(snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any]) -> list[int]:
@@ -33,7 +37,13 @@ def edited_actors(snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any]
 
 
 def _edited(old: Record, new: Record) -> bool:
-    return old.get("label") != new.get("label") or _tags(old) != _tags(new) or bool(changed_fields(old, new))
+    if any(field in old and (old[field] or None) != (new.get(field) or None) for field in _OWN_FIELDS) \
+            or ("actor_tags" in old and _tags(old) != _tags(new)) \
+            or transform_differences(old, new, as_quaternion=False):
+        return True
+    changed = property_differences(old, new, target=False)
+    return bool(changed) and (changed != ["property.properties"] or bool(
+        property_differences({"properties": old["properties"]}, new, target=True)))
 
 
 def _tags(actor: Record) -> list[str]:

@@ -2,11 +2,12 @@
 
 A contact counts for each of its two actors against that actor's own tolerance, once an actor. Contacts inside one
 logical object and with non-solid colliders do not count. An actor whose own bodies, box or neighbours are not known, or
-whose deep contact is not trusted, is unresolved unless another contact proves a violation.
+one of whose contacts has no trusted depth, however shallow, is unresolved unless another contact proves a violation.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -29,10 +30,13 @@ class Penetration:
     tolerances_cm: dict[int, float]
     contacts: dict[int, list[tuple[int, float, bool]]]
     """Per scored actor: (other actor, depth in cm, trusted) of each counted contact, deepest first."""
+    noise_cm: float
+    """Depths this far beyond the tolerance are not told apart from it."""
 
-    def deep(self, actor: int) -> list[tuple[int, float, bool]]:
-        """The actor's counted contacts beyond its tolerance."""
-        return [contact for contact in self.contacts[actor] if contact[1] > self.tolerances_cm[actor] + NOISE_CM]
+    def violating(self, actor: int) -> list[tuple[int, float, bool]]:
+        """The actor's trusted contacts beyond its tolerance."""
+        limit = self.tolerances_cm[actor] + self.noise_cm
+        return [contact for contact in self.contacts[actor] if contact[2] and contact[1] > limit]
 
     @property
     def score(self) -> float | None:
@@ -65,14 +69,15 @@ def contact_rule(actors: Sequence[Mapping[str, Any]], role: Sequence[Role],
     for index, actor in enumerate(actors):
         rule.solid[index] = role[index] != "non_solid"
         if name := actor.get("logical_object_id"):
-            rule.group[index] = logical.setdefault(repr(name), len(logical))
+            rule.group[index] = logical.setdefault(str(name), len(logical))
     for index, tolerance in tolerances.items():
         rule.limits_cm[index] = tolerance + NOISE_CM
     return rule
 
 
 def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found: Iterable[Contact],
-                scene: SceneBodies, *, scored: Iterable[int], tolerances: Mapping[int, float]) -> Penetration:
+                scene: SceneBodies, *, scored: Iterable[int], tolerances: Mapping[int, float],
+                noise_cm: float = 0.0) -> Penetration:
     """Judge the scored solids among ``scored``.
 
     Args:
@@ -83,27 +88,26 @@ def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found
         scored: positions of the population. Its ``scored_solid`` members are judged; those whose role is not known are
             unresolved.
         tolerances: see ``tolerances_cm``.
+        noise_cm: rounding of the measured depths.
     """
     targets = [i for i in scored if role[i] == "scored_solid"]
     boxes = {i: bounds_of(actor) for i, actor in enumerate(actors)}
     touching: dict[int, list[tuple[int, float, bool]]] = {i: [] for i in targets}
     for contact in found:
         a, b = contact.a_index, contact.b_index
-        logical = actors[a].get("logical_object_id")
-        if "non_solid" in (role[a], role[b]) or (logical and logical == actors[b].get("logical_object_id")):
+        if "non_solid" in (role[a], role[b]) or _one_object(actors[a], actors[b]):
             continue
         for mine, other in ((a, b), (b, a)):
             if mine in touching:
                 touching[mine].append((other, contact.depth_cm, contact.trusted))
     result = Penetration([], [], {i: "no valid world box" for i in scored if role[i] == "unresolved"},
-                         dict(tolerances), touching)
+                         dict(tolerances), touching, noise_cm)
     held: list[int] = []
     for index in targets:
-        touching[index].sort(key=lambda contact: (-contact[1], not contact[2]))
-        deep = result.deep(index)
-        if any(trusted for _, _, trusted in deep):
+        touching[index].sort(key=lambda contact: (math.isnan(contact[1]), -contact[1], not contact[2]))
+        if result.violating(index):
             result.violators.append(index)
-        elif deep:
+        elif not all(trusted for _, _, trusted in touching[index]):
             result.unresolved[index] = "the depth of a contact could not be confirmed"
         elif index in scene.unresolved:
             result.unresolved[index] = scene.unresolved[index]
@@ -116,6 +120,11 @@ def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found
         else:
             result.clean.append(index)
     return result
+
+
+def _one_object(a: Mapping[str, Any], b: Mapping[str, Any]) -> bool:
+    one, other = a.get("logical_object_id"), b.get("logical_object_id")
+    return bool(one) and bool(other) and str(one) == str(other)
 
 
 def _near_unknown(targets: Sequence[int], boxes: Mapping[int, Any], unknown: Sequence[int]) -> set[int]:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from c4s.collision import Contact, SceneBodies, scene_bodies, scene_contacts
+from c4s.collision import NOISE_CM, Contact, SceneBodies, scene_bodies, scene_contacts
 from c4s.errors import BadInput
 from c4s.score.physics import physics_from_report
 from c4s.score.policy import (
@@ -17,6 +17,7 @@ from c4s.score.policy import (
     GAP_CM,
     I2S_FLOATING_METRIC,
     PENETRATION_METRIC,
+    PHYSICS_DIGITS,
     PHYSICS_POLICY,
     ROLE_POLICY,
     T2S_FLOATING_METRIC,
@@ -41,7 +42,8 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
         setting: ``text-to-scene`` (all actors), or an image-to-scene setting (actors that differ from the input).
         snapshot: the candidate scene. Contacts come from its collision bodies.
         input_snapshot: the start scene; needed by image-to-scene.
-        contacts: contacts that another engine measured, for a snapshot without collision bodies.
+        contacts: contacts that another engine measured, for a snapshot without collision bodies. The depth
+            of one that is not trusted may be NaN.
 
     Without bodies and without ``contacts`` an actor is unresolved, and a leaf that rests on it is not evaluated.
     Raises ``BadInput`` for a scene without an actor list, and for image-to-scene without an input scene.
@@ -65,8 +67,9 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
     found = list(contacts) if contacts is not None else scene_contacts(
         snapshot, scene, minimum_depth_cm=FIXED_TOLERANCE_CM, actors=None if whole else chosen,
         rule=contact_rule(actors, role, tolerances))
-    judged = penetration(actors, role, found, scene, scored=chosen, tolerances=tolerances)
-    solid = _penetration_leaf(actors, chosen, judged)
+    judged = penetration(actors, role, found, scene, scored=chosen, tolerances=tolerances,
+                         noise_cm=NOISE_CM if contacts is None else 0.0)
+    solid = _penetration_leaf(actors, chosen, judged, whole)
     leaves = {"leaf_results": [floating, solid],
               "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"}}
     total = physics_from_report({"report_id": "physical_safety", "status": "measured", "metrics": leaves})
@@ -96,7 +99,9 @@ def report(verdict: Verdict) -> dict[str, Any]:
 
 
 def _leaf(leaf_id: str, status: str, score: float | None, direction: str, **more: Any) -> Leaf:
-    return {"leaf_id": leaf_id, "report_id": f"physical_safety.{leaf_id}", "status": status, "score": score,
+    """A leaf as published: its score has four decimals before it is weighted."""
+    return {"leaf_id": leaf_id, "report_id": f"physical_safety.{leaf_id}", "status": status,
+            "score": None if score is None else round(score, PHYSICS_DIGITS),
             "metadata": {"score_direction": direction}, **more}
 
 
@@ -116,7 +121,7 @@ def _scene_floating(snapshot: Mapping[str, Any]) -> Leaf:
         return _floating("error", None, 0, 0, [], reason=str(error))
     failed = [_name(actor) for actor, state in zip(snapshot["actors"], support.per_actor, strict=True)
               if state == "floating"]
-    status, score = ("measured", support.rate) if support.evaluated else _empty(len(support.per_actor), 0.0)
+    status, score = ("measured", support.rate) if support.evaluated else _empty(len(support.per_actor), None)
     return _floating(status, score, support.evaluated, 0, failed,
                      metric=T2S_FLOATING_METRIC, excluded=support.per_actor.count("excluded"))
 
@@ -125,7 +130,8 @@ def _edited_floating(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], 
                      chosen: Sequence[int]) -> Leaf:
     """Image-to-scene: support of the edited actors, without non-solid ones and broad thin ground surfaces.
 
-    When none is left the leaf is neutral; the penetration leaf is then not applicable (both as published).
+    When none is left the leaf is neutral; the penetration leaf is then not applicable. One actor without evidence
+    withholds the leaf, whatever the others show: here a failure proves nothing about the rest (all as published).
     """
     tested = [i for i in chosen if not needs_no_support(actors[i])]
     solid = {i for i in range(len(actors)) if role[i] != "non_solid"}
@@ -138,7 +144,7 @@ def _edited_floating(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], 
     evaluated = len(states) - len(unresolved)
     if not tested:
         status, score = "measured", 0.0
-    elif not evaluated or (unresolved and not failed):
+    elif unresolved:
         status, score = "not_evaluated", None
     else:
         status, score = "measured", len(failed) / evaluated
@@ -152,16 +158,20 @@ def _floating(status: str, score: float | None, evaluated: int, unresolved: int,
                  failed=len(failed), floating_actors=failed, **more)
 
 
-def _empty(selected: int, neutral: float) -> tuple[str, float | None]:
-    """Nothing to evaluate: neutral when nothing was selected, not applicable when all selected were excluded."""
-    return ("not_applicable", None) if selected else ("measured", neutral)
+def _empty(selected: int, neutral: float | None) -> tuple[str, float | None]:
+    """Nothing to evaluate: not applicable when all that was selected is excluded. When nothing was, neutral for the
+    edits of a repair, and not evaluated (no ``neutral``) for a whole scene, which would look perfect."""
+    if selected:
+        return "not_applicable", None
+    return ("not_evaluated", None) if neutral is None else ("measured", neutral)
 
 
-def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int], judged: Penetration) -> Leaf:
+def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int], judged: Penetration,
+                      whole: bool) -> Leaf:
     evaluated = len(judged.violators) + len(judged.clean)
     score: float | None
     if not evaluated and not judged.unresolved:
-        status, score = _empty(len(chosen), 1.0)
+        status, score = _empty(len(chosen), None if whole else 1.0)
     else:
         status, score = ("measured", judged.score) if judged.score is not None else ("not_evaluated", None)
     state = (dict.fromkeys(judged.violators, "violating") | dict.fromkeys(judged.clean, "clean")
@@ -170,8 +180,7 @@ def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int]
         "solid_penetration", status, score, "higher_is_better", metric=PENETRATION_METRIC, evaluated=evaluated,
         unresolved=len(judged.unresolved), failed=len(judged.violators),
         violations=[{"actor": _name(actors[i]), "tolerance_cm": judged.tolerances_cm[i],
-                     **_contact_rows(actors, deep)}
-                    for i in judged.tolerances_cm if (deep := judged.deep(i))],
+                     **_contact_rows(actors, judged.violating(i))} for i in judged.violators],
         unresolved_actors=[_name(actors[i]) for i in judged.unresolved], measured_beyond_cm=FIXED_TOLERANCE_CM,
         actors=[{"actor": _name(actors[i]), "state": state[i], "tolerance_cm": judged.tolerances_cm.get(i),
                  **_contact_rows(actors, judged.contacts.get(i, [])),
@@ -180,8 +189,8 @@ def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int]
 
 def _contact_rows(actors: Sequence[Mapping[str, Any]], rows: Sequence[tuple[int, float, bool]]) -> dict[str, Any]:
     """The deepest contacts of an actor, and their number where more were found."""
-    listed = [{"actor": _name(actors[other]), "depth_cm": round(depth, 4), "trusted": trusted}
-              for other, depth, trusted in rows[:MOST_LISTED]]
+    listed = [{"actor": _name(actors[other]), "depth_cm": None if math.isnan(depth) else round(depth, 4),
+               "trusted": trusted} for other, depth, trusted in rows[:MOST_LISTED]]
     return {"contacts": listed} if len(rows) <= MOST_LISTED else {"contacts": listed, "contacts_found": len(rows)}
 
 
@@ -204,8 +213,8 @@ def _advisories(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int], scor
                 judged: Penetration, scene: SceneBodies, leaves: tuple[Leaf, Leaf]) -> list[dict[str, Any]]:
     """Known oddities of the protocol in this scene."""
     notes: list[dict[str, Any]] = []
-    if not chosen:
-        notes.append({"code": "empty_population", "text": "no actor was selected: both leaves are neutral",
+    if not chosen and leaves[1]["status"] == "measured":
+        notes.append({"code": "empty_population", "text": "no actor was edited: both leaves are neutral",
                       "actors": []})
     elif any(leaf["status"] == "not_applicable" for leaf in leaves):
         notes.append({"code": "all_excluded", "text": "every selected actor is excluded from a leaf, which is not "

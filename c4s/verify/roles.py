@@ -70,10 +70,8 @@ def _many(actor: Mapping[str, Any], field: str) -> list[Any]:
 
 
 def _component_classes(actor: Mapping[str, Any]) -> list[Any]:
-    diagnostics, own = actor.get("export_diagnostics"), actor.get("c4s")
-    exported = _many(diagnostics, "component_classes") if isinstance(diagnostics, Mapping) else []
-    components = _many(own, "components") if isinstance(own, Mapping) else []
-    return [*exported, *(part.get("class") for part in components if isinstance(part, Mapping))]
+    diagnostics = actor.get("export_diagnostics")
+    return _many(diagnostics, "component_classes") if isinstance(diagnostics, Mapping) else []
 
 
 def _titles(actor: Mapping[str, Any]) -> list[Any]:
@@ -136,11 +134,16 @@ def _broad_and_thin(extent: Boxes) -> bool:
 
 
 def is_ground(actor: Mapping[str, Any], extent: Boxes) -> bool:
-    """A broad thin surface named like ground (its materials may tell), or rough terrain of any shape."""
+    """A broad thin surface named like ground, or rough terrain of any shape.
+
+    Its materials may tell too, by a word of their own (``M_Floor01``); its role only by the plain word.
+    """
     names = own_names(actor)
     if any(map(ROUGH.search, names)):
         return True
-    told = _variants([*names, *_texts([actor.get("actor_role"), *map(_leaf, _many(actor, "material_paths"))])])
+    role, materials = actor.get("actor_role"), _texts(map(_leaf, _many(actor, "material_paths")))
+    told = _variants(names) | set(words(str(role or ""))) | {word.rstrip("0123456789") for text in materials
+                                                        for word in words(text)}
     return not GROUND_WORDS.isdisjoint(told) and _broad_and_thin(extent)
 
 
@@ -205,6 +208,7 @@ def _proxies(actors: Sequence[Mapping[str, Any]], solids: Mapping[int, tuple[Box
         if span <= PROXY_SPAN_CM or (span < PROXY_HUGE_CM and not 0 < PROXY_RATIO * median <= span):
             continue
         inside = int(((origins >= origin - extent) & (origins <= origin + extent)).all(axis=1).sum()) - 1
+        paths = [path.replace("\\", "/") for path in _texts(_paths(actors[index]))]
         if inside >= needed and (any(map(BACKDROP.search, own_names(actors[index])))
-                                 or any(map(BASIC_SHAPE.search, _texts(_paths(actors[index]))))):
+                                 or any(map(BASIC_SHAPE.search, paths))):
             yield index

@@ -36,7 +36,6 @@ def test_solids(given: dict[str, Any]) -> None:
     {"actor_tags": ["vfx"]}, {"class": "/Script/Engine.PointLight"}, {"class": "/Script/Engine.PostProcessVolume"},
     {"class": "/Game/Sky/BP_Stone.BP_Stone_C"}, {"class": "/Script/Engine.GroupActor"}, {"label": "Group Actor 3"},
     {"export_diagnostics": {"component_classes": ["/Script/Engine.SpotLightComponent"]}},
-    {"c4s": {"components": [{"class": "/Script/Niagara.NiagaraComponent"}]}},
     {"label": "SM_Pond_01"}, {"label": "WaterPlane2"}, {"mesh": "/Game/Lake/SM_A.SM_A"},
     {"material_paths": ["/Game/P/M_River.M_River"], "half": (50, 50, 100)}])
 def test_non_solids(given: dict[str, Any]) -> None:
@@ -50,10 +49,17 @@ def test_non_solids(given: dict[str, Any]) -> None:
     ({"mesh": "/Game/Street/SM_A.SM_A", "half": PLATE}, False), ({"mesh": "/Game/P/SM_Street.SM_Street",
                                                                   "half": PLATE}, True),
     ({"material_paths": ["/Game/P/M_Cobblestone.M_Cobblestone"], "half": PLATE}, True),
+    ({"material_paths": ["/Game/P/M_Floor01.M_Floor01"], "half": PLATE}, True),
+    ({"material_paths": ["/Game/P/M_Floor01b.M_Floor01b"], "half": PLATE}, False),
+    ({"actor_role": "floor", "half": PLATE}, True), ({"actor_role": "floor01", "half": PLATE}, False),
     ({"label": "Cliff_A", "half": (50, 50, 900)}, True), ({"label": "Cliffside", "half": (50, 50, 900)}, False),
     ({"label": "Landscape1", "half": (9, 9, 900)}, True)])
 def test_ground_needs_a_name_and_a_size(given: dict[str, Any], ground: bool) -> None:
     assert role(**given) == ("support_surface" if ground else "scored_solid")
+
+
+def test_only_what_the_published_exporter_writes_tells_a_role() -> None:
+    assert role(c4s={"components": [{"class": "/Script/Niagara.NiagaraComponent"}]}) == "scored_solid"
 
 
 def test_an_actor_without_bounds_is_unresolved_and_negative_extents_are_sizes() -> None:
@@ -66,6 +72,7 @@ def test_an_actor_without_bounds_is_unresolved_and_negative_extents_are_sizes() 
     ({"label": "Hill", "half": (1600, 1600, 1600)}, 2, False),
     ({"label": "Hall", "half": (1600, 1600, 1600)}, 3, False),
     ({"label": "Hall", "half": (1600, 1600, 1600), "mesh": "/Engine/BasicShapes/Sphere.Sphere"}, 3, True),
+    ({"label": "Hall", "half": (1600, 1600, 1600), "mesh": "\\Engine\\BasicShapes\\Cube.Cube"}, 3, True),
     ({"label": "Hill", "half": (15000, 15000, 15000)}, 3, True), ({"label": "Hill", "half": (1600, 1600, 9)}, 3, True)])
 def test_a_backdrop_is_far_larger_than_the_rest_and_around_it(shell: dict[str, Any], others: int, proxy: bool) -> None:
     scene = [thing(**shell), *(thing(f"Thing {n}") for n in range(others))]
