@@ -119,7 +119,7 @@ def test_nits_count_by_the_area_that_shines(tmp_path: Path):
                                  "source_width": 100.0, "source_height": 50.0})
     (source,) = world().light_sources()
     assert candela_of(source) == pytest.approx(100.0)
-    assert lights_of([source]).local[0].intensity == pytest.approx(100.0)
+    assert lights_of([source]).local[0].intensity_cd == pytest.approx(100.0)
 
 
 def test_the_khronos_validator_accepts_lights_cameras_and_instances(tmp_path: Path):

@@ -137,7 +137,8 @@ def candela_of(source: LightSource) -> float:
         solid_angle, area_cm2 = math.pi, float(properties["source_width"]) * float(properties["source_height"])
     intensity, units = float(properties["intensity"]), str(properties["intensity_units"].name)
     return {"UNITLESS": intensity / _UNITLESS_PER_CANDELA, "LUMENS": intensity / solid_angle,
-            "CANDELAS": intensity, "NITS": intensity * area_cm2 / 1e4, "EV": float(2.0 ** (min(intensity, _MAX_EV) - _EV_OF_ONE_CANDELA))}[units]
+            "CANDELAS": intensity, "NITS": intensity * area_cm2 / 1e4,
+            "EV": float(2.0 ** (min(intensity, _MAX_EV) - _EV_OF_ONE_CANDELA))}[units]
 
 
 def _local(source: LightSource) -> LocalLight:
