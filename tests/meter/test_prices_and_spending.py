@@ -59,6 +59,18 @@ def test_the_shipped_table_can_be_read() -> None:
     assert price is not None and price.source and price.cache_write_1h == 2 * price.input
 
 
+@pytest.mark.parametrize("model", [
+    "openai/gpt-6-astra", "gpt-5.6-sol", "claude-fable-5-1", "claude-opus-5", "gemini-3.8-flash", "x-ai/grok-4.6",
+    "meta/muse-spark-1.3", "z-ai/glm-5.3-flash", "deepseek/deepseek-v4.1-flash", "thinkingmachines/inkling"])
+def test_hosted_models_of_the_paper_have_a_price_and_those_that_are_served_by_oneself_have_none(model: str) -> None:
+    prices, day = PriceTable.load(), date(2026, 11, 1)
+    price = prices.price(model, day)
+    assert price is not None and 0 < (price.cache_read or 0) < price.input < price.output and "2026-11" in price.source
+    for open_weights in ("Qwen/Qwen3.8-27B", "qwen/qwen3.8-27b", "google/gemma-4-31b-it"):
+        assert prices.price(open_weights, day) is None
+        assert cost_of(ZERO, prices.price(open_weights, day)).usd is None
+
+
 CLASSES = st.integers(0, 10**7)
 
 
