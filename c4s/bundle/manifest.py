@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from pathlib import PurePosixPath
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeVar
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
 from c4s.case.package import Setting
 from c4s.model import Record
@@ -14,16 +14,35 @@ MANIFEST = "bundle.json"
 
 
 def _inside(path: str) -> str:
-    parts = PurePosixPath(path).parts
-    if not parts or path.startswith(("/", "~")) or "\\" in path or ".." in parts or ":" in parts[0] or "\0" in path:
-        raise ValueError("paths are relative to the bundle, with '/', without '..'")
+    slashed = path.replace("\\", "/")
+    parts = PurePosixPath(slashed).parts
+    if not path.strip() or slashed.startswith(("/", "~")) or ".." in parts or ":" in (*parts, "")[0] or "\0" in path:
+        raise ValueError("paths are relative to the bundle, without '..'")
     return path
 
 
-BundlePath = Annotated[str, AfterValidator(_inside)]
-Digest = Annotated[str, Field(pattern=r"^[0-9a-fA-F]{64}$")]
+def _plain(path: str) -> str:
+    return str(PurePosixPath(_inside(path).replace("\\", "/")))
+
+
+def _text(value: Any) -> Any:
+    return str(value) if isinstance(value, (int, float)) and value else value
+
+
+FileKey = Annotated[str, AfterValidator(_inside)]
+"""A path as the list of files has it."""
+BundlePath = Annotated[str, AfterValidator(_plain)]
+"""A path that the manifest refers to, in its plain form: ``./a//b`` is the file ``a/b``."""
+Text = Annotated[str, BeforeValidator(_text), Field(min_length=1)]
+"""A label. Numbers are read as text."""
+Digest = Annotated[str, Field(min_length=64, max_length=64)]
 INTEGRITY_LEAVES = ("candidate_snapshot_integrity", "content_and_dependency_parity", "asset_library_manifest_parity")
 """The three recorded checks of candidate integrity."""
+
+
+T = TypeVar("T")
+Section = Annotated[T | None, BeforeValidator(lambda value: value or None)]
+"""What may be absent: null and every other empty value mean the same."""
 
 
 class _Part(BaseModel):
@@ -35,29 +54,29 @@ class _Part(BaseModel):
 class Task(_Part):
     """The case."""
 
-    id: str
+    id: Text
     setting: Setting
-    sha256: str | None = None
+    sha256: Any = None
     """Of the ``task.yaml`` that the run used."""
 
 
 class Run(_Part):
     """Where the submission comes from."""
 
-    model: str | None = None
+    model: Annotated[str | None, BeforeValidator(lambda value: value if value is None else str(value))] = None
     """Label that results are grouped by."""
     submission: Literal["submitted", "missing"] = "submitted"
-    candidate_sha256: str | None = None
-    batch_status: str | None = None
-    authoritative: bool | None = None
+    candidate_sha256: Any = None
+    batch_status: Any = None
+    authoritative: Any = None
 
 
 class Integrity(_Part):
     """Recorded integrity: the three checks."""
 
     status: Literal["valid", "invalid"]
-    leaves: dict[str, str | None] | None = None
-    failure_reason: str | None = None
+    leaves: Section[dict[str, Any]] = None
+    failure_reason: Any = None
 
     def failed_leaf(self) -> str | None:
         """The first check that is recorded with another status than ``valid``."""
@@ -68,38 +87,38 @@ class Integrity(_Part):
 class Scenes(_Part):
     """Snapshots."""
 
-    candidate: BundlePath | None = None
-    input: BundlePath | None = None
-    ground_truth: BundlePath | None = None
+    candidate: Section[BundlePath] = None
+    input: Section[BundlePath] = None
+    ground_truth: Section[BundlePath] = None
 
 
 class Physics(_Part):
     """The recorded report of physical safety."""
 
-    report: BundlePath | None = None
+    report: Section[BundlePath] = None
 
 
 class Semantic(_Part):
     """Decided requirements; the request schedule of the visual judge."""
 
-    decisions: BundlePath | None = None
-    stage3_plan: BundlePath | None = None
+    decisions: Section[BundlePath] = None
+    stage3_plan: Section[BundlePath] = None
 
 
 class Overview(_Part):
     """The recorded overview judgement and its four views."""
 
-    judgement: BundlePath | None = None
-    views: list[BundlePath] | None = None
+    judgement: Section[BundlePath] = None
+    views: Section[list[BundlePath]] = None
 
 
 class Render(_Part):
     """An image of the bundle."""
 
-    role: str
-    view: str
-    channel: str
     path: BundlePath
+    role: Any = None
+    view: Any = None
+    channel: Any = None
 
 
 class Manifest(Record):
@@ -107,14 +126,14 @@ class Manifest(Record):
 
     schema_version: Literal["code4scene.bundle.v1"]
     task: Task
-    run: Run | None = None
-    candidate_integrity: Integrity | None = None
-    scenes: Scenes | None = None
-    physics: Physics | None = None
-    semantic: Semantic | None = None
-    overview: Overview | None = None
-    renders: list[Render] | None = None
-    files: dict[BundlePath, Digest]
+    run: Section[Run] = None
+    candidate_integrity: Section[Integrity] = None
+    scenes: Section[Scenes] = None
+    physics: Section[Physics] = None
+    semantic: Section[Semantic] = None
+    overview: Section[Overview] = None
+    renders: Section[list[Render]] = None
+    files: dict[FileKey, Digest]
     """SHA-256 of every file that is referenced."""
     notes: Any = None
 

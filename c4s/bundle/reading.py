@@ -46,14 +46,14 @@ def read_bundle(root: Path) -> EvidenceBundle:
     where = str(root / MANIFEST)
     lacking = manifest.lacks()
     if lacking:
-        raise BadInput(f"a {manifest.task.setting} bundle needs {', '.join(lacking)}", where=where)
+        raise BadInput(f"a bundle of {manifest.task.setting} needs {', '.join(lacking)}", where=where)
     unlisted = sorted(manifest.referenced() - set(manifest.files))
     if unlisted:
         raise BadInput(f"{unlisted[0]!r} has no digest under 'files'", where=where)
     for path, expected in manifest.files.items():
         if not (root / path).is_file():
             raise BadInput("a file of the bundle is missing", where=str(root / path), todo="copy the whole folder")
-        if digest_file(root / path) != expected.lower():
+        if digest_file(root / path) != expected:
             raise BadInput("a file of the bundle is not the one that was packed: its digest differs",
                            where=str(root / path))
     bundle = EvidenceBundle(root, manifest)

@@ -76,7 +76,7 @@ def _integrity(bundle: EvidenceBundle, candidate: Any, minimum_actors: int) -> V
     failed = recorded.failed_leaf()
     reason = ""
     if recorded.status == "invalid":
-        reason = recorded.failure_reason or "invalid"
+        reason = str(recorded.failure_reason or "invalid")
     elif candidate is not None and (fault := scene_fault(candidate)):
         reason = f"snapshot_schema: {fault}"
     elif candidate is not None and len(candidate["actors"]) < minimum_actors:

@@ -144,7 +144,7 @@ def test_compressed_files_and_fewer_actors_than_the_minimum(repair_trial: tuple[
     ({"scenes": {"candidate": "../candidate.json"}}, "relative to the bundle"),
     ({"scenes": {"candidate": "/etc/passwd"}}, "relative to the bundle"),
     ({"scenes": {"candidate": "C:/scene.json"}}, "relative to the bundle"),
-    ({"scenes": {"candidate": "scenes\\candidate.json"}}, "relative to the bundle"),
+    ({"scenes": {"candidate": "..\\candidate.json"}}, "relative to the bundle"),
     ({"scenes": {"candidate": "scenes/candidate.scene.json"}}, "needs scenes.input, scenes.ground_truth"),
     ({"physics": None}, "needs physics.report"), ({"candidate_integrity": None}, "needs candidate_integrity"),
     ({"files": {}}, "no digest")])

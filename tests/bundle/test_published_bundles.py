@@ -227,3 +227,26 @@ def test_any_json_file_may_be_packed(image: Packed) -> None:
             del image.manifest["files"][path]
             section[name] = image.add(f"{path}.gz", data)
     assert image.score().score == plain
+
+
+def test_labels_may_be_numbers_and_empty_sections_of_any_kind(image: Packed) -> None:
+    plain = image.score().score.score
+    image.manifest |= {"semantic": [], "overview": "", "renders": [{"path": "scenes/candidate.scene.json"}]}
+    image.manifest["task"]["id"], image.manifest["run"] = 7, {"model": 5.5, "batch_status": ["complete"]}
+    found = image.score().score
+    assert (found.case_id, found.configuration, found.score) == ("7", "5.5", plain)
+    image.manifest["candidate_integrity"] |= {"status": "invalid", "failure_reason": ["packages"]}
+    assert image.score().score.reason == "['packages']"
+
+
+@pytest.mark.parametrize("written", ["./{}", "{}/", "scenes\\{name}", "scenes//{name}"])
+def test_paths_are_read_in_their_plain_form(image: Packed, written: str) -> None:
+    plain = image.score().score.score
+    image.manifest["scenes"] = {role: written.format(path, name=path.partition("/")[2])
+                                for role, path in image.manifest["scenes"].items()}
+    assert image.score().score.score == plain
+
+
+def test_digests_are_compared_as_written(image: Packed) -> None:
+    image.manifest["files"] = {path: digest.upper() for path, digest in image.manifest["files"].items()}
+    assert "its digest differs" in image.refused()
