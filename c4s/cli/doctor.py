@@ -13,10 +13,14 @@ from typing import Annotated
 import httpx
 import typer
 
+from c4s.agents.base import CLIENTS, agent_of
+from c4s.agents.clients.client import ExternalClient
+from c4s.agents.clients.command import CommandClient
 from c4s.cli.output import print_json, print_table
 from c4s.engine.sandbox import faults
 from c4s.errors import BadInput
 from c4s.home import home, suites_root
+from c4s.run.records import Configuration
 
 API_TIMEOUT_S = 3.0
 LEAST_FREE_GB = 2.0
@@ -46,6 +50,24 @@ def _findings() -> Iterator[Finding]:
     yield _prefect()
     yield Finding("Unreal Editor", shutil.which("UnrealEditor-Cmd") is not None, False,
                   "without it scenes are built on the headless engine, and are never ranked with Unreal results")
+    yield from _clients()
+
+
+def _clients() -> Iterator[Finding]:
+    """The agent clients that are programs of their own: the version that is installed, or how to install it."""
+    unusable = faults()["bubblewrap"]
+    for name in CLIENTS:
+        agent = agent_of(Configuration(name=name, client=name))
+        if not isinstance(agent, ExternalClient) or type(agent) is CommandClient:
+            continue
+        try:
+            program = agent.program({})
+        except BadInput as missing:
+            yield Finding(f"client {name}", False, False, missing.line())
+            continue
+        where = f"{program.version or 'unknown version'}, {program.path}"
+        yield Finding(f"client {name}", True, False, where if unusable is None else
+                      f"{where}; it cannot be started without bubblewrap: {unusable}")
 
 
 def _prefect() -> Finding:

@@ -25,28 +25,7 @@ class Watch:
             return f"it used more than {limits.memory >> 20} MiB of memory"
         if threads > limits.threads:
             return f"it started more than {limits.threads} threads"
-        return next((found for folder in self._folders if (found := self._overfull(folder)) is not None), None)
-
-    def _overfull(self, folder: Path) -> str | None:
-        """The limit that the files below a folder pass. Links are not followed; what has just gone is left out."""
-        size = count = 0
-        waiting = [str(folder)]
-        while waiting:
-            try:
-                with os.scandir(waiting.pop()) as found:
-                    entries = list(found)
-            except FileNotFoundError:
-                continue
-            except OSError as error:
-                return f"its files cannot be looked at: {error.strerror}"
-            count += len(entries)
-            size += sum(_size(entry) for entry in entries)
-            if count > self._limits.files:
-                return f"it wrote more than {self._limits.files} files"
-            if size > self._limits.disk:
-                return f"its files take more than {self._limits.disk >> 20} MiB"
-            waiting += [entry.path for entry in entries if entry.is_dir(follow_symlinks=False)]
-        return None
+        return next((found for folder in self._folders if (found := overfull(folder, limits)) is not None), None)
 
     def _usage(self) -> tuple[int, int]:
         """Resident memory (bytes) and threads of the process and all below it."""
@@ -63,6 +42,28 @@ class Watch:
             except (FileNotFoundError, ProcessLookupError):
                 continue  # it has just ended
         return memory, threads
+
+
+def overfull(folder: Path, limits: Limits) -> str | None:
+    """The limit that the files below a folder pass. Links are not followed; what has just gone is left out."""
+    size = count = 0
+    waiting = [str(folder)]
+    while waiting:
+        try:
+            with os.scandir(waiting.pop()) as found:
+                entries = list(found)
+        except FileNotFoundError:
+            continue
+        except OSError as error:
+            return f"its files cannot be looked at: {error.strerror}"
+        count += len(entries)
+        size += sum(_size(entry) for entry in entries)
+        if count > limits.files:
+            return f"it wrote more than {limits.files} files"
+        if size > limits.disk:
+            return f"its files take more than {limits.disk >> 20} MiB"
+        waiting += [entry.path for entry in entries if entry.is_dir(follow_symlinks=False)]
+    return None
 
 
 def _size(entry: os.DirEntry[str]) -> int:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import re
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -168,6 +171,23 @@ def test_a_client_that_is_not_installed_says_how_to_install_it(attempt: Attempt,
                                                                text: str) -> None:
     with pytest.raises(BadInput, match=text):
         attempt(client, "http://127.0.0.1:1", options=options)
+
+
+def test_doctor_lists_the_clients_with_their_version_or_how_to_install_them(tmp_path: Path) -> None:
+    module = tmp_path / "clients/codex/node_modules"
+    (module / "@openai/codex").mkdir(parents=True)
+    (module / "@openai/codex/package.json").write_text('{"version": "9.8.7"}')
+    (module / ".bin").mkdir()
+    (module / ".bin/codex").write_text("#!/bin/sh\n")
+    (module / ".bin/codex").chmod(0o755)
+    environment = {**os.environ, "C4S_HOME": str(tmp_path), "COLUMNS": "400", "PATH": "/usr/bin:/bin"}
+    shown = subprocess.run([sys.executable, "-m", "c4s.cli", "doctor"], env=environment, text=True, capture_output=True,
+                           check=False).stdout
+    rows = {row.split("│")[0].strip(): row for row in shown.splitlines() if row.startswith("client ")}
+    assert re.search(r"│ +yes │ +no │ 9\.8\.7, .*codex", rows["client codex"])
+    for name, way in (("claude_code", "npm install"), ("gemini", "npm install"), ("opencode", "npm install"),
+                      ("hermes", "hermes-agent[mcp]"), ("antigravity", "vendor")):
+        assert re.search(r"│ +no │ +no │.*" + re.escape(way), rows[f"client {name}"])
 
 
 @pytest.mark.parametrize(("options", "text"), [({"endpoint": "nowhere"}, "unknown model endpoint"),

@@ -2,7 +2,7 @@
 
 What it sees: the system's programs and libraries, its own installation (all read-only), ``/home/agent`` and an empty
 ``/tmp``. What it reaches: the run's tool gateway and model meter, through Unix sockets. It has no other network, no
-other process, no capability, and it dies with this process.
+other process, no capability, and it dies with this process. What it may use of the machine stands in ``limits.py``.
 """
 
 from __future__ import annotations
@@ -22,17 +22,20 @@ from typing import BinaryIO
 from urllib.parse import urlsplit
 
 from c4s.agents.clients import inside
+from c4s.agents.clients.limits import ClientLimits, ClientWatch
 from c4s.engine.sandbox import faults
-from c4s.errors import MachineryFault
+from c4s.errors import AgentFault, MachineryFault
 
 HOME = Path("/home/agent")
+LOOK_S = 0.2
+"""Seconds between two looks at what a client uses, and at whether its run goes on."""
 _INSIDE = Path("/run/c4s")
 _ETC = {"passwd": "agent:x:1000:1000:agent:/home/agent:/bin/sh\n", "group": "agent:x:1000:\n",
         "hosts": "127.0.0.1 localhost\n", "nsswitch.conf": "passwd: files\ngroup: files\nhosts: files\n"}
 _LINKED = ("/bin", "/sbin", "/lib", "/lib64", "/usr")
 _NAMESPACES = ("--unshare-all", "--unshare-user", "--disable-userns", "--uid", "1000", "--gid", "1000",
                "--die-with-parent", "--new-session", "--cap-drop", "ALL", "--hostname", "agent", "--clearenv",
-               "--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp")
+               "--proc", "/proc", "--dev", "/dev")
 
 
 @dataclass(frozen=True)
@@ -54,8 +57,11 @@ def check() -> None:
 
 
 def run(command: Command, home: Path, out: Path, *, servers: Sequence[str] = (),
-        stop: Callable[[float], bool] = lambda seconds: threading.Event().wait(seconds)) -> int:
+        stop: Callable[[float], bool] = lambda seconds: threading.Event().wait(seconds),
+        limits: ClientLimits | None = None) -> int:
     """Run a command to its end, or until ``stop`` says so; its exit status, or -9 where it was killed.
+
+    One that passes a limit is killed with all that it started: ``AgentFault``.
 
     Args:
         command: what to run.
@@ -63,27 +69,35 @@ def run(command: Command, home: Path, out: Path, *, servers: Sequence[str] = (),
         out: file name without suffix: output goes to ``.stdout`` and ``.stderr``.
         servers: addresses on loopback that it may reach, under the same address.
         stop: waits up to so many seconds; True ends the process.
+        limits: what it may use of the machine.
     """
+    limits = limits or ClientLimits()
     check()
     with _doors(servers) as (folder, doors), out.with_suffix(".stdout").open("wb") as told, \
             out.with_suffix(".stderr").open("wb") as errors:
-        process = _start(command, home, folder, doors, told, errors)
+        process = _start(command, home, folder, doors, limits, told, errors)
+        watch = ClientWatch(process.pid, home, limits)
         feeder = threading.Thread(target=_feed, args=(process, command.stdin), name="client-input", daemon=True)
         feeder.start()
         try:
             while process.poll() is None:
-                if stop(0.1):
+                if stop(LOOK_S):
                     break
+                breach = watch.breach()
+                if breach is not None:
+                    raise AgentFault(f"the client was ended: {breach}")
         finally:
             process.kill()
-        status = process.wait()
-        feeder.join()
+            status = process.wait()
+            feeder.join()
         return -signal.SIGKILL if status < 0 else status
 
 
-def _start(command: Command, home: Path, folder: Path, doors: Mapping[int, Path], told: BinaryIO, errors: BinaryIO
-           ) -> subprocess.Popen[bytes]:
+def _start(command: Command, home: Path, folder: Path, doors: Mapping[int, Path], limits: ClientLimits,
+           told: BinaryIO, errors: BinaryIO) -> subprocess.Popen[bytes]:
     line = [shutil.which("bwrap") or "bwrap", *_NAMESPACES]
+    for place in ("/tmp", "/dev/shm"):
+        line += ["--size", str(limits.temporary), "--tmpfs", place]
     for name in map(Path, _LINKED):
         if name.is_symlink():
             line += ["--symlink", str(name.readlink()), str(name)]
@@ -106,8 +120,11 @@ def _start(command: Command, home: Path, folder: Path, doors: Mapping[int, Path]
     for key, value in {"PATH": "/usr/local/bin:/usr/bin:/bin", "HOME": str(HOME), "LANG": "C.UTF-8", "USER": "agent",
                        "TMPDIR": "/tmp", **command.environment}.items():
         line += ["--setenv", key, value]
-    line += ["--remount-ro", "/", "--chdir", str(HOME), "--", str(python), "-I", "-S", str(starter)]
+    line += ["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", str(HOME)]
+    line += ["--", str(python), "-I", "-S", str(starter)]
     line += [f"{port}={_INSIDE / path.name}" for port, path in doors.items()]
+    line += [f"CPU={limits.cpu_s}", f"DATA={limits.data}", f"FSIZE={limits.file_size}", f"NOFILE={limits.open_files}",
+             f"NPROC={2 * limits.threads}"]
     return subprocess.Popen([*line, "--", *command.arguments], stdin=subprocess.PIPE, stdout=told, stderr=errors,
                             env={}, start_new_session=True)
 
