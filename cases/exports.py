@@ -13,6 +13,7 @@ from string import Template
 
 from c4s.engine import evidence
 from c4s.engine.bridge import FAILED
+from c4s.engine.pictures import take_pictures
 from c4s.engine.session import EngineSession
 from c4s.errors import MachineryFault
 from c4s.files import write_json
@@ -49,7 +50,7 @@ def scene(packs: Sequence[Path], truth: Level, corrupted: Mapping[str, Level], v
                for case_id, wanted in views.items() for view in wanted]
     progress(f"  original: snapshot and {len(cameras)} pictures")
     evidence.collect(packs=packs, submission_content=content, package=truth.package, out=out / "truth",
-                     cameras=lambda snapshot: [*cameras, *overview_cameras(snapshot)])
+                     cameras=lambda snapshot: [*cameras, *overview_cameras(snapshot)], keep_pictures=True)
     inputs, starts = _inputs(packs, corrupted, views, out / "inputs", progress) if corrupted else ({}, {})
     captures = out / "truth" / "captures"
     pictures = {case_id: [captures / f"{case_id}--{view.name}.png" for view in wanted]
@@ -74,8 +75,7 @@ def _inputs(packs: Sequence[Path], levels: Mapping[str, Level], views: Mapping[s
                 raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=case_id)
             write_json(files[case_id], engine.call("snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
-            engine.call("capture.capture_views", cameras=[{**camera(view), **SIZE_PX} for view in views[case_id]],
-                        folder=str(folder))
+            take_pictures(engine, [{**camera(view), **SIZE_PX} for view in views[case_id]], folder, keep=True)
             pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]
             shutil.copytree(folder, out / "pictures" / case_id)
     return files, pictures

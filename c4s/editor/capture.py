@@ -32,6 +32,9 @@ source: Callable[[Sequence[Camera], Sequence[str], str, bool], list[Record]] | N
 """``source(cameras, files, mode, masks)`` writes a PNG a file, with ``masks`` also the file's ``.actors.npz``, and
 returns a list of ``{"visible": {actor name: pixels}}``."""
 
+keys: Callable[[Sequence[Camera], str], list[str]] | None = None
+"""``keys(cameras, mode)`` gives a digest a camera: pictures with masks of equal digests are the same bytes."""
+
 
 def take_screenshots(shots: Sequence[Mapping[str, Any]], folder: str) -> Record:
     """Take shots, one file each (default ``folder/shot-<n>.png``); the bridge's ``take_screenshot_batch`` reply."""
@@ -52,17 +55,31 @@ def capture_views(cameras: Sequence[Camera], folder: str, mode: str = "lit", act
     The npz holds ``actor`` (H, W) int32, an index into ``names`` and ``labels`` or -1, and ``depth_cm`` (H, W) float32.
     A record's ``visible`` counts the pixels of each actor by object name.
     """
-    named = [{**camera, **_pose(camera), "name": str(camera.get("name") or f"view-{number}")}
-             for number, camera in enumerate(cameras, 1)]
+    named = _named(cameras)
     files = [Path(folder, f"{camera['name']}.png") for camera in named]
-    records = []
-    for camera, path, extra in zip(named, files, _pictures(named, files, mode, actors), strict=True):
-        kept = {key: camera[key] for key in ("location_cm", "rotation_deg", "fov_deg", "width", "height")}
-        record = {"name": camera["name"], "file": path.name, "mode": mode, "camera": kept, **extra}
-        if actors and source is not None:
-            record["actors"] = f"{camera['name']}.actors.npz"
-        records.append(record)
-    return records
+    pictures = _pictures(named, files, mode, actors)
+    return [{**_record(camera, mode, actors), **extra} for camera, extra in zip(named, pictures, strict=True)]
+
+
+def plan_views(cameras: Sequence[Camera], mode: str = "lit") -> list[Record]:
+    """What ``capture_views`` would return, without ``visible``; nothing is rendered.
+
+    A record has a ``key`` where the host knows what the picture depends on: those of equal keys are the same bytes.
+    """
+    named = _named(cameras)
+    known = [{"key": key} for key in keys(named, mode)] if keys is not None else [{} for _ in named]
+    return [{**_record(camera, mode, True), **key} for camera, key in zip(named, known, strict=True)]
+
+
+def _named(cameras: Sequence[Camera]) -> list[Record]:
+    return [{**camera, **_pose(camera), "name": str(camera.get("name") or f"view-{number}")}
+            for number, camera in enumerate(cameras, 1)]
+
+
+def _record(camera: Camera, mode: str, actors: bool) -> Record:
+    kept = {key: camera[key] for key in ("location_cm", "rotation_deg", "fov_deg", "width", "height")}
+    masks = {"actors": f"{camera['name']}.actors.npz"} if actors and source is not None else {}
+    return {"name": camera["name"], "file": f"{camera['name']}.png", "mode": mode, "camera": kept, **masks}
 
 
 def viewport_camera() -> Record:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.engine.content import content_fault
+from c4s.engine.pictures import take_pictures
 from c4s.engine.session import EngineCallError, EngineSession
 from c4s.errors import BadInput
 from c4s.files import digest_file, write_json
@@ -23,11 +24,13 @@ _EXPORT_TIMEOUT_S = 1800.0
 
 
 def collect(*, packs: Sequence[Path], submission_content: Path, package: str, out: Path,
-            cameras: Cameras | None = None) -> None:
+            cameras: Cameras | None = None, keep_pictures: bool = False) -> None:
     """Export the submitted level ``package`` from ``submission_content`` into ``out``.
 
     Writes ``snapshot.json``, ``dependencies.json``, ``captures/<view>.png`` and ``.actors.npz`` for each camera,
     ``captures/captures.json``, and ``digests.json`` (SHA-256 of each). ``cameras`` may be a function of the snapshot.
+    Pictures that were kept of the same scene are not taken again; ``keep_pictures`` keeps these
+    (``c4s.engine.pictures``).
     What was in ``out`` is replaced as a whole. Raises ``BadInput`` when the level cannot be loaded, ``MachineryFault``
     when an engine fails.
     """
@@ -42,8 +45,7 @@ def collect(*, packs: Sequence[Path], submission_content: Path, package: str, ou
             write_json(made / "dependencies.json", dependencies)
             views = cameras(snapshot) if callable(cameras) else cameras or []
             pictures = scratch / "captures"
-            records = engine.call("capture.capture_views", cameras=[dict(view) for view in views],
-                                  folder=str(pictures), timeout_s=_EXPORT_TIMEOUT_S) if views else []
+            records = take_pictures(engine, views, pictures, keep=keep_pictures)
         pictures.mkdir(exist_ok=True)
         shutil.copytree(pictures, made / "captures")
         write_json(made / "captures" / "captures.json",

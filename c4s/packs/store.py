@@ -66,6 +66,11 @@ class PackStore:
             self._meshes[asset.path] = load_mesh(self._home[asset.path], asset)
         return self._meshes[asset.path]
 
+    def mesh_file(self, path: str) -> Path | None:
+        """File of a static mesh asset's mesh; ``None`` for a shape of the engine's own, or where there is none."""
+        asset = self.asset(path)
+        return self._home[asset.path] / asset.mesh if asset is not None and asset.mesh is not None else None
+
     def assets(self) -> list[Asset]:
         """All assets, those of the engine first, then in the order of the packs."""
         return list(self._assets.values())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,7 +28,7 @@ from c4s.packs.store import PackStore
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.assets import MaterialInterface
     from c4s.engine.headless.unreal.components import StaticMeshComponent
-    from c4s.engine.headless.world import LightSource
+    from c4s.engine.headless.world import Drawable, LightSource, World
 
 _MIN_VOLUME = 1e-9
 _PNG_LEVEL = 4
@@ -49,8 +49,9 @@ class Scene:
 def attach() -> None:
     """Make ``c4s.editor.capture`` take its pictures here."""
     from c4s.editor import capture
+    from c4s.engine.headless.render_keys import picture_keys
 
-    capture.source = take
+    capture.source, capture.keys = take, picture_keys
 
 
 def take(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool) -> list[dict[str, Any]]:
@@ -100,9 +101,7 @@ def open_level() -> Scene:
     loaded: list[Mesh] = []
     instances: list[Instance] = []
     surfaces = _Surfaces(level.store)
-    for shown in level.drawables():
-        if abs(_volume(shown.matrix)) < _MIN_VOLUME:
-            continue
+    for shown in drawn(level):
         if shown.mesh not in meshes:
             meshes[shown.mesh] = len(loaded)
             loaded.append(level.store.mesh(shown.mesh))
@@ -111,6 +110,24 @@ def open_level() -> Scene:
     sources = tuple(level.light_sources())
     return Scene(Renderer(loaded, instances, lights_of(sources)), tuple(actor.get_name() for actor in actors),
                  tuple(actor.get_actor_label() for actor in actors), sources)
+
+
+def drawn(level: World) -> Iterator[Drawable]:
+    """The level's meshes that have a volume."""
+    return (shown for shown in level.drawables() if abs(_volume(shown.matrix)) >= _MIN_VOLUME)
+
+
+def look_of(store: PackStore, material: MaterialInterface | None) -> tuple[Any, ...] | None:
+    """All that decides how a material looks: numbers, alpha mode and cutoff, and the files of its four textures."""
+    if material is None:
+        return None
+    look, base = material._surface(), material.get_base_material()
+    packed = store.material(base.get_path_name()) if base is not None else None
+    numbers = (look.base_color, look.roughness, look.metallic, look.emissive, look.opacity)
+    if packed is None:
+        return (*numbers, "opaque", 0.5, None, None, None, None)
+    return (*numbers, packed.alpha, packed.alpha_cutoff, *(store.pack_file(packed, name) for name in (
+        packed.texture, packed.normal_texture, packed.roughness_metal_texture, packed.emissive_texture)))
 
 
 def _volume(matrix: NDArray[np.float64]) -> float:
@@ -139,23 +156,17 @@ class _Surfaces:
         return self._of_slots[key][1]
 
     def _surface(self, material: MaterialInterface | None) -> SurfaceMaterial:
-        if material is None:
+        look = look_of(self._store, material)
+        if look is None:
             return self._missing
-        look = material._surface()
-        base = material.get_base_material()
-        packed = self._store.material(base.get_path_name()) if base is not None else None
-        files = [self._store.pack_file(packed, name) if packed is not None else None
-                 for name in ((packed.texture, packed.normal_texture, packed.roughness_metal_texture,
-                               packed.emissive_texture) if packed is not None else (None,) * 4)]
-        alpha, cutoff = (packed.alpha, packed.alpha_cutoff) if packed is not None else ("opaque", 0.5)
-        key = (look.base_color, look.roughness, look.metallic, look.emissive, look.opacity, alpha, cutoff, *files)
-        if key not in self._known:
-            color, normal, roughness_metal, emissive = (
+        if look not in self._known:
+            base_color, roughness, metallic, emissive, opacity, alpha, cutoff, *files = look
+            color, normal, roughness_metal, emissive_texture = (
                 None if file is None else _texture(file, number == 0 and alpha != "opaque")
                 for number, file in enumerate(files))
-            self._known[key] = SurfaceMaterial(look.base_color, look.roughness, look.metallic, look.emissive,
-                                               look.opacity, color, alpha, cutoff, normal, roughness_metal, emissive)
-        return self._known[key]
+            self._known[look] = SurfaceMaterial(base_color, roughness, metallic, emissive, opacity, color, alpha,
+                                                cutoff, normal, roughness_metal, emissive_texture)
+        return self._known[look]
 
 
 @functools.lru_cache(maxsize=256)
