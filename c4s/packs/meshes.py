@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from c4s.errors import BadInput
 from c4s.packs.manifest import Asset
+from c4s.packs.plain_glb import PlainPart, read_plain
 
 F32 = NDArray[np.float32]
 I32 = NDArray[np.int32]
@@ -78,16 +79,29 @@ def _colors(geometry: Any) -> F32 | None:
 def _part(geometry: Any, matrix: NDArray[np.float64], scale: float, where: str) -> MeshPart:
     points = np.asarray(geometry.vertices, dtype=np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
     normals = np.asarray(geometry.vertex_normals, dtype=np.float64) @ np.linalg.inv(matrix[:3, :3])
+    raw = getattr(geometry.visual, "uv", None)
+    uvs = np.zeros((len(points), 2)) if raw is None or len(raw) != len(points) else np.asarray(raw) * [1, -1] + [0, 1]
+    return _converted(_material_name(geometry), points, normals, uvs, np.asarray(geometry.faces), _colors(geometry),
+                      scale, where)
+
+
+def _plain_part(part: PlainPart, scale: float, where: str) -> MeshPart:
+    flipped = None if part.uvs is None else np.stack([part.uvs[:, 0], np.float32(1) - part.uvs[:, 1]], axis=1)
+    uvs = np.zeros((len(part.points), 2)) if flipped is None else flipped * [1, -1] + [0, 1]
+    return _converted(part.material or "slot", part.points.astype(np.float64), part.normals.astype(np.float64), uvs,
+                      part.faces, None, scale, where)
+
+
+def _converted(slot: str, points: NDArray[np.float64], normals: NDArray[np.float64], uvs: NDArray[np.float64],
+               faces: NDArray[Any], colors: F32 | None, scale: float, where: str) -> MeshPart:
+    """A part in Unreal's axes and cm, from metres with Y up."""
     if not np.isfinite(points).all():
         raise BadInput("the mesh has coordinates that are not finite numbers", where=where)
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     normals = np.divide(normals, length, out=np.tile([0.0, 1.0, 0.0], (len(normals), 1)), where=length > 0)
-    raw = getattr(geometry.visual, "uv", None)
-    uvs = np.zeros((len(points), 2)) if raw is None or len(raw) != len(points) else np.asarray(raw) * [1, -1] + [0, 1]
     swap = [0, 2, 1]
-    return MeshPart(_material_name(geometry), (points[:, swap] * (100.0 * scale)).astype(np.float32),
-                    np.asarray(geometry.faces)[:, ::-1].astype(np.int32), normals[:, swap].astype(np.float32),
-                    uvs.astype(np.float32), _colors(geometry))
+    return MeshPart(slot, (points[:, swap] * (100.0 * scale)).astype(np.float32), faces[:, ::-1].astype(np.int32),
+                    normals[:, swap].astype(np.float32), uvs.astype(np.float32), colors)
 
 
 def read_parts(path: Path, *, scale: float = 1.0) -> list[MeshPart]:
@@ -100,10 +114,13 @@ def read_parts(path: Path, *, scale: float = 1.0) -> list[MeshPart]:
     Raises:
         BadInput: the file is missing, cannot be read, holds no triangles, or coordinates that are not finite.
     """
-    import trimesh
-
     if not path.is_file():
         raise BadInput("no such mesh file", where=str(path))
+    plain = read_plain(path)
+    if plain is not None:
+        return [_plain_part(part, scale, str(path)) for part in plain]
+    import trimesh
+
     try:
         scene = trimesh.load_scene(path, process=False)
     except Exception as error:  # trimesh's readers raise whatever their format's parser raises
