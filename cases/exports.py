@@ -48,7 +48,7 @@ def scene(packs: Sequence[Path], truth: Level, corrupted: Mapping[str, Level], v
     truth.write(content / f"{truth.package.lstrip('/')}.level.json")
     cameras = [{**camera(view), "name": f"{case_id}--{view.name}"}
                for case_id, wanted in views.items() for view in wanted]
-    progress(f"  original: snapshot and {len(cameras)} pictures")
+    progress(f"  {truth.package}: snapshot and {len(cameras)} pictures of the original")
     evidence.collect(packs=packs, submission_content=content, package=truth.package, out=out / "truth",
                      cameras=lambda snapshot: [*cameras, *overview_cameras(snapshot)], keep_pictures=True)
     inputs, starts = _inputs(packs, corrupted, views, out / "inputs", progress) if corrupted else ({}, {})

@@ -11,6 +11,7 @@ from __future__ import annotations
 import shutil
 import tempfile
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,8 @@ from cases.views import cameras_record
 
 BUILDER_VERSION = 3
 """Part of the definition's digest: raise it when the same definition is built into other files."""
+SCENES_AT_ONCE = 2
+"""An engine starts and writes its files on one processor; meanwhile that of another scene renders on the others."""
 BLANK_STAGE = "/Game/SceneBench/BlankStage"
 Progress = Callable[[str], None]
 
@@ -89,8 +92,8 @@ def build_suite(definition: SuiteDefinition, root: Path, packs_root: Path, progr
     with tempfile.TemporaryDirectory(dir=root.parent, prefix=f".{root.name}.") as scratch:
         folder = SuiteFolder(Path(scratch) / "suite")
         builder = _Builder(definition, folder, packs, packs_root, progress)
-        for scene in definition.scenes:
-            builder.scene(scene)
+        with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
+            list(pool.map(builder.scene, definition.scenes))
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         write_json(folder.root / "build.json", {"definition": wanted})
         if root.exists():
