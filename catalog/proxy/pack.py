@@ -22,10 +22,11 @@ from c4s.packs.manifest import (
     Material,
     MaterialSlot,
     Pack,
-    Vector,
 )
 from c4s.packs.meshes import Mesh
+from c4s.scene.level import Vector
 from catalog.build import glb
+from catalog.preview import write_previews
 from catalog.proxy.colours import Colour, accent, base_colour
 from catalog.proxy.shapes import shaper
 from catalog.shapes import Builder, Shape
@@ -47,7 +48,7 @@ class PaletteEntry:
 
 def build_proxy_pack(pack_id: str, title: str, entries: Sequence[PaletteEntry], root: Path,
                      progress: Callable[[str], None]) -> Pack:
-    """Write ``root/<pack_id>`` with a proxy for every entry; the same entries give the same bytes."""
+    """Write ``root/<pack_id>`` with a proxy and a preview for every entry; the same entries give the same bytes."""
     folder = root / pack_id
     materials: dict[str, Material] = {}
     assets: list[Asset] = []
@@ -60,7 +61,8 @@ def build_proxy_pack(pack_id: str, title: str, entries: Sequence[PaletteEntry], 
                 assets=assets, materials=list(materials.values()),
                 category_descriptions={asset.category: f"{asset.category} assets" for asset in assets})
     pack.write(folder / "pack.json")
-    return pack
+    progress(f"{pack_id}: previews")
+    return write_previews(folder)
 
 
 def _words(entry: PaletteEntry) -> list[str]:
@@ -112,7 +114,7 @@ def _fit(shape: Shape, size: Vector) -> tuple[Mesh, list[CollisionBody]]:
     factor = np.where(span > 1e-6, np.asarray(size) / np.maximum(span, 1e-6), 0.0)
     middle = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
 
-    def move(points: np.ndarray) -> np.ndarray:  # type: ignore[type-arg]
+    def move(points: np.ndarray) -> np.ndarray:
         return np.asarray(np.round((points - middle) * factor, 3))
 
     mesh = Mesh(move(vertices).astype(np.float32), shape.mesh.faces, shape.mesh.normals, shape.mesh.uvs,
@@ -130,5 +132,5 @@ def _fit(shape: Shape, size: Vector) -> tuple[Mesh, list[CollisionBody]]:
     return mesh, bodies
 
 
-def _vector(values: np.ndarray) -> Vector:  # type: ignore[type-arg]
+def _vector(values: np.ndarray) -> Vector:
     return float(values[0]), float(values[1]), float(values[2])
