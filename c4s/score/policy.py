@@ -2,8 +2,8 @@
 exist.
 
 Sources: paper, "Physical Safety", "Score Aggregation and Reporting" and the adopted weights table; scorer facts 3 to 7.
-The limits and ids of Actor Repair F1 are in ``c4s/verify/repair/policy.py``, the word lists of the physics roles beside
-their rules in ``c4s/verify/roles.py``.
+The limits and ids of Actor Repair F1 are in ``c4s/verify/repair/policy.py``, the word lists of the physics roles and of
+text-to-scene support beside their rules in ``c4s/verify/roles.py`` and ``c4s/verify/support.py``.
 """
 
 from __future__ import annotations
@@ -79,6 +79,16 @@ MAXIMUM_TOLERANCE_CM: Final = 50.0
 TOLERANCE_SHARE: Final = 0.05
 """Of an actor's shortest box side, which counts as at least ``SHORTEST_SPAN_CM``."""
 SHORTEST_SPAN_CM: Final = 10.0
+
+GROUND_SPAN_CM: Final = 200.0
+"""Roles: a ground surface spans at least this much both ways and is at most this high."""
+PROXY_SPAN_CM: Final = 3000.0
+"""Roles: an environment proxy is longer than this, and huge, or many times as long as the median solid."""
+PROXY_HUGE_CM: Final = 30_000.0
+PROXY_RATIO: Final = 10.0
+PROXY_ORIGINS: Final = 3
+PROXY_SHARE: Final = 0.05
+"""It holds the origins of at least ``PROXY_ORIGINS`` other solids, and of this share of them."""
 
 INTEGRITY_POLICY: Final = "c4s.integrity.v1"
 SNAPSHOT_SCHEMA: Final = "0.3."

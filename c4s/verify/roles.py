@@ -15,6 +15,14 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from c4s.score.policy import (
+    GROUND_SPAN_CM,
+    PROXY_HUGE_CM,
+    PROXY_ORIGINS,
+    PROXY_RATIO,
+    PROXY_SHARE,
+    PROXY_SPAN_CM,
+)
 from c4s.verify.support import measured_vector
 
 Role = Literal["non_solid", "unresolved", "support_surface", "environment_proxy", "scored_solid"]
@@ -33,13 +41,6 @@ ROUGH = re.compile(r"(?<![a-z0-9])(?:landscape|terrain|mountain|cliff|cave|islan
 BACKDROP = re.compile(r"(?<![a-z0-9])(?:background|bedrock|cliff|hill|landscape|mountain|rockface|rock_?formation"
                       r"|terrain)(?![a-z0-9])", re.I)
 BASIC_SHAPE = re.compile(r"(?:^|/)engine/basicshapes/(?:cone|cube|cylinder|plane|sphere)(?:[./]|$)", re.I)
-GROUND_SPAN_CM = 200.0
-"""A ground surface spans at least this much both ways and is at most this high."""
-PROXY_SPAN_CM = 3000.0
-PROXY_HUGE_CM = 30_000.0
-PROXY_RATIO = 10.0
-PROXY_ORIGINS, PROXY_SHARE = 3, 0.05
-"""A proxy holds the origins of at least three other solids, and of at least 5 % of them."""
 
 Boxes = NDArray[np.float64]
 _HUMP = re.compile(r"([a-z0-9])([A-Z])")
