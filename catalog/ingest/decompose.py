@@ -6,6 +6,7 @@ import io
 import json
 import subprocess
 import sys
+import time
 from functools import cache
 from importlib import metadata
 from pathlib import Path
@@ -27,6 +28,7 @@ PARAMETERS: dict[str, Any] = {"threshold": 0.05, "max_convex_hull": 32, "preproc
                               "mcts_max_depth": 3, "merge": True}
 """coacd's, with fewer search steps than its defaults: a quarter of the time, and about as many parts."""
 MOST_SECONDS = 300.0
+"""Of cutting a mesh, all its pieces together; what is left whole then keeps one hull a piece."""
 MOST_PIECES = 64
 """A mesh of more pieces is cut as a whole: the many little ones of a decoration are no bodies of their own."""
 BULGE = 0.025
@@ -57,13 +59,14 @@ def decompose(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
     found: list[Points] = []
     little = LITTLE * float(np.linalg.norm(np.ptp(corners, axis=0)))
     notes: list[str] = []
+    deadline = time.monotonic() + MOST_SECONDS
     for points, triangles in pieces:
         if any(_holds(other, points) for other in found):
             continue
         if float(np.linalg.norm(np.ptp(points, axis=0))) < little or is_convex(points, triangles):
             found.append(points)
             continue
-        parts, note = _cut(points, triangles, cache_folder or cache_root() / "convex")
+        parts, note = _cut(points, triangles, cache_folder or cache_root() / "convex", deadline)
         found += parts
         notes += [note] if note else []
     return found, notes
@@ -105,7 +108,7 @@ def _holds(hull: Points, points: Points) -> bool:
     return bool((points @ planes[:, :3].T + planes[:, 3] <= HIDDEN_CM).all())
 
 
-def _cut(points: Points, faces: Faces, folder: Path) -> tuple[list[Points], str]:
+def _cut(points: Points, faces: Faces, folder: Path, deadline: float) -> tuple[list[Points], str]:
     """The parts that coacd makes of a piece, from the cache when it was cut before; one part and why when it fails."""
     centre = points.mean(axis=0).round(2)
     centred = (points - centre).round(3) + 0.0
@@ -114,7 +117,7 @@ def _cut(points: Points, faces: Faces, folder: Path) -> tuple[list[Points], str]
     data = file.read_bytes() if file.is_file() else None
     parts = _read(data) if data is not None else None
     if parts is None:
-        data, problem = _run(centred, faces)
+        data, problem = _run(centred, faces, deadline)
         parts = _read(data) if data is not None else None
         if data is None or parts is None:
             return [points], f"a piece of {len(faces)} triangles could not be cut ({problem}): one hull"
@@ -122,14 +125,17 @@ def _cut(points: Points, faces: Faces, folder: Path) -> tuple[list[Points], str]
     return [part + centre for part in parts], ""
 
 
-def _run(points: Points, faces: Faces) -> tuple[bytes | None, str]:
+def _run(points: Points, faces: Faces, deadline: float) -> tuple[bytes | None, str]:
+    late = f"coacd took more than {MOST_SECONDS:g} s for the mesh"
+    if time.monotonic() >= deadline:
+        return None, late
     sent = io.BytesIO()
     np.savez(sent, vertices=points, faces=faces.astype(np.int32), parameters=np.array(json.dumps(PARAMETERS)))
     try:
         done = subprocess.run([sys.executable, "-m", "catalog.ingest.coacd_run"], input=sent.getvalue(),
-                              capture_output=True, timeout=MOST_SECONDS, check=False)
+                              capture_output=True, timeout=max(0.0, deadline - time.monotonic()), check=False)
     except subprocess.TimeoutExpired:
-        return None, f"coacd took more than {MOST_SECONDS:.0f} s"
+        return None, late
     if done.returncode:
         lines = done.stderr.decode(errors="replace").strip().splitlines()
         return None, f"coacd ended with {done.returncode}{': ' + lines[-1] if lines else ''}"

@@ -163,6 +163,16 @@ def test_a_mesh_that_cannot_be_cut_keeps_a_hull_and_is_named(monkeypatch: pytest
     assert len(parts) == 1 and "one hull" in notes[0] and not list(tmp_path.iterdir())
 
 
+def test_a_mesh_has_a_limit_for_all_its_pieces_together(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    rings = [trimesh.creation.annulus(r_min=20, r_max=30, height=10) for _ in range(3)]
+    for number, ring in enumerate(rings):
+        ring.apply_translation((0, 0, 100 * number))
+    joined = trimesh.util.concatenate(rings)
+    monkeypatch.setattr(decompose, "MOST_SECONDS", 0.05)
+    parts, notes = decompose.decompose(np.asarray(joined.vertices), np.asarray(joined.faces, np.int64), tmp_path)
+    assert len(parts) == len(notes) == 3 and all("more than 0.05 s for the mesh" in note for note in notes)
+
+
 # what files bring
 
 def scene_of(path: Path, shapes: dict[str, tuple[trimesh.Trimesh, Any]]) -> None:
