@@ -1,8 +1,12 @@
-"""Drives every agent client through a scripted model on a case of the starter suite, to a saved and scored scene.
+"""Drives every agent client through a scripted model on cases of the starter suite, to a saved and scored scene.
 
-``python tests/agent_clients/matrix.py [--install] [--case CASE] [CLIENT ...]`` prints the matrix client x
-(installed, drove tools, saved, scored, usage matched the endpoint's own count). ``--install`` installs what is missing
-under ``C4S_HOME/clients``, from npm and PyPI. Exit 1 where an installed client fails.
+``python tests/agent_clients/matrix.py [--install] [--case CASE ...] [CLIENT ...]`` prints the matrix client x
+(installed, drove tools, saved, scored, usage matched the endpoint's own count), on a text and on a repair.
+``--install`` installs what is missing under ``C4S_HOME/clients``, from npm and PyPI. Exit 1 where an installed client
+fails.
+
+``command`` and ``antigravity`` are any program: here it is ``sdk_client.py``, on the official MCP SDK. It stands where
+Antigravity's own would, with the files and the environment that its preset makes.
 """
 
 from __future__ import annotations
@@ -14,7 +18,9 @@ import sys
 import tempfile
 import time
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -23,6 +29,7 @@ from scripted_endpoint import ScriptedEndpoint, Use
 
 from c4s.agents.base import agent_of
 from c4s.agents.clients.client import ExternalClient
+from c4s.agents.clients.command import CommandClient
 from c4s.agents.clients.programs import find
 from c4s.case.package import AgentCase, SuiteFolder
 from c4s.errors import BadInput, C4SError
@@ -32,9 +39,10 @@ from c4s.run import stages
 from c4s.run.plan import DEFAULT_POLICY, Plan, make_plan, open_run, trials
 from c4s.run.records import Configuration
 
-CLIENTS = ("codex", "claude_code", "gemini", "opencode", "hermes", "api")
+CLIENTS = ("codex", "claude_code", "gemini", "opencode", "hermes", "command", "antigravity", "api")
 MODELS = {"codex": "gpt-5.6-sol", "claude_code": "claude-opus-4-5", "gemini": "gemini-2.5-pro"}
-CASE = "text-flat-family"
+CASES = ("text-flat-family", "indoor-flat-02-living-room")
+SDK_CLIENT = Path(__file__).with_name("sdk_client.py").absolute()
 BUILD = """\
 import unreal
 mesh = unreal.load_asset("{mesh}")
@@ -71,12 +79,24 @@ def script(case: AgentCase) -> list[list[Use]]:
             [Use("save_scene_as", {"name": "submission"})]]
 
 
+def stand_in(client: str) -> dict[str, Any]:
+    """Options of a client that is any program: the one on the MCP SDK; none for a client of its own."""
+    own = {"command": ["chat", "{mcp_file}"], "antigravity": ["gemini", "/home/agent/.gemini/config/mcp_config.json"]}
+    if client not in own:
+        return {}
+    told = {"command": [sys.executable, str(SDK_CLIENT), *own[client], "{model}"], "version": f"SDK {version('mcp')}",
+            "read_only": [sys.prefix, sys.base_prefix, str(SDK_CLIENT)]}
+    environment = {"MODEL_URL": "{model_url}", "MODEL_TOKEN": "{model_token}"}
+    return told if client == "antigravity" else {**told, "environment": environment, "wire": "openai-chat"}
+
+
 def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
     """One attempt of one client against a scripted endpoint, verified and scored."""
     row = Row(client, dict.fromkeys(COLUMNS, "no"))
+    options = stand_in(client)
     agent = agent_of(Configuration(name=client, client=client))
     try:
-        program = find(agent.install, {}) if isinstance(agent, ExternalClient) else None
+        program = agent.program(options) if isinstance(agent, ExternalClient) else None
     except BadInput as error:
         row.note = error.line()
         return row
@@ -90,8 +110,8 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
         file.flush()
         os.environ["SCRIPTED_KEY"] = "the-real-key"
         configuration = Configuration(name=client, client=client, model=MODELS.get(client, "scripted-1"),
-                                      options={"endpoint": "scripted"})
-        run = runs / f"clients-{client}-{int(time.time())}"
+                                      options={**options, "endpoint": "scripted"})
+        run = runs / f"clients-{client}-{case_id}-{int(time.time())}"
         plan: Plan = open_run(run, make_plan(SuiteFolder(suite), [configuration], run_id=run.name,
                                              policy=DEFAULT_POLICY, judge="rule", engine="headless", cases=[case_id]))
         (trial,) = trials(run, suite, plan)
@@ -141,7 +161,7 @@ def main() -> int:
     """Print the matrix."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--install", action="store_true")
-    parser.add_argument("--case", default=CASE)
+    parser.add_argument("--case", action="append", help=f"case ids (default {' '.join(CASES)})")
     parser.add_argument("clients", nargs="*", default=CLIENTS)
     chosen = parser.parse_args()
     suite = suites_root() / "starter"
@@ -150,17 +170,17 @@ def main() -> int:
     rows = []
     for client in chosen.clients:
         agent = agent_of(Configuration(name=client, client=client))
-        if chosen.install and isinstance(agent, ExternalClient):
+        if chosen.install and isinstance(agent, ExternalClient) and not isinstance(agent, CommandClient):
             try:
                 find(agent.install, {})
             except BadInput:
                 print(f"installing {agent.install.package}", flush=True)
                 subprocess.run(agent.install.command(), check=False, stdout=subprocess.DEVNULL)
-        rows.append(drive(client, suite, runs_root(), chosen.case))
-        row = rows[-1]
-        print(f"{row.client:12} " + "  ".join(f"{name}: {row.cells[name]:8}" for name in COLUMNS), flush=True)
-        if row.note:
-            print(f"{'':12} {row.note.strip()}", flush=True)
+        for case_id in chosen.case or CASES:
+            row = drive(client, suite, runs_root(), case_id)
+            rows.append(row)
+            print(f"{row.client:12} " + "  ".join(f"{name}: {row.cells[name]:8}" for name in COLUMNS), flush=True)
+            print(f"{'':12} {case_id}: {row.note.strip()}", flush=True)
     failed = [row for row in rows if row.cells["installed"] != "no"
               and not (row.cells["drove tools"] == row.cells["saved"] == row.cells["usage matched"] == "yes"
                        and row.cells["scored"] not in ("no", "pending"))]
