@@ -5,7 +5,8 @@ SceneCapture2D of the editor, which has no actor mask.
 
 A camera is ``{"name", "location_cm", "rotation_deg" ([pitch, yaw, roll]) or "target_cm", "fov_deg" (horizontal),
 "width", "height"}``. A shot is the bridge's: ``camera_location``, ``camera_rotation`` ([roll, pitch, yaw]),
-``field_of_view``, ``width``, ``height``, ``filepath``; without a location it is the viewport's camera.
+``field_of_view``, ``width``, ``height``, ``exposure_bias_ev``, ``filepath``; without a location it is the viewport's
+camera. What else the published bridge takes (``exposure_mode``) is left to the level's post-process.
 """
 
 from __future__ import annotations
@@ -21,6 +22,8 @@ Camera = Mapping[str, Any]
 Record = dict[str, Any]
 
 WIDTH, HEIGHT, FIELD_OF_VIEW = 1280, 720, 90.0
+SHOT_WIDTH, SHOT_HEIGHT, SHOT_FIELD_OF_VIEW = 1920, 1080, 55.0
+"""What the published bridge takes where a shot names its camera and leaves these out."""
 MODES = ("lit", "base_color")
 _CAPTURES_OF_ONE = 4
 _LARGEST_CONTENT_CM = 10000.0
@@ -118,10 +121,12 @@ def frame_level() -> Record:
 
 
 def _shot_camera(shot: Mapping[str, Any]) -> Record:
-    camera = {"width": int(shot.get("width") or WIDTH), "height": int(shot.get("height") or HEIGHT),
-              "fov_deg": float(shot.get("field_of_view") or FIELD_OF_VIEW),
+    own = shot.get("camera_location") is not None
+    width, height, fov_deg = (SHOT_WIDTH, SHOT_HEIGHT, SHOT_FIELD_OF_VIEW) if own else (WIDTH, HEIGHT, FIELD_OF_VIEW)
+    camera = {"width": int(shot.get("width") or width), "height": int(shot.get("height") or height),
+              "fov_deg": float(shot.get("field_of_view") or fov_deg),
               "exposure_bias_ev": float(shot.get("exposure_bias_ev") or 0.0)}
-    if shot.get("camera_location") is None:
+    if not own:
         return {**viewport_camera(), **camera}
     roll, pitch, yaw = shot.get("camera_rotation") or (0.0, 0.0, 0.0)
     return {**camera, "location_cm": list(shot["camera_location"]), "rotation_deg": [pitch, yaw, roll]}

@@ -224,6 +224,9 @@ def test_screenshots_show_the_level_and_name_its_actors(tmp_path: Path, level: P
         assert reply["status"] == "ok" and reply["filename"] == "one.png"
         with Image.open(reply["filepath"]) as picture:
             assert picture.size == (160, 90) and np.asarray(picture).std() > 5
+        plain = engine.request("take_screenshot", {"camera_location": [-400, 0, 100]}, timeout_s=120)
+        with Image.open(plain["filepath"]) as picture:
+            assert picture.size == (1920, 1080), "as the published bridge"
         unmoved = engine.request("take_screenshot", {"width": 160, "height": 90})
         assert set(unmoved["visible"]) == {f"StaticMeshActor_{number}" for number in range(3)}, "the viewport sees all"
         batch = engine.request("take_screenshot_batch", {"shots": [{**shot, "filepath": f"b{i}.png", "mode": mode}

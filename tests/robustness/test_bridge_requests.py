@@ -73,6 +73,18 @@ def test_numbers_that_are_none(engine: EngineSession, name: str, value: str) -> 
     assert reply["fault"] == "BadRequest" and reply["error"]
 
 
+@pytest.mark.parametrize(("field", "value", "complaint"), [
+    ("camera_location", [1, 2], "three numbers"), ("camera_location", ["x", 0, 0], "three numbers"),
+    ("camera_rotation", [0, 0, 1e300], "three numbers"), ("width", 0, "above 0"), ("height", "9", "above 0"),
+    ("field_of_view", -3, "above 0"), ("exposure_bias_ev", "x", "a number"), ("filepath", 5, "a string")])
+def test_a_wrong_shot_is_refused_in_one_line(engine: EngineSession, field: str, value: object, complaint: str) -> None:
+    shot = {"width": 16, "height": 16, "camera_location": [0, 0, 0], "camera_rotation": [0, 0, 0]} | {field: value}
+    for kind, params in (("take_screenshot", shot), ("take_screenshot_batch", {"shots": [shot]})):
+        reply = engine.request(kind, params)
+        assert reply["fault"] == "BadRequest" and field in reply["error"] and complaint in reply["error"]
+        assert "\n" not in reply["error"]
+
+
 def test_half_open_clients_do_not_shut_others_out(engine: EngineSession) -> None:
     clients = []
     try:

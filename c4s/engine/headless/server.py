@@ -158,8 +158,8 @@ class BridgeServer:
         shots = params.get("shots")
         if not isinstance(shots, list) or not 1 <= len(shots) <= MAX_SHOTS:
             raise BadRequest(f"shots must be a list of 1 to {MAX_SHOTS}")
-        if not all(isinstance(shot, dict) for shot in shots):
-            raise BadRequest("a shot must be an object")
+        for shot in shots:
+            _check_shot(shot)
         job = self._board.submit({"function": "capture.take_screenshots",
                                   "params": {"shots": shots, "folder": str(self._scratch / "screenshots")}})
         job.done.wait()
@@ -173,6 +173,26 @@ class BridgeServer:
     def _shutdown(self, _: Params) -> dict[str, Any]:
         self._board.stop()
         return {"status": "ok"}
+
+
+def _check_shot(shot: Any) -> None:
+    """Refuse a shot whose fields are not what they should be."""
+    if not isinstance(shot, dict):
+        raise BadRequest("a shot must be an object")
+    for name in ("camera_location", "camera_rotation"):
+        value = shot.get(name)
+        if value is not None and not (isinstance(value, list) and len(value) == 3 and all(map(_is_number, value))):
+            raise BadRequest(f"{name} must be three numbers")
+    for name in ("width", "height", "field_of_view", "exposure_bias_ev"):
+        value = shot.get(name)
+        if value is not None and not (_is_number(value) and (value > 0 or name == "exposure_bias_ev")):
+            raise BadRequest(f"{name} must be a number{'' if name == 'exposure_bias_ev' else ' above 0'}")
+    if not isinstance(shot.get("filepath", ""), str):
+        raise BadRequest("filepath must be a string")
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and -1e9 < value < 1e9
 
 
 def _discard(connection: socket.socket) -> None:
