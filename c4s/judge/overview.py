@@ -14,6 +14,7 @@ from c4s.judge.quantities import needed
 from c4s.judge.requirements import Entity
 from c4s.judge.rule import RuleJudge
 from c4s.judge.views import Views
+from c4s.score.numbers import mean
 
 STYLE_TYPES = frozenset({"attribute", "material", "style_bundle", "environment", "atmosphere", "scene_identity"})
 SPATIAL_TYPES = frozenset({"spatial_relation", "distribution", "composition", "boundary"})
@@ -74,7 +75,7 @@ def _requirements(name: str, judge: RuleJudge, types: frozenset[str], anything: 
     """Mean decision score of the bundle's requirements of some types; unknown ones count 0."""
     nodes = [node for node in judge.requirements.scored if judge.requirements.predicates[node].type in types]
     decisions = [judge.decide(node) for node in nodes]
-    value = sum(d.score for d in decisions) / len(nodes) if nodes and anything else 0.0
+    value = mean(d.score for d in decisions) if nodes and anything else 0.0
     return Part(name, value, any(d.status != "UNKNOWN" for d in decisions),
                 {"requirements": len(nodes), "unknown": sum(d.status == "UNKNOWN" for d in decisions)})
 
@@ -115,7 +116,7 @@ def _counts(judge: RuleJudge, views: Views, objects: Sequence[Entity]) -> Part:
     for entity in objects:
         count = sum(views.sees(thing.actor) for thing in judge.ground(entity.id))
         ratios[entity.id] = min(1.0, count / needed(quantities.get(entity.id), collection=entity.collection))
-    return Part("object_counts", sum(ratios.values()) / len(ratios) if ratios else 0.0, bool(ratios),
+    return Part("object_counts", mean(ratios.values()) if ratios else 0.0, bool(ratios),
                 {"short": [key for key, ratio in ratios.items() if ratio < 1]})
 
 

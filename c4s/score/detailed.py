@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.score.numbers import record, records, unit_number, weighted_mean
+from c4s.score.numbers import ordered_sum, record, records, unit_number, weighted_mean
 from c4s.score.policy import DETAILED_DIGITS, FAMILY_WEIGHTS, UNUSABLE_STATUSES, Family
 
 
@@ -89,7 +89,7 @@ def detailed_score(rows: Sequence[Mapping[str, Any]],
         if row.get("included", True):
             groups[str(row.get("semantic_family"))].append(row)
     measured = {family: _family(groups[family]) for family in FAMILY_WEIGHTS if groups.get(family)}
-    total = sum(family_weights[family] for family in FAMILY_WEIGHTS if family in measured)
+    total = ordered_sum(family_weights[family] for family in FAMILY_WEIGHTS if family in measured)
     families: dict[str, Any] = {}
     for family in FAMILY_WEIGHTS:
         weight = family_weights[family]

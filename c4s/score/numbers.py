@@ -30,6 +30,15 @@ def mean(values: Iterable[float]) -> float:
     return math.fsum(items) / len(items)
 
 
+def ordered_sum(values: Iterable[float]) -> float:
+    """Sum from left to right, rounded at each step as the published scorer does: ``sum`` adds otherwise from Python
+    3.12 on."""
+    total = 0.0
+    for value in values:
+        total += value
+    return total
+
+
 def weighted_mean(pairs: Iterable[tuple[float, float]]) -> float:
     """Mean of ``(weight, value)`` pairs, summed in their order. ``BadInput`` when the weights sum to zero."""
     weights = values = 0.0

@@ -10,6 +10,7 @@ from c4s.judge.overview import Part, dimensions, structural_integrity
 from c4s.judge.requirements import Requirements, read_requirements
 from c4s.judge.rule import RuleJudge
 from c4s.judge.views import read_views
+from c4s.score.numbers import mean
 from c4s.score.overview import overview_score
 from c4s.score.policy import OVERVIEW_RULE_POLICY, OVERVIEW_VIEWS
 from c4s.verify.verdict import Verdict
@@ -37,7 +38,7 @@ def verify_overview(bundle_or_prompt: Mapping[str, Any] | str, snapshot: Mapping
                               f"has {views.count if views else 0}")
     judge = RuleJudge(requirements, snapshot, catalog)
     parts = dimensions(judge, views)
-    scores = {name: sum(part.value for part in rows) / len(rows) for name, rows in parts.items()}
+    scores = {name: mean(part.value for part in rows) for name, rows in parts.items()}
     structure = structural_integrity(judge.things)
     total = overview_score(scores, structure.value, False)
     unknown = [f"{name}.{part.name}" for name, rows in parts.items() for part in rows if not part.known]
