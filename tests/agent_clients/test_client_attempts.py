@@ -78,6 +78,14 @@ def test_a_full_context_is_trimmed_bad_arguments_are_counted_and_a_loop_is_stopp
     assert len(errors) == 8 and all(line["outcome"] == "error" and line["counted"] for line in errors)
 
 
+def test_waiting_for_a_job_is_no_loop(attempt: Attempt) -> None:
+    script = [[Use("execute_python_script", {"script": "print(1)"})], *[[Use("read_job_log")]] * 6, SAVE]
+    with ScriptedEndpoint(script) as endpoint:
+        outcome, folder = attempt("api", endpoint.url, options={"same_calls": 3})
+    assert (outcome.tool_calls, outcome.submission) == (8, "/Game/SavedScenes/submission")
+    assert sum(line.get("polling", False) for line in lines(folder / "trajectory.jsonl") if line["counted"]) == 6
+
+
 def test_the_spending_limit_leaves_the_trial_pending_and_a_higher_one_completes_it(
         attempt: Attempt, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     with ScriptedEndpoint(SCRIPT) as endpoint:

@@ -25,6 +25,7 @@ from c4s.errors import AgentFault, MachineryFault
 from c4s.files import append_json_line, digest_bytes
 from c4s.run.records import Configuration
 from c4s.toolbox.client import GatewayClient
+from c4s.toolbox.run import POLLING
 
 VERSION = "api 1"
 FILL, REFILL = 0.85, 0.6
@@ -103,7 +104,9 @@ class _Play:
                     return f"the model said nothing {EMPTY_ANSWERS} times"
                 continue
             asked = json.dumps([call["function"] for call in calls], sort_keys=True)
-            last, same, empty = asked, same + 1 if asked == last else 1, 0
+            if any(call["function"]["name"] != POLLING for call in calls):  # waiting for a job is no loop
+                last, same = asked, same + 1 if asked == last else 1
+            empty = 0
             if same >= self._options.same_calls:
                 return f"the model made the same call {same} times in a row"
             if self._turn(number, reply):

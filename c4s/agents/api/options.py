@@ -33,7 +33,7 @@ class ApiOptions(Record):
     """The model's context; the conversation is trimmed before it is full."""
     max_turns: int = Field(default=2_000, gt=0)
     same_calls: int = Field(default=12, gt=1)
-    """So many identical turns in a row end the run: the model is in a loop."""
+    """So many identical turns in a row end the run: the model is in a loop. Asking for the state of a job is none."""
     extra: dict[str, Any] = Field(default_factory=dict)
     """Further fields of every request, such as a router's provider choice."""
 
