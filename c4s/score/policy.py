@@ -66,6 +66,12 @@ T2S_FLOATING_METRIC: Final = "t2s-aabb-floating-contact-5cm.v2"
 """Id of the support rule that replaces the recorded floating leaf in text-to-scene."""
 I2S_FLOATING_METRIC: Final = "i2s-edited-support-5cm"
 PENETRATION_METRIC: Final = "eligible_actor_collision_free_rate_v3"
+ADAPTIVE_TOLERANCE: Final = "actor_shortest_full_aabb_span_clamped_v1"
+FIXED_TOLERANCE: Final = "fixed_declared_tolerance"
+"""Ids of the two penetration tolerances: by size in text-to-scene, the same for all in image-to-scene."""
+WHOLE_SCENE_PROFILE: Final = "absolute-physical-safety-candidate-all-v3"
+EDITED_ACTORS_PROFILE: Final = "image-to-scene-edited-actors-physical-safety"
+"""Ids of the two populations of the physics leaves: all actors, and those that a repair edited."""
 ROLE_POLICY: Final = "deterministic_scene_relative_physics_roles_v1"
 PHYSICS_LEAF_WEIGHTS: Final = {"floating": 0.5, "solid_penetration": 0.5}
 PHYSICS_DIGITS: Final = 4

@@ -13,6 +13,9 @@ from c4s.collision import NOISE_CM, Contact, SceneBodies, scene_bodies, scene_co
 from c4s.errors import BadInput
 from c4s.score.physics import physics_from_report
 from c4s.score.policy import (
+    ADAPTIVE_TOLERANCE,
+    EDITED_ACTORS_PROFILE,
+    FIXED_TOLERANCE,
     FIXED_TOLERANCE_CM,
     GAP_CM,
     I2S_FLOATING_METRIC,
@@ -21,6 +24,7 @@ from c4s.score.policy import (
     PHYSICS_POLICY,
     ROLE_POLICY,
     T2S_FLOATING_METRIC,
+    WHOLE_SCENE_PROFILE,
 )
 from c4s.verify.edited import edited_actors
 from c4s.verify.penetration import Penetration, contact_rule, penetration, tolerances_cm
@@ -77,6 +81,7 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
     return Verdict(
         verifier="physics", status="measured", score=total["score"], policy=PHYSICS_POLICY,
         measurements={**leaves, "leaves": total["leaves"], "role_policy": ROLE_POLICY,
+                      "profile": WHOLE_SCENE_PROFILE if whole else EDITED_ACTORS_PROFILE,
                       "roles": {_name(actors[i]): role[i] for i in chosen}},
         population={"actors": len(actors), "selected": len(chosen), **_leaf_population("floating", floating),
                     **_leaf_population("solid_penetration", solid),
@@ -178,6 +183,7 @@ def _penetration_leaf(actors: Sequence[Mapping[str, Any]], chosen: Sequence[int]
              | dict.fromkeys(judged.unresolved, "unresolved"))
     return _leaf(
         "solid_penetration", status, score, "higher_is_better", metric=PENETRATION_METRIC, evaluated=evaluated,
+        tolerance_policy=ADAPTIVE_TOLERANCE if whole else FIXED_TOLERANCE,
         unresolved=len(judged.unresolved), failed=len(judged.violators),
         violations=[{"actor": _name(actors[i]), "tolerance_cm": judged.tolerances_cm[i],
                      **_contact_rows(actors, judged.violating(i))} for i in judged.violators],

@@ -103,3 +103,16 @@ def test_what_the_input_does_not_record_is_no_edit(field: str) -> None:
     new = actor("A", (0, 0, 50), actor_role="x", properties={"intensity": 1}, actor_tags=["t"])
     old = {key: value for key, value in new.items() if key != field}
     assert edited_actors(snapshot(new), snapshot(old)) == []
+
+
+def test_every_rule_behind_a_verdict_is_named() -> None:
+    one = actor("A", (0, 0, 50))
+    for setting, start, profile, tolerance in (
+            ("text-to-scene", None, "absolute-physical-safety-candidate-all-v3",
+             "actor_shortest_full_aabb_span_clamped_v1"),
+            (I2S, snapshot(), "image-to-scene-edited-actors-physical-safety", "fixed_declared_tolerance")):
+        verdict = verify_physics(setting, snapshot(one), start)
+        assert (verdict.policy, verdict.measurements["profile"]) == ("physics-all-leaves-zero.v2", profile)
+        assert verdict.measurements["role_policy"] == "deterministic_scene_relative_physics_roles_v1"
+        assert leaves(verdict)["solid_penetration"]["tolerance_policy"] == tolerance
+        assert all(leaf["metric"] for leaf in leaves(verdict).values())
