@@ -3,6 +3,7 @@ repair counts; scorer facts 2.6 and 2.7)."""
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -120,11 +121,35 @@ def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     start_of = {pair.candidate: pair for pair in matched.pairs}
     restored = {s for s, t in target_of_start.items() if t.operation == "repair"}
     pool = matched.new + [p.candidate for p in matched.pairs if p.fields or p.start in restored]
-    pool.sort(key=lambda c: after[c].order())
+    _in_canonical_order(pool, before, after, matched, set(target_of_start))
     replaced = {p.start for p in matched.pairs if p.method == "pose_anchored_asset_change"
                 and before[p.start].descriptor != after[p.candidate].descriptor}
     return Repair(targets, beside, before, after, matched, pool, start_of,
                   {pair.start: pair.candidate for pair in matched.pairs}, target_of_start, index_of, replaced)
+
+
+def _in_canonical_order(pool: list[int], before: list[Actor], after: list[Actor], matched: Correspondence,
+                        target_starts: set[int]) -> None:
+    """Sort the pool by content. Among equal contents the published order decides which one stands for a target: new
+    actors by identity, then matched ones by phase and by the order in which each phase finds them."""
+    pool.sort(key=lambda c: after[c].order())
+    if len({after[c].order()[0] for c in pool}) == len(pool):
+        return
+    pair_of = {pair.candidate: pair for pair in matched.pairs}
+    sizes = [Counter(actor.kind.number for actor in side) for side in (before, after)]
+
+    def place(c: int) -> tuple[Any, ...]:
+        actor, pair = after[c], pair_of.get(c)
+        if pair is None:
+            return actor.order()[0], 0, actor.key
+        start, kind = before[pair.start], actor.kind.number
+        if pair.method == "changed_structural_assignment":
+            by_row = sizes[0][kind] <= sizes[1][kind]
+            return actor.order()[0], 2, (start if by_row else actor).order()
+        return (actor.order()[0], 1 if pair.method == "unchanged_semantic" else 3,
+                (pair.start in target_starts, *start.order()))
+
+    pool.sort(key=place)
 
 
 def _accepted(case: Repair, limits: Tolerances) -> dict[int, int]:
@@ -152,11 +177,11 @@ def count(case: Repair, limits: Tolerances = NOMINAL) -> RepairResult:
         target = case.targets[i]
         own = start_index.get(target.key) if target.operation == "repair" else None
         pair = case.start_of.get(c)
-        if own is None or own not in lost or pair is None:
+        if target.operation != "repair" or pair is None or not (own is None or own in lost):
             continue
         other = case.target_of_start.get(pair.start)
         if other is not None and other.operation == "remove" and pair.start not in lost:
-            lost.discard(own)
+            lost -= {own}
             lost.add(pair.start)
             rebounds.append((i, case.targets.index(other)))
     done = frozenset(i for i, t in enumerate(case.targets)

@@ -30,7 +30,7 @@ def normalized_path(value: Any) -> str:
 
 def short_class(value: Any) -> str:
     """Class name without its package: the part after the last ``.``, then after the last ``/``."""
-    return str(value or "").rpartition(".")[2].rpartition("/")[2]
+    return str(value or "").strip().rpartition(".")[2].rpartition("/")[2]
 
 
 @lru_cache(maxsize=65536)

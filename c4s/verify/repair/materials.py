@@ -58,30 +58,40 @@ def comparable_materials(record: dict[str, Any]) -> list[Identity]:
         paths if isinstance(paths, list) else [paths]))
 
 
+def _text(value: Any) -> str:
+    return "" if value is None else str(value).strip()
+
+
+def _object_path(value: Any) -> str | None:
+    """A case-folded absolute path without its export quotes, or None."""
+    text = _text(value)
+    if text.endswith("'"):
+        text = text[text.index("'") + 1:-1]
+    return text.casefold() if text.startswith("/") else None
+
+
 def material_set(paths: Any) -> frozenset[str] | None:
     """Acceptance: the case-folded asset paths, or None when the evidence is no list."""
     if not isinstance(paths, list):
         return None
-    return frozenset(path.casefold() for path in paths if isinstance(path, str) and path.startswith("/"))
+    return frozenset(path for value in paths if (path := _object_path(value)) is not None)
 
 
 def slot_map(slots: Any) -> SlotMap | None:
     """Acceptance: (component, slot index) to case-folded path, or None when it is not measurable.
 
-    Not measurable: no list, a dynamic slot, a null or relative material path, a bad index, or a slot twice.
+    Not measurable: no list, a dynamic slot, a null or relative material path, no component, a bad index, a slot twice.
     """
     if not isinstance(slots, list):
         return None
     found: SlotMap = {}
     for slot in slots:
-        if not isinstance(slot, dict) or slot.get("is_dynamic"):
+        if not isinstance(slot, dict) or slot.get("is_dynamic") is True:
             return None
-        path, index, owner = slot.get("material_path"), slot.get("slot_index"), slot.get("component_identity")
-        if not isinstance(path, str) or not path.startswith("/"):
+        path, index, owner = _object_path(slot.get("material_path")), slot.get("slot_index"), _text(
+            slot.get("component_identity"))
+        if path is None or not owner or isinstance(index, bool) or not isinstance(index, int) or index < 0 \
+                or (owner, index) in found:
             return None
-        if isinstance(index, bool) or not isinstance(index, int) or index < 0 or not isinstance(owner, str):
-            return None
-        if (owner, index) in found:
-            return None
-        found[owner, index] = path.casefold()
+        found[owner, index] = path
     return found

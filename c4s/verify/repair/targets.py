@@ -70,13 +70,12 @@ def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[
     Raises:
         BadInput: there is no target.
     """
-    added = {key: entry.record for key, entry in after.items() if key not in before}
-    removed = {key: entry.record for key, entry in before.items() if key not in after}
+    added, removed = ({key: entry.record for key, entry in side.items() if key not in other
+                       and is_semantic(entry.record)} for side, other in ((after, before), (before, after)))
     if added and removed:
         _without_identity_pairs(added, removed)
-    found = [Target(key, "add", ("existence",), record, None) for key, record in added.items() if is_semantic(record)]
-    found += [Target(key, "remove", ("existence",), None, record) for key, record in removed.items()
-              if is_semantic(record)]
+    found = [Target(key, "add", ("existence",), record, None) for key, record in added.items()]
+    found += [Target(key, "remove", ("existence",), None, record) for key, record in removed.items()]
     beside = []
     for key, entry in after.items():
         old = before.get(key)
