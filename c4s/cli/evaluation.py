@@ -21,7 +21,12 @@ from warehouse.parquet import part_path
 QUIET = {"DO_NOT_TRACK": "1", "PREFECT_SERVER_ANALYTICS_ENABLED": "false", "PREFECT_LOGGING_LEVEL": "CRITICAL",
          "PREFECT_SERVER_LOGGING_LEVEL": "CRITICAL", "PREFECT_LOGGING_TO_API_ENABLED": "false",
          "PREFECT_SERVER_EPHEMERAL_STARTUP_TIMEOUT_SECONDS": "120",
-         "PREFECT_CLI_PROMPT": "false"}
+         "PREFECT_CLI_PROMPT": "false",
+         **{f"PREFECT_SERVER_SERVICES_{name}_ENABLED": "false" for name in (
+             "CANCELLATION_CLEANUP", "EVENT_PERSISTER", "FOREMAN", "LATE_RUNS", "PAUSE_EXPIRATIONS", "REPOSSESSOR",
+             "SCHEDULER", "TASK_RUN_RECORDER", "TRIGGERS")}}
+"""Prefect as a run in one process needs it: its server lives as long as the run, so it schedules nothing, and nobody
+asks it for the task runs that it would write down."""
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import ssl
 import uuid
 from contextlib import AsyncExitStack, ExitStack
 from dataclasses import dataclass
@@ -21,6 +22,8 @@ from c4s.toolbox.gateway import Endpoint
 
 CONNECT_TIMEOUT_S = 30.0
 ACTORS_A_CALL = 1000
+NO_CERTIFICATES = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
+"""The gateway is plain HTTP on this machine; loading the usual certificates takes longer than a call."""
 
 
 class RunStopped(AgentFault):
@@ -122,7 +125,7 @@ class _Connection:
     async def __aenter__(self) -> Client:
         http = await self._stack.enter_async_context(httpx2.AsyncClient(
             headers={"Authorization": f"Bearer {self._endpoint.token}"}, trust_env=False,
-            timeout=httpx2.Timeout(CONNECT_TIMEOUT_S, read=None)))
+            verify=NO_CERTIFICATES, timeout=httpx2.Timeout(CONNECT_TIMEOUT_S, read=None)))
         transport = streamable_http_client(self._endpoint.url, http_client=http, max_sse_event_size=None)
         return await self._stack.enter_async_context(Client(transport, mode=self._mode))
 
