@@ -61,7 +61,8 @@ def capture_views(cameras: Sequence[Camera], folder: str, mode: str = "lit", act
     named = _named(cameras)
     files = [Path(folder, f"{camera['name']}.png") for camera in named]
     pictures = _pictures(named, files, mode, actors)
-    return [{**_record(camera, mode, actors), **extra} for camera, extra in zip(named, pictures, strict=True)]
+    return [{**_record(camera, mode), **extra, **_mask(camera, actors)}
+            for camera, extra in zip(named, pictures, strict=True)]
 
 
 def plan_views(cameras: Sequence[Camera], mode: str = "lit") -> list[Record]:
@@ -71,7 +72,7 @@ def plan_views(cameras: Sequence[Camera], mode: str = "lit") -> list[Record]:
     """
     named = _named(cameras)
     known = [{"key": key} for key in keys(named, mode)] if keys is not None else [{} for _ in named]
-    return [{**_record(camera, mode, True), **key} for camera, key in zip(named, known, strict=True)]
+    return [{**_record(camera, mode), **_mask(camera, True), **key} for camera, key in zip(named, known, strict=True)]
 
 
 def _named(cameras: Sequence[Camera]) -> list[Record]:
@@ -79,10 +80,13 @@ def _named(cameras: Sequence[Camera]) -> list[Record]:
             for number, camera in enumerate(cameras, 1)]
 
 
-def _record(camera: Camera, mode: str, actors: bool) -> Record:
+def _record(camera: Camera, mode: str) -> Record:
     kept = {key: camera[key] for key in ("location_cm", "rotation_deg", "fov_deg", "width", "height")}
-    masks = {"actors": f"{camera['name']}.actors.npz"} if actors and source is not None else {}
-    return {"name": camera["name"], "file": f"{camera['name']}.png", "mode": mode, "camera": kept, **masks}
+    return {"name": camera["name"], "file": f"{camera['name']}.png", "mode": mode, "camera": kept}
+
+
+def _mask(camera: Camera, actors: bool) -> Record:
+    return {"actors": f"{camera['name']}.actors.npz"} if actors and source is not None else {}
 
 
 def viewport_camera() -> Record:

@@ -40,17 +40,20 @@ def take_pictures(engine: EngineSession, cameras: Sequence[Mapping[str, Any]], f
                        timeout_s=TIMEOUT_S) if missing else []
     rendered: dict[str, Record] = {record["name"]: record for record in made}
     folder.mkdir(parents=True, exist_ok=True)
+    records = []
     for record, key in zip(planned, keys, strict=True):
-        if record["name"] in rendered:
-            record |= rendered[record["name"]]
-            if keep and key is not None:
-                _keep(key, record, folder)
-        elif key is not None:
+        new = rendered.get(record["name"])
+        if new is None and key is not None:
             picture, mask, counts = _files(key)
             shutil.copyfile(picture, folder / record["file"])
             shutil.copyfile(mask, folder / record["actors"])
-            record["visible"] = read_json(counts)
-    return planned
+            shown = {"visible": read_json(counts), "actors": record.pop("actors")}
+            records.append({**record, **shown})
+        elif new is not None:
+            records.append(new)
+            if keep and key is not None:
+                _keep(key, new, folder)
+    return records
 
 
 def _files(key: str) -> tuple[Path, Path, Path]:
