@@ -13,6 +13,7 @@ import hashlib
 import json
 import socket
 import threading
+from collections import Counter
 from collections.abc import MutableMapping
 from dataclasses import dataclass
 from types import TracebackType
@@ -35,6 +36,8 @@ START_TIMEOUT_S = 20.0
 SKILL = "skill"
 """Name of the MCP prompt that gives the skill text."""
 MAX_BODY_BYTES = 4 << 20
+MOST_SESSIONS = 256
+"""Sessions that a run may open in all."""
 REQUEST_KEYS = ("claudecode/toolUseId", "callId", "c4s/callId")
 """Where clients put the identity of a call in ``_meta`` (Claude Code, Codex, ours)."""
 
@@ -53,7 +56,9 @@ class Gateway:
     def __init__(self) -> None:
         self._runs: dict[bytes, Run] = {}
         """By the digest of their token: the time of a look-up tells nothing of a token."""
-        self._session_owner: dict[str, str] = {}
+        self._session_owner: dict[str, Run] = {}
+        self._opened: Counter[Run] = Counter()
+        """How many sessions a run has opened."""
         self._in_flight: dict[tuple[str, str], _Flight] = {}
         self._loop: asyncio.AbstractEventLoop | None = None
         self._server: uvicorn.Server | None = None
@@ -101,6 +106,10 @@ class Gateway:
         """End a run, if it has not ended, and forget its token."""
         run.end("finished", "the agent has finished")
         self._runs.pop(_digest(run.token), None)
+        for session, owner in list(self._session_owner.items()):
+            if owner is run:
+                del self._session_owner[session]
+        self._opened.pop(run, None)
 
     def _app(self) -> ASGIApp:
         server: Server[Any] = Server("c4s", version="1", on_list_tools=_list_tools, on_call_tool=_call_tool,
@@ -120,7 +129,7 @@ class Gateway:
             session = headers.get(b"mcp-session-id", b"").decode("latin-1")
             if run is None:
                 await JSONResponse({"error": "unauthorized"}, 401, {"WWW-Authenticate": "Bearer"})(scope, receive, send)
-            elif session and self._session_owner.get(session) != run.run_id:
+            elif session and self._session_owner.get(session) is not run:
                 await JSONResponse({"error": "session not found"}, 404)(scope, receive, send)
             else:
                 scope.setdefault("state", {})["run"] = run
@@ -142,9 +151,13 @@ class Gateway:
             if message["type"] == "http.response.start":
                 for key, value in message["headers"]:
                     if key.lower() == b"mcp-session-id":
-                        self._session_owner[value.decode("latin-1")] = run.run_id
+                        self._session_owner[value.decode("latin-1")] = run
+                        self._opened[run] += 1
             await send(message)
 
+        if not session and self._opened[run] >= MOST_SESSIONS:
+            await JSONResponse({"error": "this run has opened too many sessions"}, 429)(scope, receive, send)
+            return
         if scope["method"] != "POST" or not session:
             await inner(scope, receive, noting if not session else send)
             return

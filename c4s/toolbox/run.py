@@ -27,7 +27,7 @@ from c4s.case.package import Budget
 from c4s.errors import C4SError, MachineryFault
 from c4s.files import digest_bytes
 from c4s.toolbox.arguments import plain, schema_problem
-from c4s.toolbox.record import Record, whole
+from c4s.toolbox.record import Record, short, whole
 from c4s.toolbox.registry import TOOLS, tool_set
 from c4s.toolbox.tool import ToolRefused
 from c4s.toolbox.workbench import Workbench
@@ -37,6 +37,10 @@ Outcome = Literal["ok", "error", "ended", "fault"]
 KEPT_ANSWERS = 32
 """Answers kept for repeats of a request id; older repeats are refused, never run again."""
 RECORDED_RESULT_CHARACTERS = 20_000
+RECORDED_REFUSED_BYTES = 20_000
+"""Longest arguments of a refused call that are recorded."""
+UNCOUNTED_CALLS = 10_000
+"""Refused calls and repeats that a run may send: each is a line of its record, and more of them end it."""
 PARALLEL_CALLS = 8
 POLL_S = 0.05
 POLLING = "read_job_log"
@@ -93,6 +97,7 @@ class Run:
         self.polls = 0
         """How many of the calls asked for the state of a job."""
         self.blocked = 0
+        self._uncounted = 0
         self.over_calls = False
         """Whether a call was refused because the call budget was spent."""
         self.end_reason: EndReason | None = None
@@ -165,7 +170,7 @@ class Run:
         given, told, problem = plain(arguments)
         if key is None:
             return await asyncio.shield(self._begin(name, given, told, problem, None))
-        key = f"{key} {name} {digest_bytes(told)}"
+        key = short(f"{key} {name} {digest_bytes(told)}")
         if key in self._answers:
             self.record_duplicate(name, key)
             first = self._answers[key]
@@ -177,7 +182,14 @@ class Run:
 
     def record_duplicate(self, name: str, key: str) -> None:
         """Note a repeat of a request id."""
-        self._write("duplicate", tool=name, request=key, counted=False, outcome="duplicate")
+        self._note("duplicate", tool=name, request=key, outcome="duplicate")
+
+    def _note(self, event: str, **fields: Any) -> None:
+        """Record a call that does not count; too many of them end the run."""
+        self._write(event, counted=False, **fields)
+        self._uncounted += 1
+        if self._uncounted > UNCOUNTED_CALLS:
+            self._end("killed", f"more than {UNCOUNTED_CALLS} refused and repeated calls")
 
     def _keep_answer(self, key: str) -> None:
         """Keep a finished answer for repeats, and let go of the oldest one above ``KEPT_ANSWERS``."""
@@ -193,8 +205,8 @@ class Run:
         refused = self._refused(name)
         if refused is not None:
             why, stop = refused
-            self._write("refused", tool=name, request=key, counted=False, outcome="refused",
-                        arguments=orjson.Fragment(told), error=why)
+            self._note("refused", tool=name, request=key, outcome="refused", error=why,
+                       arguments=orjson.Fragment(told if len(told) <= RECORDED_REFUSED_BYTES else b"null"))
             answered.set_result(self._refusal(why, stop=stop))
             return answered
         self.calls += 1
@@ -217,7 +229,7 @@ class Run:
             return f"the run has ended: {self.end_message}", True
         if name not in self.tools:
             self.blocked += 1
-            return (f"there is no tool {name!r} in this run; the tools are "
+            return (f"there is no tool {short(name)!r} in this run; the tools are "
                     + ", ".join(tool for tool in TOOLS if tool in self.tools)), False
         if self.calls >= self.budget.tool_calls:
             self.over_calls = True

@@ -73,6 +73,19 @@ def test_a_run_names_no_tool_of_another_and_none_off_the_list(prey: Prey, other)
     assert run.calls == 0 and run.blocked == 8
 
 
+def test_a_session_does_not_outlive_its_run_under_the_same_name(prey: Prey, other) -> None:
+    run, endpoint = other
+    theirs = {**ACCEPT, "Authorization": f"Bearer {endpoint.token}"}
+    with httpx2.Client(trust_env=False) as http:
+        session = http.post(endpoint.url, headers=theirs, json=HELLO).headers["mcp-session-id"]
+        prey.gateway.close_run(run)
+        again = Run(run.run_id, run.bench, run.budget, run.trajectory, ["get_categories"])
+        later = {**ACCEPT, "Authorization": f"Bearer {prey.gateway.open_run(again).token}", "mcp-session-id": session}
+        told = http.post(endpoint.url, headers=later, json={"jsonrpc": "2.0", "id": 1, "method": "tools/list"})
+    prey.gateway.close_run(again)
+    assert told.status_code == 404
+
+
 def test_a_token_is_dead_when_its_run_is_closed(prey: Prey, other) -> None:
     run, endpoint = other
     with GatewayClient(endpoint) as client:
@@ -98,6 +111,30 @@ def test_no_call_is_free_by_a_reused_id(prey: Prey, other) -> None:
     with run.trajectory.open() as lines:
         outcomes = [line["outcome"] for line in json_lines(lines) if line["event"] != "started"]
     assert outcomes == ["ok", "duplicate", *["error"] * 4, "refused"]
+
+
+def test_the_record_of_refused_calls_is_bounded(prey: Prey, other, monkeypatch: pytest.MonkeyPatch) -> None:
+    run, endpoint = other
+    monkeypatch.setattr("c4s.toolbox.run.UNCOUNTED_CALLS", 20)
+    with GatewayClient(endpoint) as client:
+        for number in range(20):
+            client.answer("x" * 100_000, {"text": "y" * 100_000}, call_id="z" * 100_000 + str(number % 10))
+        assert run.end_reason is None and run.trajectory.stat().st_size < 40_000
+        with pytest.raises(CallRefused):
+            client.call("run_shell")
+        with pytest.raises(RunStopped, match="more than 20 refused and repeated calls"):
+            client.call("run_shell")
+    assert (run.calls, run.end_reason) == (0, "killed")
+
+
+def test_sessions_of_a_run_are_bounded(prey: Prey, other, monkeypatch: pytest.MonkeyPatch) -> None:
+    _, endpoint = other
+    monkeypatch.setattr("c4s.toolbox.gateway.MOST_SESSIONS", 3)
+    theirs = {**ACCEPT, "Authorization": f"Bearer {endpoint.token}"}
+    with httpx2.Client(trust_env=False) as http:
+        told = [http.post(endpoint.url, headers=theirs, json=HELLO).status_code for _ in range(5)]
+    assert told == [200, 200, 200, 429, 429]
+    prey.client.call("get_categories")
 
 
 def test_calls_are_one_line_each_whatever_they_hold(prey: Prey) -> None:
