@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import Field, ValidationError
 
 from c4s.engine.headless import codec
-from c4s.engine.headless.pose import Pose, relative_to
+from c4s.engine.headless.pose import LARGEST, Pose, relative_to
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import MaterialInstanceDynamic, MaterialInterface, StaticMesh
 from c4s.engine.headless.unreal.components import (
@@ -22,10 +22,11 @@ from c4s.engine.headless.unreal.components import (
     SceneComponent,
     StaticMeshComponent,
 )
+from c4s.engine.headless.unreal.components.frames import DEEPEST
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.enums import CollisionEnabled
 from c4s.errors import BadInput
-from c4s.files import write_json
+from c4s.files import write_bytes
 from c4s.model import Record
 from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
 
@@ -38,10 +39,6 @@ MOST_BYTES = 64 << 20
 MOST_RECORDS = 600_000
 """Actors, components, transforms and instances: what takes time and memory to read."""
 MOST_ACTORS = 100_000
-LARGEST = 1e12
-"""Largest number of a transform: beyond Unreal's largest world, and far from where bounds overflow."""
-DEEPEST = 100
-"""Longest chain of attachment."""
 
 
 class DynamicMaterial(Record):
@@ -69,9 +66,7 @@ def read(path: Path) -> Level:
         if size > MOST_BYTES:
             raise BadInput(f"this level document has {size >> 20} MiB, more than {MOST_BYTES >> 20}", where=str(path))
         data = path.read_bytes()
-        records = data.count(b"{")
-        if records > MOST_RECORDS:
-            raise BadInput(f"this level document has {records} records, more than {MOST_RECORDS}", where=str(path))
+        _check_size(data, str(path))
         level = Level.model_validate_json(data)
     except OSError as error:
         raise BadInput(f"no such level ({error.strerror})", where=str(path)) from None
@@ -79,9 +74,21 @@ def read(path: Path) -> Level:
         first = error.errors()[0]
         field = ".".join(str(part) for part in first["loc"]) or "value"
         raise BadInput(f"this level document is wrong at {field}: {first['msg']}", where=str(path)) from None
-    if len(level.actors) > MOST_ACTORS:
-        raise BadInput(f"this level has {len(level.actors)} actors, more than {MOST_ACTORS}", where=str(path))
+    _check_count(len(level.actors), str(path))
     return level
+
+
+def _check_size(data: bytes, where: str) -> None:
+    records = data.count(b"{")
+    if len(data) > MOST_BYTES:
+        raise BadInput(f"this level document has {len(data) >> 20} MiB, more than {MOST_BYTES >> 20}", where=where)
+    if records > MOST_RECORDS:
+        raise BadInput(f"this level document has {records} records, more than {MOST_RECORDS}", where=where)
+
+
+def _check_count(actors: int, where: str) -> None:
+    if actors > MOST_ACTORS:
+        raise BadInput(f"this level has {actors} actors, more than {MOST_ACTORS}", where=where)
 
 
 def _pose(transform: Transform, where: str = "") -> Pose:
@@ -92,6 +99,8 @@ def _pose(transform: Transform, where: str = "") -> Pose:
 
 
 def _plain(pose: Pose) -> dict[str, Any]:
+    if not pose.is_sound():
+        raise BadInput(f"a place in the world is beyond {LARGEST:g}")
     return {"location_cm": list(pose.location), "rotation_deg": list(pose.rotation_deg), "scale": list(pose.scale)}
 
 
@@ -279,9 +288,25 @@ def actor_plain(actor: Actor) -> dict[str, Any]:
 
 
 def write(path: Path, package: str, actors: list[Actor]) -> None:
-    """Write the actors as a level document."""
-    write_json(path, {"schema_version": "c4s.level.v1", "package": package,
-                      "actors": [actor_plain(a) for a in actors]}, indent=None)
+    """Write the actors as a level document. ``BadInput`` for what ``read`` would refuse."""
+    _check_count(len(actors), package)
+    value = {"schema_version": "c4s.level.v1", "package": package,
+             "actors": [_sound(actor) for actor in actors]}
+    data = _encoded(value)
+    _check_size(data, package)
+    write_bytes(path, data)
+
+
+def _encoded(value: Any) -> bytes:
+    """JSON in UTF-8; ``ValueError`` for NaN, infinities and what is no text."""
+    return (json.dumps(value, ensure_ascii=False, allow_nan=False) + "\n").encode()
+
+
+def _sound(actor: Actor) -> dict[str, Any]:
+    try:
+        return actor_plain(actor)
+    except BadInput as error:
+        raise BadInput(error.what, where=ascii(actor._label)) from None
 
 
 def actor_copy(world: World, actor: Actor, name: str) -> Actor:

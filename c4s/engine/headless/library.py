@@ -31,6 +31,8 @@ from c4s.packs import manifest
 from c4s.packs.store import PackStore, object_path
 
 _PACKAGE = re.compile(r"/Game(/[A-Za-z0-9_\-]+)+")
+_LONGEST_PATH, _LONGEST_NAME = 1000, 200
+"""Characters that file systems surely take."""
 
 
 class AssetDocument(Record):
@@ -67,7 +69,10 @@ class AssetLibrary(ABC):
 
     def content_file(self, package: str, suffix: str) -> Path | None:
         """File of a package under the writable content root, or None when that is no package path under /Game/."""
-        return self.content / f"{package[1:]}{suffix}" if _PACKAGE.fullmatch(package) else None
+        too_long = len(package) > _LONGEST_PATH or any(len(part) > _LONGEST_NAME for part in package.split("/"))
+        if too_long or not _PACKAGE.fullmatch(package):
+            return None
+        return self.content / f"{package[1:]}{suffix}"
 
     def find(self, path: str) -> AssetObject | Class | None:
         """The asset of ``/Game/A/B`` or ``/Game/A/B.B``, the class of ``/Game/A/B.B_C``, or None."""

@@ -16,6 +16,8 @@ from c4s.scene.transform import Array, normalize_axis, quat_from_rotator, quat_m
 Triple: TypeAlias = tuple[float, float, float]
 Quaternion: TypeAlias = tuple[float, float, float, float]
 
+LARGEST = 1e12
+"""Largest number of a transform: beyond Unreal's largest world, and far from where bounds overflow."""
 _ONE: Triple = (1.0, 1.0, 1.0)
 _ZERO: Triple = (0.0, 0.0, 0.0)
 _UNTURNED: Quaternion = (0.0, 0.0, 0.0, 1.0)
@@ -103,6 +105,10 @@ class Pose:
     def is_finite(self) -> bool:
         """Whether no number is NaN or infinite."""
         return all(math.isfinite(v) for v in (*self.location, *self.quat, *self.scale))
+
+    def is_sound(self) -> bool:
+        """Whether every number is one that a level can hold: at most ``LARGEST``, and no NaN."""
+        return all(abs(v) <= LARGEST for v in (*self.location, *self.quat, *self.scale))
 
 
 IDENTITY = Pose(_ZERO, _UNTURNED, _ONE, _ZERO)

@@ -163,7 +163,11 @@ class World(AssetLibrary):
         if self.exists(package):
             self.log.error(f"SaveMap: '{package}' is an asset that is not a level")
             return False
-        level_io.write(path, package, list(self.actors.values()))
+        try:
+            level_io.write(path, package, list(self.actors.values()))
+        except BadInput as error:
+            self.log.error(f"SaveMap: '{package}' is not saved: {error.line()}")
+            return False
         append_json_line(self.content / "saves.jsonl", {"package": package})
         self.package = package
         self.map._object_path = self.map_path()

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
@@ -148,14 +149,14 @@ class _Overriding(MaterialInterface):
         return parent._origin_path() if parent is not None else self._path()
 
     def _set_vector(self, name: object, value: LinearColor) -> bool:
-        if self._field(name, True) is None:
+        if self._field(name, True) is None or not all(math.isfinite(part) for part in value.to_tuple()):
             return False
         self._vectors[str(name)] = (value.r, value.g, value.b, value.a)
         self._dirty = True
         return True
 
     def _set_scalar(self, name: object, value: float) -> bool:
-        if self._field(name, False) is None:
+        if self._field(name, False) is None or not math.isfinite(value):
             return False
         self._scalars[str(name)] = float(value)
         self._dirty = True

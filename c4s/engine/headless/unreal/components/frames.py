@@ -14,6 +14,8 @@ from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
 from c4s.scene.level import Vector as Row
 
 Bounds = tuple[Row, Row]
+DEEPEST = 100
+"""Longest chain of attachment."""
 
 
 def finite(pose: Pose, what: Object) -> Pose:
@@ -54,6 +56,13 @@ class Frame(ActorComponent):
         finite(pose, self)
         self._set_relative(pose if self._parent is None else relative_to(pose, self._parent._world_pose()))
         self._world = pose
+
+    def _height(self) -> int:
+        """Length of the longest chain of components below this one."""
+        level, height = self._children, 0
+        while level:
+            level, height = [child for each in level for child in each._children], height + 1
+        return height
 
     def _attach(self, parent: Any) -> None:
         if self._parent is not None:

@@ -8,6 +8,8 @@ from collections.abc import Callable
 from typing import Any
 
 from c4s.engine.headless.pose import IDENTITY, Pose, Triple, relative_to
+from c4s.engine.headless.state import world
+from c4s.engine.headless.unreal.components.frames import DEEPEST
 from c4s.engine.headless.unreal.components.moves import Moves
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Prop, api, public
@@ -133,14 +135,18 @@ class SceneComponent(Moves):
     def attach_to_component(self, parent: SceneComponent, socket_name: Name | str, location_rule: AttachmentRule,
                             rotation_rule: AttachmentRule, scale_rule: AttachmentRule,
                             weld_simulated_bodies: bool = True) -> bool:
-        """Attach; False when that would close a circle."""
+        """Attach; False when that would close a circle, or make a chain longer than ``DEEPEST``."""
         above: SceneComponent | None = parent
+        length = self._height()
         while above is not None:
             if above is self:
                 return False
-            above = above._parent
-        world, base = self._world_pose(), parent._world_pose()
-        kept = relative_to(world, base)
+            above, length = above._parent, length + 1
+        if length > DEEPEST:
+            world().log.error(f"AttachTo: '{self._path()}' would be attached more than {DEEPEST} deep")
+            return False
+        place, base = self._world_pose(), parent._world_pose()
+        kept = relative_to(place, base)
         rules: list[tuple[AttachmentRule, Callable[[Pose], Triple]]] = [
             (location_rule, lambda p: p.location), (rotation_rule, lambda p: p.rotation_deg),
             (scale_rule, lambda p: p.scale)]
@@ -151,7 +157,7 @@ class SceneComponent(Moves):
         self._set_relative(Pose.from_rotator(location, rotation, scale))
         if all(rule is AttachmentRule.KEEP_WORLD for rule, _ in rules):
             self._relative = kept
-            self._world = world
+            self._world = place
         return True
 
     @api

@@ -16,6 +16,10 @@ class _Word:
             raise TypeError(f"{type(self).__name__}: Cannot nativize '{type(value).__name__}' as "
                             f"'{type(self).__name__}'")
         self._text = str(value)
+        try:
+            self._text.encode()
+        except UnicodeEncodeError:
+            raise TypeError(f"{type(self).__name__}: Cannot nativize 'str' as '{type(self).__name__}'") from None
 
     def __str__(self) -> str:
         return self._text

@@ -50,6 +50,8 @@ def accepted(value: Any, kind: str) -> Any:
     Raises:
         TypeError: it is no such thing; the text is Unreal's innermost line.
     """
+    if type(value) is str and not value.isascii() and not _is_text(value):
+        raise TypeError(_innermost(value, _alternatives(kind)[0]))
     if type(value).__name__ == kind or (type(value), kind) in _AS_IS:
         return value
     parts = _alternatives(kind)
@@ -67,6 +69,15 @@ def accepted(value: Any, kind: str) -> Any:
         if found is not None and hasattr(found, "_from_parts") and isinstance(value, (list, tuple, Array, Mapping)):
             return found._from_parts(value)
     raise TypeError(_innermost(value, parts[0]))
+
+
+def _is_text(value: str) -> bool:
+    """Whether it can be written as UTF-8: halves of a surrogate pair cannot."""
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 _AS_IS: set[tuple[type, str]] = set()
@@ -88,7 +99,7 @@ def _fits_one(value: object, kind: str) -> bool:
     if kind == "bool":
         return isinstance(value, (bool, int))
     if kind in ("str", "Name", "Text"):
-        return isinstance(value, (str, Name, Text))
+        return isinstance(value, (str, Name, Text)) and _is_text(str(value))
     if kind in ("Class", "type"):
         return isinstance(value, TYPES["Class"]) or (isinstance(value, type) and issubclass(value, TYPES["Object"]))
     if kind.startswith("Sequence"):

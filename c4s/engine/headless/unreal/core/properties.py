@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -37,6 +38,15 @@ def copied(value: Any) -> Any:
     if value is None or type(value) in _IMMUTABLE:
         return value
     return value.copy() if hasattr(value, "copy") and not isinstance(value, dict) else value
+
+
+def _finite(value: Any) -> bool:
+    """Whether a value holds no NaN and no infinity: no level can hold them either."""
+    if isinstance(value, float):
+        return math.isfinite(value)
+    if isinstance(value, Array):
+        return all(_finite(item) for item in value)
+    return not hasattr(value, "to_tuple") or all(_finite(part) for part in value.to_tuple())
 
 
 class ObjectBase:
@@ -90,6 +100,9 @@ class ObjectBase:
             value = need(value, prop.kind, f"{owner}: Failed to convert type '{type(value).__name__}' to property "
                                            f"'{camel(name)}' ({property_kind(prop.kind)}) for attribute '{name}' "
                                            f"on '{owner}'", name)
+        if not _finite(value):
+            raise Exception(f"{owner}: Property '{camel(name)}' for attribute '{name}' on '{owner}' takes finite "
+                            "numbers")
         if prop.set:
             getattr(self, prop.set)(value)
         else:
