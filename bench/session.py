@@ -1,9 +1,8 @@
 """A session of tool calls on a level of 6,700 actors, through the gateway as an agent's client makes them.
 
 ``python -m bench.session [--actors N]`` prints one JSON object. The mix is what builders do most: spawn, move, delete,
-find, short scripts, job logs. Listing, saving and the geometric checks are timed one by one, the checks once more on the
-same level. A second part saves the
-level, opens it in a clean process, and compares the two snapshots.
+find, short scripts, job logs. Listing, saving and the geometric checks are timed one by one, and the checks once more
+on the same level. A second part saves the level, opens it in a clean process, and compares the two snapshots.
 """
 
 from __future__ import annotations
@@ -131,7 +130,7 @@ def run(actors: int = ACTORS) -> dict[str, Any]:
 
 
 def rows() -> list[Row]:
-    """The median call, the checks of a level that did not change, and a level saved and opened again in a clean process."""
+    """The median call, the checks of a level that did not change, and a level saved and opened in a clean process."""
     found = run()
     level = found["save_and_reopen"]
     seconds = round(level["saved_s"] + level["opened_s"], 3)

@@ -11,15 +11,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from c4s.collision import scene_contacts
+from c4s.scene.transform import Array
 from c4s.score.policy import GAP_CM
-from c4s.toolbox.gaps import gaps_below
 from c4s.toolbox.pictures import read_picture, within_limit
 from c4s.toolbox.tool import Arguments, Tool, ToolRefused, ToolResult, names, number, text
 from c4s.toolbox.workbench import Workbench
-from c4s.verify.roles import bounds_of, roles
 from c4s.verify.support import excluded_by_name
 
 GROUP = "Verification"
@@ -77,24 +74,22 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
     actors = scene.actors
     floating, solid = scene.physics.measurements["leaf_results"]
     by_name = {actor.get("name"): _label(actor) for actor in actors}
-    role = roles(actors)
-    boxes = [box for i, actor in enumerate(actors)
-             if role[i] != "non_solid" and (box := bounds_of(actor)) is not None]
-    low = np.min([centre - half for centre, half in boxes], axis=0) if boxes else None
-    high = np.max([centre + half for centre, half in boxes], axis=0) if boxes else None
     return ToolResult({
         "actors": len(actors),
         "floating_rate": floating["score"],
         "floating_tested": floating["evaluated"], "floating_unresolved": floating["unresolved"],
         "collision_rate": None if solid["score"] is None else round(1 - solid["score"], 4),
         "collision_tested": solid["evaluated"], "collision_unresolved": solid["unresolved"],
-        "extent": None if low is None or high is None else
-        {"min_cm": low.round(2).tolist(), "max_cm": high.round(2).tolist(),
-         "size_m": ((high - low) / 100).round(3).tolist()},
+        "extent": None if scene.extent_cm is None else _extent(*scene.extent_cm),
         **_listed(floating=[by_name.get(name, {"name": name}) for name in floating["floating_actors"]],
                   colliding=[{**by_name.get(item["actor"], {"name": item["actor"]}),
                               "tolerance_cm": item["tolerance_cm"], "contacts": item["contacts"]}
                              for item in solid["violations"]])})
+
+
+def _extent(low: Array, high: Array) -> dict[str, Any]:
+    return {"min_cm": low.round(2).tolist(), "max_cm": high.round(2).tolist(),
+            "size_m": ((high - low) / 100).round(3).tolist()}
 
 
 def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -102,7 +97,7 @@ def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
     scene = bench.measured()
     actors = scene.actors
     chosen = _chosen(actors, arguments.get("actor_names"))
-    gaps = gaps_below(scene.snapshot, scene.bodies, set(chosen), ground_plane=bench.case.setting == "text-to-scene")
+    gaps = scene.gaps_cm(chosen) if "actor_names" in arguments else scene.all_gaps_cm
     floating = [{**_label(actors[i]), "gap_cm": None if gaps[i] is None else round(gaps[i] or 0.0, 2)}
                 for i in chosen if i in gaps and (gaps[i] is None or (gaps[i] or 0.0) > threshold)]
     counted = scene.scored_as_floating

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+
 from c4s.collision import SceneBodies, scene_bodies
+from c4s.scene.transform import Array
+from c4s.toolbox.gaps import gaps_below
 from c4s.verify.physics import verify_physics
+from c4s.verify.roles import bounds_of, roles
 from c4s.verify.support import text_to_scene_support
 from c4s.verify.verdict import Verdict
 
@@ -33,6 +38,25 @@ class MeasuredScene:
     def physics(self) -> Verdict:
         """The physics verdict over all actors, since the input scene is not at hand."""
         return verify_physics(self.setting, self.snapshot, {"actors": []})
+
+    @cached_property
+    def extent_cm(self) -> tuple[Array, Array] | None:
+        """Lowest and highest corner of what is solid; None when nothing is."""
+        boxes = [box for actor, role in zip(self.actors, roles(self.actors), strict=True)
+                 if role != "non_solid" and (box := bounds_of(actor)) is not None]
+        if not boxes:
+            return None
+        centres, halves = (np.array(column) for column in zip(*boxes, strict=True))
+        return (centres - halves).min(axis=0), (centres + halves).max(axis=0)
+
+    @cached_property
+    def all_gaps_cm(self) -> dict[int, float | None]:
+        """``gaps_below`` of every actor."""
+        return self.gaps_cm(range(len(self.actors)))
+
+    def gaps_cm(self, actors: Collection[int]) -> dict[int, float | None]:
+        """``gaps_below`` of some actors (positions); text-to-scene has the ground plane besides."""
+        return gaps_below(self.snapshot, self.bodies, set(actors), ground_plane=self.setting == "text-to-scene")
 
     @cached_property
     def scored_as_floating(self) -> frozenset[str]:
