@@ -10,30 +10,37 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from c4s.errors import BadInput
 from c4s.verify.repair.difference import property_differences, transform_differences
 from c4s.verify.repair.entries import Record, identity
 
+CANDIDATE = "candidate snapshot"
 _OWN_FIELDS = ("label", "actor_origin", "logical_object_id", "actor_role")
 
 
 def edited_actors(snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any]) -> list[int]:
     """Positions of the candidate's actors that the input does not hold in the same state.
 
-    Copies that share an identity are paired one to one: unedited as many times as the input holds the actor.
-    Raises ``BadInput`` for an actor without id, GUID, label and path.
+    Raises ``BadInput`` (its ``where`` names the snapshot) for two actors under one identity and for an actor that has
+    none: what was edited is then not known.
     """
-    before: dict[str, list[Record]] = {}
-    for actor in input_snapshot.get("actors") or []:
-        before.setdefault(identity(actor), []).append(actor)
-    edited = []
-    for index, actor in enumerate(snapshot.get("actors") or []):
-        same = before.get(identity(actor), [])
-        twin = next((i for i, old in enumerate(same) if not _edited(old, actor)), None)
-        if twin is None:
-            edited.append(index)
-        else:
-            same.pop(twin)
-    return edited
+    before = _by_identity(input_snapshot, "input snapshot")
+    return [index for index, (key, actor) in enumerate(_by_identity(snapshot, CANDIDATE).items())
+            if key not in before or _edited(before[key], actor)]
+
+
+def _by_identity(snapshot: Mapping[str, Any], where: str) -> dict[str, Record]:
+    found: dict[str, Record] = {}
+    for actor in snapshot.get("actors") or []:
+        try:
+            key = identity(actor)
+        except BadInput as error:
+            raise BadInput(error.what, where=where, todo=error.todo) from None
+        if key in found:
+            raise BadInput(f"two actors have the identity {key}", where=where,
+                           todo="identities must be unique in a scene")
+        found[key] = actor
+    return found
 
 
 def _edited(old: Record, new: Record) -> bool:

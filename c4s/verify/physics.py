@@ -26,7 +26,7 @@ from c4s.score.policy import (
     T2S_FLOATING_METRIC,
     WHOLE_SCENE_PROFILE,
 )
-from c4s.verify.edited import edited_actors
+from c4s.verify.edited import CANDIDATE, edited_actors
 from c4s.verify.penetration import Penetration, contact_rule, penetration, tolerances_cm
 from c4s.verify.roles import Role, bounds_of, needs_no_support, roles
 from c4s.verify.support import Support, edited_support, excluded_by_label, text_to_scene_support
@@ -34,6 +34,7 @@ from c4s.verify.support_advisories import support_advisories
 from c4s.verify.verdict import Verdict
 
 Leaf = dict[str, Any]
+DIRECTIONS = {"floating": "lower_is_better", "solid_penetration": "higher_is_better"}
 MOST_LISTED = 20
 """Contacts of one actor that a verdict lists."""
 
@@ -63,7 +64,12 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
         if input_snapshot is None:
             raise BadInput("image-to-scene physics needs the input snapshot", where=setting)
         _actors_of(input_snapshot, "input snapshot")
-        chosen = edited_actors(snapshot, input_snapshot)
+        try:
+            chosen = edited_actors(snapshot, input_snapshot)
+        except BadInput as error:
+            if error.where != CANDIDATE:
+                raise
+            return _withheld(actors, error.line())
         floating = _edited_floating(actors, role, scene, chosen)
     if contacts is not None:
         scene = SceneBodies(scene.bodies, scene.owners, {})
@@ -75,7 +81,7 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
                          noise_cm=NOISE_CM if contacts is None else 0.0)
     solid = _penetration_leaf(actors, chosen, judged, whole)
     leaves = {"leaf_results": [floating, solid],
-              "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"}}
+              "leaf_score_directions": DIRECTIONS}
     total = physics_from_report({"report_id": "physical_safety", "status": "measured", "metrics": leaves})
     scored = [i for i in chosen if role[i] == "scored_solid"]
     return Verdict(
@@ -88,6 +94,20 @@ def verify_physics(setting: str, snapshot: Mapping[str, Any], input_snapshot: Ma
                     **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())}},
         advisories=_advisories(actors, chosen, scored, judged, scene, (floating, solid))
         + (_support_oddities(snapshot, actors, scored) if whole else []))
+
+
+def _withheld(actors: Sequence[Mapping[str, Any]], reason: str) -> Verdict:
+    """Neither leaf is evaluated: it is not known which actors were edited."""
+    leaves = {"leaf_results": [
+        _floating("not_evaluated", None, 0, 0, [], metric=I2S_FLOATING_METRIC, reason=reason),
+        _leaf("solid_penetration", "not_evaluated", None, "higher_is_better", metric=PENETRATION_METRIC, evaluated=0,
+              unresolved=0, failed=0, violations=[], unresolved_actors=[], actors=[], reason=reason)],
+        "leaf_score_directions": DIRECTIONS}
+    total = physics_from_report({"report_id": "physical_safety", "status": "not_evaluated", "metrics": leaves})
+    return Verdict(verifier="physics", status="not_evaluated", policy=PHYSICS_POLICY, reason=reason,
+                   measurements={**leaves, "leaves": total["leaves"], "role_policy": ROLE_POLICY,
+                                 "profile": EDITED_ACTORS_PROFILE, "roles": {}},
+                   population={"actors": len(actors)})
 
 
 def _actors_of(snapshot: Mapping[str, Any], what: str) -> list[Mapping[str, Any]]:

@@ -112,6 +112,17 @@ def test_thin_things_hold_and_are_held_all_along_the_way(gap, floats, axis):
     assert (found["score"] == 1.0) is floats
 
 
+def test_two_actors_under_one_identity_leave_both_leaves_unevaluated():
+    base = actor("A", (0, 0, 50))
+    copies = snapshot(base, actor("B", (0, 0, 150)), actor("B", (300, 0, 50)))
+    verdict = verify_physics(I2S, copies, snapshot(base))
+    assert (verdict.status, verdict.score) == ("not_evaluated", None)
+    assert "two actors have the identity stable:id_B" in verdict.reason
+    assert {leaf["status"] for leaf in leaves(verdict).values()} == {"not_evaluated"}
+    with pytest.raises(BadInput, match="input snapshot: two actors"):
+        verify_physics(I2S, snapshot(base), copies)
+
+
 def test_what_only_touches_a_ceiling_is_not_held():
     ceiling = actor("Ceiling", (0, 0, 300))
     found = leaves(verify_physics(I2S, snapshot(ceiling, actor("Lamp", (0, 0, 245), (5, 5, 5))), snapshot(ceiling)))
