@@ -48,9 +48,9 @@ ROUNDS = 6
 CALLS, WARM = 400, 30
 GOAL_MS = 1.0
 TOOL = "get_categories"
-OFFERED = (TOOL, "get_asset_metadata", "search_assets")
+OFFERED = (TOOL, "get_asset_metadata", "search_assets", "validate_scene_graph")
 MEASURED: dict[str, tuple[str, dict[str, Any]]] = {
-    "": (TOOL, {}), "thread_": ("search_assets", {"query": "something to sit on", "k": 5})}
+    "": (TOOL, {}), "thread_": ("validate_scene_graph", {"graph": {"nodes": []}})}
 """What is measured: a tool that both servers answer at once, and one that both run in a thread, as tools that wait for
 an engine must be. By the beginning of the figures' names."""
 
