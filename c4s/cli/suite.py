@@ -114,6 +114,9 @@ def import_scene_file(
           f"licence {report['license']}): {report['level']}")
     for reason, names in grouped(report["skipped"], "reason", "name").items():
         print(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
+    if any("mesh" in row["reason"] and row["reason"].endswith("is missing") for row in report["skipped"]):
+        print("a missing mesh can be read from a part of another file: see --replace; "
+              f"every name is in {suites_root() / out / 'import.json'}")
     for text, names in grouped(report["notes"], "note", "name").items():
         print(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
     if report["proposed_scale"]:
