@@ -10,7 +10,7 @@ import typer
 from c4s.case.package import SETTINGS
 from c4s.cli.batches import write_rows
 from c4s.cli.output import print_json, print_table
-from c4s.errors import BadInput
+from c4s.errors import BadInput, MachineryFault
 from c4s.scene.snapshot import read_snapshot
 from c4s.verify.verdict import Verdict
 
@@ -20,9 +20,16 @@ Json = Annotated[bool, typer.Option("--json", help="the whole verdict as JSON")]
 
 
 def _print(verdict: Verdict, json_output: bool) -> None:
+    """The verdict; one that could not be made (status ``error``) ends the command with a machinery fault's status."""
     if json_output:
         print_json(verdict.plain())
-        return
+    else:
+        _print_text(verdict)
+    if verdict.status == "error":
+        raise typer.Exit(MachineryFault.exit_code)
+
+
+def _print_text(verdict: Verdict) -> None:
     score = "–" if verdict.score is None else f"{verdict.score:.3f}"
     print(f"{verdict.verifier}: {verdict.status}, score {score}{'. ' + verdict.reason if verdict.reason else ''}")
     if verdict.population:

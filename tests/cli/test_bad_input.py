@@ -96,3 +96,18 @@ def test_doctor_says_what_is_missing(tmp_path: Path) -> None:
     found = {row["what"]: row for row in json.loads(done.stdout)}
     assert found["starter suite"]["found"] is False and "c4s suite build" in found["starter suite"]["text"]
     assert done.returncode == int(any(row["needed"] and not row["found"] for row in found.values()))
+
+
+def test_a_verdict_that_could_not_be_made_is_a_fault_of_the_machinery(tmp_path: Path) -> None:
+    def scene(name: str, x_cm: float, **more: object) -> str:
+        actor = {"stable_actor_id": "a", "label": "A", "class": "/Script/Engine.StaticMeshActor", "transform": {
+            "location_cm": [x_cm, 0.0, 0.0], "rotation_deg": [0.0, 0.0, 0.0], "scale": [1.0, 1.0, 1.0]}}
+        path = tmp_path / f"{name}.json"
+        path.write_text(json.dumps({"schema_version": "0.3.0", "units": "cm", "actors": [actor], **more}))
+        return str(path)
+
+    files = ("--input", scene("input", 50.0), "--truth", scene("truth", 0.0), "--candidate",
+             scene("candidate", 0.0, export_metadata={"status": "failed"}))
+    done = _c4s(tmp_path, "verify", "repair", *files, "--json")
+    assert done.returncode == 3
+    assert json.loads(done.stdout)["status"] == "error"
