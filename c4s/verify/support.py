@@ -64,11 +64,11 @@ class Support:
 
 
 def measured_vector(record: Any, field: str) -> tuple[float, float, float]:
-    """Three finite numbers of a record's field; ``ValueError`` otherwise (strings and booleans are no numbers)."""
+    """Three finite numbers of a record's field; ``ValueError`` otherwise (strings are no numbers, booleans are)."""
     values = record.get(field) if isinstance(record, Mapping) else None
     try:
         if isinstance(values, (list, tuple)) and len(values) == 3 and all(
-                isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in values):
+                isinstance(v, int | float) and math.isfinite(v) for v in values):
             return float(values[0]), float(values[1]), float(values[2])
     except OverflowError:
         raise ValueError(f"{field} holds a number that is too large") from None
