@@ -8,6 +8,7 @@ import shutil
 import struct
 import subprocess
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -21,8 +22,8 @@ from c4s.engine.headless.state import world
 from c4s.errors import BadInput
 
 
-def test_instances_share_one_mesh_below_their_actor(tmp_path: Path):
-    unreal = boot([], tmp_path / "content")
+def spawn_row(unreal: ModuleType) -> None:
+    """An actor with a cube and a mirrored long one, as instances."""
     row = unreal.EditorLevelLibrary.spawn_actor_from_class(unreal.Actor, unreal.Vector())
     subsystem = unreal.get_engine_subsystem(unreal.SubobjectDataSubsystem)
     parent = subsystem.k2_gather_subobject_data_for_instance(row)[0]
@@ -32,6 +33,11 @@ def test_instances_share_one_mesh_below_their_actor(tmp_path: Path):
     component.set_static_mesh(unreal.load_asset("/Engine/BasicShapes/Cube"))
     for x, scale in ((0, 1), (500, -2)):
         component.add_instance(unreal.Transform(unreal.Vector(x, 0, 0), unreal.Rotator(), unreal.Vector(scale, 1, 1)))
+
+
+def test_instances_share_one_mesh_below_their_actor(tmp_path: Path):
+    unreal = boot([], tmp_path / "content")
+    spawn_row(unreal)
     report = write_glb(world(), tmp_path / "row.glb")
     assert (report["actors"], report["meshes"], report["nodes"]) == (1, 1, 3)
     loaded = trimesh.load_scene(tmp_path / "row.glb")
@@ -47,9 +53,10 @@ def test_an_empty_level_is_refused(tmp_path: Path):
 
 
 def lit_level(folder: Path) -> tuple[dict, dict]:
-    """The GLB's JSON of a level with a cube, every kind of light and a camera, and what the writer told."""
+    """The GLB's JSON of a level with cubes, every kind of light and a camera, and what the writer told."""
     unreal = boot([], folder / "content")
     library = unreal.EditorLevelLibrary
+    spawn_row(unreal)
     library.spawn_actor_from_object(unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector())
 
     def spawn(kind: str, place=(0, 0, 0), **turn: float):
