@@ -18,7 +18,8 @@ from typing import Any, Literal
 import numpy as np
 import shapely
 
-from c4s.collision.contacts import DepthMeter
+from c4s.collision.contacts import CHUNK, MOST_PAIRS, DepthMeter
+from c4s.collision.depth import BodyTable
 from c4s.collision.scene import SceneBodies
 from c4s.collision.shapes import Array, Body, box_body
 from c4s.score.policy import GAP_CM, TINY_CM
@@ -66,6 +67,10 @@ class Support:
 def measured_vector(record: Any, field: str) -> tuple[float, float, float]:
     """Three finite numbers of a record's field; ``ValueError`` otherwise (strings are no numbers, booleans are)."""
     values = record.get(field) if isinstance(record, Mapping) else None
+    if type(values) is list and len(values) == 3:
+        x, y, z = values
+        if type(x) is type(y) is type(z) is float and math.isfinite(x) and math.isfinite(y) and math.isfinite(z):
+            return x, y, z
     try:
         if isinstance(values, (list, tuple)) and len(values) == 3 and all(
                 isinstance(v, int | float) and math.isfinite(v) for v in values):
@@ -170,19 +175,49 @@ def edited_support(scene: SceneBodies, edited: Sequence[int], solid: Collection[
         own.setdefault(owner, []).append(body)
     bodies, owners = [scene.bodies[i] for i in holders], [scene.owners[i] for i in holders]
     tree = shapely.STRtree([shapely.box(*body.low[:2], *body.high[:2]) for body in bodies])
+    tested = {index: own.get(index) or ([box_body(*boxes[index])] if index in boxes else [])
+              for index in edited if index not in scene.unresolved}
+    standing = _standing_on(tested, bodies, owners, tree)
     meter = DepthMeter()
     states: dict[int, EditedState] = {}
     for index in edited:
-        mine = own.get(index) or ([box_body(*boxes[index])] if index in boxes else [])
-        if index in scene.unresolved or not mine:
+        mine = tested.get(index)
+        if not mine:
             states[index] = "unresolved"
-        elif any(_held(body, bodies, owners, index, tree, meter) for body in mine):
+        elif index in standing or any(_held(body, bodies, owners, index, tree, meter) for body in mine):
             states[index] = "supported"
         else:
             blocked = any(bool(np.all(body.low - GAP_CM <= high) and np.all(body.high + GAP_CM >= low))
                           for body in mine for low, high in unknown_boxes)
             states[index] = "unresolved" if blocked else "floating"
     return states
+
+
+def _standing_on(tested: Mapping[int, Sequence[Body]], others: Sequence[Body], owners: Sequence[int],
+                 tree: shapely.STRtree) -> set[int]:
+    """Actors with a body that overlaps another actor's after the whole way down: nearly all of a sound scene."""
+    down = DIRECTIONS[0] * (GAP_CM + TOUCH_CM)
+    moved = [(index, body.moved(down)) for index, bodies in tested.items() for body in bodies]
+    table = BodyTable([body for _, body in moved] + list(others))
+    mine = np.array([index for index, _ in moved], dtype=np.int64)
+    theirs, count = np.array(owners, dtype=np.int64), len(moved)
+    held: set[int] = set()
+    for start in range(0, count, CHUNK):
+        part = np.arange(start, min(start + CHUNK, count))
+        hit, j = tree.query(shapely.box(*table.low[part, :2].T, *table.high[part, :2].T))
+        i = part[hit]
+        keep = mine[i] != theirs[j]
+        i, j = i[keep], j[keep] + count
+        push_out = np.minimum(table.high[i] - table.low[j], table.high[j] - table.low[i]).min(axis=1)
+        keep = push_out > OVERLAP_CM
+        i, j, push_out = i[keep], j[keep], push_out[keep]
+        for first in range(0, len(i), MOST_PAIRS):
+            some = slice(first, first + MOST_PAIRS)
+            open_pairs = ~np.isin(mine[i[some]], np.fromiter(held, np.int64, len(held)))
+            a, b = i[some][open_pairs], j[some][open_pairs]
+            depth, _ = table.depths(a, b, push_out[some][open_pairs], OVERLAP_CM)
+            held.update(mine[a[depth > 0]].tolist())
+    return held
 
 
 def _held(body: Body, others: Sequence[Body], owners: Sequence[int], owner: int, tree: shapely.STRtree,
