@@ -84,7 +84,8 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
         **_listed(floating=[by_name.get(name, {"name": name}) for name in floating["floating_actors"]],
                   colliding=[{**by_name.get(item["actor"], {"name": item["actor"]}),
                               "tolerance_cm": item["tolerance_cm"], "contacts": item["contacts"]}
-                             for item in solid["violations"]])})
+                             for item in solid["violations"]]),
+        **({"not_evaluated": scene.physics.reason} if scene.physics.reason else {})})
 
 
 def _extent(low: Array, high: Array) -> dict[str, Any]:

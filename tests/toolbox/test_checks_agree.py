@@ -47,3 +47,15 @@ def test_tools_and_verdict_tell_the_same(open_run: Callable, setting: str) -> No
     assert [row["depth_cm"] for row in pairs] == pytest.approx([one.depth_cm for one in wanted], abs=0.01)
     at_fault = {row["name"] for row in measured["colliding"]}
     assert at_fault <= {row[side]["name"] for row in pairs for side in ("a", "b")}
+
+
+def test_a_copied_identity_tag_is_told(open_run: Callable) -> None:
+    """Copies of a tagged actor share its identity: physics cannot be scored, and the agent reads why."""
+    client = open_run(setting="image-to-scene/indoor").client
+    script = ("import unreal\ns = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)\n"
+              "actor = s.get_all_level_actors()[0]\nactor.tags = ['simcodearena.stable_actor_id=sca_source_1']\n"
+              "s.duplicate_actor(actor, None, unreal.Vector(0, 0, 300))")
+    client.call("execute_python_script", execution_mode="sync", script=script)
+    measured = client.call("measure_scene").data
+    assert "two actors have the identity stable:sca_source_1" in measured["not_evaluated"]
+    assert measured["floating_rate"] is None and measured["collision_rate"] is None
