@@ -79,6 +79,8 @@ class Actor(msgspec.Struct, gc=False, eq=False):
     kind: Kind
     location: Vector3 | None
     """Location in cm; None unless location, rotation and scale are all valid."""
+    written: bytes | None
+    """See ``Entry``."""
     content: str | None = None
     """Its canonical content, once it was needed."""
 
@@ -109,5 +111,5 @@ def prepare(entries: Iterable[Entry], keys: Iterable[str], kinds: Iterable[Kind]
     """The semantic ones of the actors, with their identities and kinds, ready for matching, in export order."""
     known = [row for row in zip(entries, keys, kinds, strict=True) if row[2].semantic]
     places = posed_locations([entry for entry, _, _ in known])
-    return [Actor(entry, key, index, kind, place)
+    return [Actor(entry, key, index, kind, place, entry.written)
             for index, ((entry, key, kind), place) in enumerate(zip(known, places, strict=True))]

@@ -54,26 +54,29 @@ def _solve(cost: NDArray[np.float64]) -> list[int]:
     Column 0 stands for "the row that enters"; rows and columns of the matrix count from 1.
     """
     rows, columns = cost.shape
+    padded = np.concatenate([np.full((rows, 1), np.inf), cost], axis=1)
     row_dual, column_dual = np.zeros(rows + 1), np.zeros(columns + 1)
     row_of, previous = np.zeros(columns + 1, np.int64), np.zeros(columns + 1, np.int64)
     for row in range(1, rows + 1):
         row_of[0], column = row, 0
         slack = np.full(columns + 1, np.inf)
-        seen = np.zeros(columns + 1, np.bool_)
+        unseen = np.ones(columns + 1, np.bool_)
+        seen: list[int] = []
         while True:
-            seen[column] = True
+            seen.append(column)
+            unseen[column], slack[column] = False, np.inf
             current = row_of[column]
-            reduced = np.empty(columns + 1)
-            reduced[0] = np.inf
-            np.subtract(cost[current - 1], row_dual[current], out=reduced[1:])
-            reduced[1:] -= column_dual[1:]
-            better = (reduced < slack) & ~seen
-            slack[better], previous[better] = reduced[better], column
-            nearest = int(np.argmin(np.where(seen, np.inf, slack)))
+            reduced = padded[current - 1] - row_dual[current]
+            reduced -= column_dual
+            better = reduced < slack
+            better &= unseen
+            np.copyto(slack, reduced, where=better)
+            previous[better] = column
+            nearest = int(slack.argmin())
             step = slack[nearest]
             row_dual[row_of[seen]] += step
             column_dual[seen] -= step
-            slack[~seen] -= step
+            slack -= step
             column = nearest
             if row_of[column] == 0:
                 break

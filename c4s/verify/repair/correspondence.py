@@ -139,7 +139,8 @@ class _Matcher:
     def take_lonely(self) -> None:
         """The unchanged actors without a rival on either side: the only pair that each can be in."""
         self.pairs = [Pair(actor.index, other.index, "unchanged_semantic", ())
-                      for actor, other in _lonely(self.start, self.candidate) if unchanged(actor, other)]
+                      for actor, other in _lonely(self.start, self.candidate)
+                      if (actor.written is not None and actor.written == other.written) or unchanged(actor, other)]
         starts, candidates = {pair.start for pair in self.pairs}, {pair.candidate for pair in self.pairs}
         self.open_start = {s: None for s in self.open_start if s not in starts}
         self.open_candidate = {c: None for c in self.open_candidate if c not in candidates}

@@ -63,6 +63,10 @@ def written(value: Any) -> str:
     return json.dumps(value, sort_keys=True)
 
 
+def _written_alike(a: Any, b: Any) -> bool:
+    return (type(a) is type(b) and not a and not b) or written(a) == written(b)
+
+
 def _visible(properties: Any) -> dict[str, Any]:
     if not isinstance(properties, dict):
         return {}
@@ -88,17 +92,17 @@ def property_differences(reference: Record, other: Record, *, target: bool) -> l
             found.append("property.class")
     if "asset_path" in reference and not _same_or_empty(reference["asset_path"], other.get("asset_path")):
         found.append("property.asset_path")
-    if "component_asset_paths" in reference and written(reference["component_asset_paths"] or []) != written(
-            other.get("component_asset_paths") or []):
+    if "component_asset_paths" in reference and not _written_alike(reference["component_asset_paths"] or [],
+                                                                   other.get("component_asset_paths") or []):
         found.append("property.component_asset_paths")
     if "material_paths" in reference and comparable_materials(reference) != comparable_materials(other):
         found.append("property.material_paths")
-    if "component_material_slots" in reference and written(comparable_slots(reference)) != written(
-            comparable_slots(other)):
+    if "component_material_slots" in reference and not _written_alike(comparable_slots(reference),
+                                                                      comparable_slots(other)):
         found.append("property.component_material_slots")
     if "properties" in reference:
         mine, theirs = reference["properties"], other.get("properties")
-        if written(_visible(mine)) != written(_visible(theirs)) or not (target or mine == theirs):
+        if not _written_alike(_visible(mine), _visible(theirs)) or not (target or mine == theirs):
             found.append("property.properties")
     return found
 

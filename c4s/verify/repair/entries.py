@@ -56,6 +56,10 @@ class Entry(Protocol):
     def kind_text(self) -> Hashable | None:
         """What its descriptor is made of, as a key; None when it cannot be one."""
 
+    @property
+    def written(self) -> bytes | None:
+        """The text of all fields that are ever compared, where the actor is text: equal means ``alike``."""
+
     def alike(self, other: Entry) -> bool:
         """A fast yes: all fields that are ever compared are written alike.
 
@@ -67,6 +71,7 @@ class PlainEntry:
     """An actor as plain data."""
 
     __slots__ = ("record",)
+    written = None
 
     def __init__(self, record: Record) -> None:
         self.record = record
@@ -105,19 +110,23 @@ class TextEntry(msgspec.Struct, gc=False, eq=False):
     parsed: Any = None
     key: Any = None
     kind: Any = None
-    compared: Any = None
+    written: Any = None
     place: Any = None
 
     @classmethod
-    def read(cls, text: msgspec.Raw) -> TextEntry:
-        """Raises ``msgspec.DecodeError`` when the text is no JSON object."""
+    def read(cls, text: msgspec.Raw, known: dict[bytes, bytes]) -> TextEntry:
+        """``known``: the lines of earlier actors; equal ones are kept once and compared in no time.
+
+        Raises ``msgspec.DecodeError`` when the text is no JSON object.
+        """
         entry = _ENTRY.decode(text)
         entry.text, entry.parsed, entry.place = text, None, None
         stable = entry.stable_actor_id
         entry.key = f"stable:{stable}" if type(stable) is str and (stable := stable.strip()) else None
-        entry.kind = _LINE((entry.class_path, entry.asset_path, entry.component_asset_paths))
-        entry.compared = _LINE((entry.kind, entry.transform, entry.material_paths, entry.component_material_slots,
-                                entry.properties))
+        kind = _LINE((entry.class_path, entry.asset_path, entry.component_asset_paths))
+        entry.kind = known.setdefault(kind, kind)
+        written = _LINE((kind, entry.transform, entry.material_paths, entry.component_material_slots, entry.properties))
+        entry.written = known.setdefault(written, written)
         return entry
 
     @property
@@ -140,7 +149,7 @@ class TextEntry(msgspec.Struct, gc=False, eq=False):
 
     def alike(self, other: Entry) -> bool:
         """See ``Entry``."""
-        return type(other) is TextEntry and self.compared == other.compared
+        return type(other) is TextEntry and self.written == other.written
 
 
 class _Pose(msgspec.Struct, gc=False):
@@ -155,9 +164,9 @@ _ENTRY = msgspec.json.Decoder(TextEntry)
 _POSES = msgspec.json.Decoder(list[_Pose])
 
 
-def read_texts(texts: Sequence[msgspec.Raw]) -> list[Entry]:
-    """The actors of a scene file. Raises ``msgspec.DecodeError`` when one is no JSON object."""
-    entries = list(map(TextEntry.read, texts))
+def read_texts(texts: Sequence[msgspec.Raw], known: dict[bytes, bytes]) -> list[Entry]:
+    """The actors of a scene file. ``known``: see ``TextEntry.read``, which raises ``msgspec.DecodeError``."""
+    entries = [TextEntry.read(text, known) for text in texts]
     try:
         poses = _POSES.decode(b"[" + b",".join([entry.transform for entry in entries]) + b"]")
     except msgspec.DecodeError:

@@ -49,18 +49,18 @@ def _read(path: Path) -> bytes:
         raise BadInput(f"cannot read this snapshot: {error}", where=str(path)) from None
 
 
-def _as_text(data: bytes) -> Scene | None:
+def _as_text(data: bytes, known: dict[bytes, bytes]) -> Scene | None:
     """The scene with its actors as text, or None when the file must be parsed whole."""
     try:
         data.decode()
         document = _DOCUMENT.decode(data)
-        return Scene(read_texts(document.actors), document.export_metadata)
+        return Scene(read_texts(document.actors, known), document.export_metadata)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         return None
 
 
-def _parse(data: bytes, path: Path) -> Any:
-    scene = _as_text(data)
+def _parse(data: bytes, path: Path, known: dict[bytes, bytes]) -> Any:
+    scene = _as_text(data, known)
     if scene is not None:
         return scene
     try:
@@ -78,5 +78,6 @@ def read_snapshots(paths: dict[str, Path]) -> tuple[dict[str, Any], dict[str, st
     with ThreadPoolExecutor(max_workers=1) as hashing:
         data = {name: _read(path) for name, path in paths.items()}
         digests = {name: hashing.submit(digest_bytes, content) for name, content in data.items()}
-        values = {name: _parse(content, paths[name]) for name, content in data.items()}
+        known: dict[bytes, bytes] = {}
+        values = {name: _parse(content, paths[name], known) for name, content in data.items()}
         return values, {f"{name}_snapshot": digest.result() for name, digest in digests.items()}
