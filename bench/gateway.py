@@ -59,11 +59,11 @@ class _NoEngine:
     """Stands where an engine would; the tools of this benchmark ask for nothing but the actors of an empty level."""
 
     def request(self, kind: str, params: Any = None, timeout_s: float = 60.0) -> dict[str, Any]:
-        raise NotImplementedError(kind)
+        raise ValueError(f"no tool of this benchmark asks an engine for {kind}")
 
     def call(self, function: str, /, *, timeout_s: float = 60.0, **params: Any) -> Any:
         if function != "scene_tools.actor_ids":
-            raise NotImplementedError(function)
+            raise ValueError(f"no tool of this benchmark asks an engine for {function}")
         return []
 
 
