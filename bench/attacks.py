@@ -139,9 +139,10 @@ ENDED = {
 }
 """Each goes on for ever afterwards, and must end its engine for the reason given (a pattern)."""
 _SCRIPT = """
-import ctypes, fcntl, glob, json, multiprocessing, os, resource, socket, subprocess, sys, time
+import ctypes, fcntl, glob, json, multiprocessing, os, resource, socket, subprocess, sys, time, warnings
 import numpy
 import c4s
+warnings.simplefilter("ignore")  # Python 3.12 warns of forks beside threads, in the same log
 libc = ctypes.CDLL(None, use_errno=True)
 def fail(result):
     if result == -1: raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()))
