@@ -24,6 +24,7 @@ test-clients: setup
 	$(BIN)/python tests/agent_clients/matrix.py --install
 
 lint: setup
+	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports

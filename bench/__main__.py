@@ -33,15 +33,23 @@ def _cells(row: Row) -> list[str]:
     def amount(value: float | None) -> str:
         return "–" if value is None else f"{value:,.3g} {row.unit}" if value < 1000 else f"{value:,.0f} {row.unit}"
 
-    return [row.name, amount(row.ours), row.rival or "–", amount(row.theirs),
-            "–" if row.ratio is None else f"{row.ratio:.1f}x", row.goal, "yes" if row.met else "NO"]
+    return [
+        row.name,
+        amount(row.ours),
+        row.rival or "–",
+        amount(row.theirs),
+        "–" if row.ratio is None else f"{row.ratio:.1f}x",
+        row.goal,
+        "yes" if row.met else "NO",
+    ]
 
 
 def _table(lines: Sequence[Sequence[str]]) -> str:
     """Columns of equal width; never wrapped, so that it can be pasted and compared."""
     widths = [max(len(cell) for cell in column) for column in zip(*lines, strict=True)]
-    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip()
-                     for line in lines)
+    return "\n".join(
+        "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines
+    )
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -122,12 +122,17 @@ REFUSED = {
 """Each must raise. Names: ``TRUTH``, ``ROOT``, ``HOST`` (process), ``LOGS``, ``CONTENT``, ``KERNELS``, and
 ``fail``, which raises for a C call that returned an error."""
 _SMALL = Limits(cpu_s=4, memory=700 << 20, threads=64, files=2000, disk=64 << 20)
-_ON_SOCKETS = ("import os, socket, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): {}\n"
-               " except OSError: pass")
+_ON_SOCKETS = (
+    "import os, socket, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): {}\n"
+    " except OSError: pass"
+)
 ENDED = {
     "fill the memory": ("b = bytearray(1 << 30)\nfor i in range(0, 1 << 30, 4096): b[i] = 1", "of memory"),
-    "thread bomb": ("import threading\nthreading.stack_size(65536)\n"
-                    "while True: threading.Thread(target=threading.Event().wait, daemon=True).start()", "threads"),
+    "thread bomb": (
+        "import threading\nthreading.stack_size(65536)\n"
+        "while True: threading.Thread(target=threading.Event().wait, daemon=True).start()",
+        "threads",
+    ),
     "fill the disk": ("n = 0\nwhile True:\n open(f'big{n}', 'wb').write(bytes(16 << 20))\n n += 1", "files take"),
     "write a hundred thousand files": ("for n in range(100_000): open(f'f{n}', 'w')", "files"),
     "use the processor for ever": ("", "SIGKILL|SIGXCPU"),
@@ -174,9 +179,15 @@ def refused(backend: Backend, root: Path) -> Iterator[Result]:
     (root / "notes.txt").write_text(SECRET)
     scratch, content = root / "agent" / "scratch", root / "agent" / "content"
     with EngineSession.start(packs=[], content=content, scratch=scratch, use=backend) as engine:
-        names = {"TRUTH": str(truth), "ROOT": str(root), "HOST": _host(engine),
-                 "LOGS": str(engine.logs), "CONTENT": str(content), "KERNELS": f"{scratch}/kernels/*/*/*.nb?",
-                 "ATTACKS": REFUSED}
+        names = {
+            "TRUTH": str(truth),
+            "ROOT": str(root),
+            "HOST": _host(engine),
+            "LOGS": str(engine.logs),
+            "CONTENT": str(content),
+            "KERNELS": f"{scratch}/kernels/*/*/*.nb?",
+            "ATTACKS": REFUSED,
+        }
         reply = engine.execute("\n".join(f"{name} = {value!r}" for name, value in names.items()) + _SCRIPT, 120)
     for line in reply["result"]["python_logs"]:
         name, outcome, told = json.loads(line)
@@ -195,8 +206,9 @@ def _host(engine: EngineSession) -> int:
 def ended(attack: str, backend: Backend, root: Path) -> Result:
     """Try an attack of ``ENDED`` in an engine of its own, with small limits."""
     script, _ = ENDED[attack]
-    with EngineSession.start(packs=[], content=root / "content", scratch=root / "scratch", use=backend,
-                             limits=_SMALL) as engine:
+    with EngineSession.start(
+        packs=[], content=root / "content", scratch=root / "scratch", use=backend, limits=_SMALL
+    ) as engine:
         try:
             reply = engine.execute(f"{script}\nwhile True: pass", 60)
         except EngineDied as death:
@@ -234,8 +246,12 @@ def _short(result: Result) -> str:
     told = " ".join(result.told.split())
     if told.startswith("the engine ended with"):
         reason = re.search(r"\((its? [^)]*|[^)]*message[^)]*|[^)]*JSON[^)]*)\)", told)
-        return "ended: " + (reason[1] if reason else told.split()[4] if "SIG" in told.split()[4] else
-                            " ".join(told.split()[4:7]))[:60]
+        return (
+            "ended: "
+            + (reason[1] if reason else told.split()[4] if "SIG" in told.split()[4] else " ".join(told.split()[4:7]))[
+                :60
+            ]
+        )
     return told.partition(": '/")[0][:70].replace("|", "/")
 
 

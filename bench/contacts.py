@@ -44,24 +44,39 @@ def city(actors: int, *, kinds: int = 60, seed: int = 3) -> tuple[dict[str, Any]
             local[path] *= rng.uniform(40, 80) / np.linalg.norm(local[path], axis=1)[:, None]
             body = {"kind": "hull", "vertices": local[path].tolist()}
         meshes[path] = {"collision": [body]}
-    side = 73.0 * actors ** 0.5
+    side = 73.0 * actors**0.5
     records, world = [], []
     for n in range(actors):
         path = f"/Game/Bench/SM_{n % kinds}.SM_{n % kinds}"
-        transform = {"location_cm": [*rng.uniform(0, side, 2).tolist(), 0.0],
-                     "rotation_deg": [0.0, float(rng.uniform(-180, 180)), 0.0] if n % 3 else
-                     rng.uniform(-180, 180, 3).tolist(),
-                     "scale": rng.choice([0.8, 1.0, 1.25], 3).tolist()}
-        records.append({"name": f"A{n}", "c4s": {"components": [
-            {"name": "Mesh", "class": "StaticMeshComponent", "mesh": path, "collision_enabled": True,
-             "transform": transform}]}})
+        transform = {
+            "location_cm": [*rng.uniform(0, side, 2).tolist(), 0.0],
+            "rotation_deg": [0.0, float(rng.uniform(-180, 180)), 0.0] if n % 3 else rng.uniform(-180, 180, 3).tolist(),
+            "scale": rng.choice([0.8, 1.0, 1.25], 3).tolist(),
+        }
+        records.append(
+            {
+                "name": f"A{n}",
+                "c4s": {
+                    "components": [
+                        {
+                            "name": "Mesh",
+                            "class": "StaticMeshComponent",
+                            "mesh": path,
+                            "collision_enabled": True,
+                            "transform": transform,
+                        }
+                    ]
+                },
+            }
+        )
         matrix = affine(transform["location_cm"], transform["rotation_deg"], transform["scale"])
         world.append(local[path] @ matrix[:3, :3].T + matrix[:3, 3])
     return {"actors": records, "c4s": {"meshes": meshes}}, world
 
 
-def moved(snapshot: dict[str, Any], world: list[np.ndarray], *, every: int = 10) -> tuple[dict[str, Any],
-                                                                                          list[np.ndarray]]:
+def moved(
+    snapshot: dict[str, Any], world: list[np.ndarray], *, every: int = 10
+) -> tuple[dict[str, Any], list[np.ndarray]]:
     """The scene after every tenth actor has moved half a metre."""
     step = np.array([50.0, 0.0, 0.0])
     records = list(snapshot["actors"])
@@ -89,8 +104,11 @@ def exact(a: np.ndarray, b: np.ndarray) -> float:
 
 def wrong(found: dict[tuple[int, int], float], world: list[np.ndarray], pairs: list[tuple[int, int]]) -> int:
     """How many of the pairs have a depth that is off by more than 0.05 cm and 0.1 %."""
-    return sum(abs(found.get(pair, 0.0) - depth) > max(WRONG_CM, WRONG_SHARE * depth)
-               for pair in pairs for depth in [exact(world[pair[0]], world[pair[1]])])
+    return sum(
+        abs(found.get(pair, 0.0) - depth) > max(WRONG_CM, WRONG_SHARE * depth)
+        for pair in pairs
+        for depth in [exact(world[pair[0]], world[pair[1]])]
+    )
 
 
 def trimesh_contacts(world: list[np.ndarray]) -> dict[tuple[int, int], float]:
@@ -119,31 +137,53 @@ def run(actors: int = 6700, sample: int = 300) -> dict[str, Any]:
     theirs = trimesh_contacts(world)
     rival_seconds = time.perf_counter() - start
     rng = np.random.default_rng(0)
-    picked, picked_warm, rivals = ([pairs[i] for i in rng.permutation(len(pairs))[:sample].tolist()]
-                                   for pairs in (sorted(ours), sorted(warm), sorted(theirs)))
-    return {"work": "contacts and depths", "actors": actors, "seconds": round(our_seconds, 3),
-            "cpu_seconds": round(our_cpu, 3), "contacts_over_5_cm": len(ours),
-            "wrong": f"{wrong(ours, world, picked)} of {len(picked)}",
-            "warm_seconds": round(warm_seconds, 3), "warm_cpu_seconds": round(warm_cpu, 3),
-            "warm_contacts": len(warm), "warm_wrong": f"{wrong(warm, world_again, picked_warm)} of {len(picked_warm)}",
-            "rival": "trimesh CollisionManager", "rival_seconds": round(rival_seconds, 3),
-            "rival_contacts": len(theirs), "rival_wrong": f"{wrong(theirs, world, rivals)} of {len(rivals)}",
-            "times_faster": round(rival_seconds / our_seconds, 1),
-            "times_faster_warm": round(rival_seconds / warm_seconds, 1)}
+    picked, picked_warm, rivals = (
+        [pairs[i] for i in rng.permutation(len(pairs))[:sample].tolist()]
+        for pairs in (sorted(ours), sorted(warm), sorted(theirs))
+    )
+    return {
+        "work": "contacts and depths",
+        "actors": actors,
+        "seconds": round(our_seconds, 3),
+        "cpu_seconds": round(our_cpu, 3),
+        "contacts_over_5_cm": len(ours),
+        "wrong": f"{wrong(ours, world, picked)} of {len(picked)}",
+        "warm_seconds": round(warm_seconds, 3),
+        "warm_cpu_seconds": round(warm_cpu, 3),
+        "warm_contacts": len(warm),
+        "warm_wrong": f"{wrong(warm, world_again, picked_warm)} of {len(picked_warm)}",
+        "rival": "trimesh CollisionManager",
+        "rival_seconds": round(rival_seconds, 3),
+        "rival_contacts": len(theirs),
+        "rival_wrong": f"{wrong(theirs, world, rivals)} of {len(rivals)}",
+        "times_faster": round(rival_seconds / our_seconds, 1),
+        "times_faster_warm": round(rival_seconds / warm_seconds, 1),
+    }
 
 
 def rows() -> list[Row]:
     """Cold against 5 times faster and under 3 s, warm under 1 s, with every sampled depth exact."""
     found = run()
-    return [Row(f"contacts and depths, {found['actors']} actors ({found['wrong']} wrong; rival {found['rival_wrong']})",
-                found["seconds"], "5x, under 3 s, exact",
-                found["times_faster"] >= 5 and found["seconds"] < 3 and found["wrong"].startswith("0 of"),
-                rival=found["rival"], theirs=found["rival_seconds"], ratio=found["times_faster"]),
-            Row(f"  again, a tenth of the actors moved, shapes kept ({found['warm_wrong']} wrong)",
-                found["warm_seconds"], "5x, under 1 s, exact",
-                found["times_faster_warm"] >= 5 and found["warm_seconds"] < 1
-                and found["warm_wrong"].startswith("0 of"), rival=found["rival"], theirs=found["rival_seconds"],
-                ratio=found["times_faster_warm"])]
+    return [
+        Row(
+            f"contacts and depths, {found['actors']} actors ({found['wrong']} wrong; rival {found['rival_wrong']})",
+            found["seconds"],
+            "5x, under 3 s, exact",
+            found["times_faster"] >= 5 and found["seconds"] < 3 and found["wrong"].startswith("0 of"),
+            rival=found["rival"],
+            theirs=found["rival_seconds"],
+            ratio=found["times_faster"],
+        ),
+        Row(
+            f"  again, a tenth of the actors moved, shapes kept ({found['warm_wrong']} wrong)",
+            found["warm_seconds"],
+            "5x, under 1 s, exact",
+            found["times_faster_warm"] >= 5 and found["warm_seconds"] < 1 and found["warm_wrong"].startswith("0 of"),
+            rival=found["rival"],
+            theirs=found["rival_seconds"],
+            ratio=found["times_faster_warm"],
+        ),
+    ]
 
 
 if __name__ == "__main__":

@@ -50,7 +50,9 @@ GOAL_MS = 1.0
 TOOL = "get_categories"
 OFFERED = (TOOL, "get_asset_metadata", "search_assets", "validate_scene_graph")
 MEASURED: dict[str, tuple[str, dict[str, Any]]] = {
-    "": (TOOL, {}), "thread_": ("validate_scene_graph", {"graph": {"nodes": []}})}
+    "": (TOOL, {}),
+    "thread_": ("validate_scene_graph", {"graph": {"nodes": []}}),
+}
 """What is measured: a tool that both servers answer at once, and one that both run in a thread, as tools that wait for
 an engine must be. By the beginning of the figures' names."""
 
@@ -69,8 +71,17 @@ class _NoEngine:
 
 def new_run(name: str, folder: Path, calls: int = 100_000) -> Run:
     """A run on an empty case."""
-    case = AgentCase.parse({"case_id": name, "setting": "text-to-scene", "prompt": "-", "start_map": "/Game/B/M",
-                            "packs": [], "catalog": [], "budget": Budget(tool_calls=calls, wall_minutes=60).plain()})
+    case = AgentCase.parse(
+        {
+            "case_id": name,
+            "setting": "text-to-scene",
+            "prompt": "-",
+            "start_map": "/Game/B/M",
+            "packs": [],
+            "catalog": [],
+            "budget": Budget(tool_calls=calls, wall_minutes=60).plain(),
+        }
+    )
     bench = Workbench(case, folder, CaseCatalog([]), _NoEngine(), folder)
     return Run(name, bench, case.budget, folder / name / "trajectory.jsonl", OFFERED)
 
@@ -104,18 +115,30 @@ def load(folder: Path, runs: int = RUNS) -> dict[str, Any]:
         begun = sorted(line["call"] for line in recorded if line["event"] == "started")
         numbers = sorted(line["call"] for line in recorded if line["event"] == "call")
         counted = expected["ok"] + expected["error"]
-        if (dict(counts) != expected or run.calls != counted or not begun == numbers == list(range(1, counted + 1))
-                or sum(line["counted"] for line in recorded) != counted
-                or [line["seq"] for line in recorded] != list(range(1, len(recorded) + 1))):
+        if (
+            dict(counts) != expected
+            or run.calls != counted
+            or not begun == numbers == list(range(1, counted + 1))
+            or sum(line["counted"] for line in recorded) != counted
+            or [line["seq"] for line in recorded] != list(range(1, len(recorded) + 1))
+        ):
             wrong.append({"run": run.run_id, "sent": expected, "recorded": dict(counts), "counted": run.calls})
     posts = sum(sum(one.values()) for one in sent)
-    return {"runs": runs, "posts": posts, "counted": sum(run.calls for run in opened), "exact": not wrong,
-            "wrong": wrong, "seconds": round(took, 3), "posts_per_second": round(posts / took)}
+    return {
+        "runs": runs,
+        "posts": posts,
+        "counted": sum(run.calls for run in opened),
+        "exact": not wrong,
+        "wrong": wrong,
+        "seconds": round(took, 3),
+        "posts_per_second": round(posts / took),
+    }
 
 
 @contextmanager
 def bare_server(texts: Mapping[str, str]) -> Iterator[Endpoint]:
     """A server of the SDK with a tool a text that gives it, and nothing around them; all but ``TOOL`` in a thread."""
+
     async def list_tools(_: Any, __: Any) -> wire.ListToolsResult:
         return wire.ListToolsResult(tools=[wire.Tool(name=name, input_schema={"type": "object"}) for name in texts])
 
@@ -128,8 +151,9 @@ def bare_server(texts: Mapping[str, str]) -> Iterator[Endpoint]:
     app = server.streamable_http_app(host="127.0.0.1", max_request_body_size=MAX_BODY_BYTES, session_idle_timeout=None)
     listener = socket.socket()
     listener.bind(("127.0.0.1", 0))
-    http = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on", access_log=False,
-                                         timeout_graceful_shutdown=1))
+    http = uvicorn.Server(
+        uvicorn.Config(app, log_level="error", lifespan="on", access_log=False, timeout_graceful_shutdown=1)
+    )
     thread = threading.Thread(target=lambda: asyncio.run(http.serve([listener])), daemon=True)
     thread.start()
     try:
@@ -173,8 +197,11 @@ def overhead(folder: Path, calls: int = CALLS) -> dict[str, Any]:
     told: dict[str, Any] = {"calls": calls}
     for kind, (name, part) in product(MEASURED, (("", 0.5), ("quiet_", 0.1))):
         gateway, bare = (sorted(took[kind, server])[int(part * calls)] for server in clients)
-        told |= {f"{kind}{name}gateway_ms": round(gateway, 3), f"{kind}{name}bare_ms": round(bare, 3),
-                 f"{kind}{name}added_ms": round(gateway - bare, 3)}
+        told |= {
+            f"{kind}{name}gateway_ms": round(gateway, 3),
+            f"{kind}{name}bare_ms": round(bare, 3),
+            f"{kind}{name}added_ms": round(gateway - bare, 3),
+        }
     return told
 
 
@@ -182,13 +209,28 @@ def rows() -> list[Row]:
     """Exact counts under load, and the median that the gateway adds."""
     with tempfile.TemporaryDirectory(prefix="c4s-gateway-") as root:
         under, added = load(Path(root) / "load"), overhead(Path(root) / "one")
-    return [Row(f"gateway: {under['runs']} runs at once, {under['posts']} posts, {under['counted']} calls counted "
-                f"({'exact' if under['exact'] else 'WRONG'})", under["seconds"], "every count exact", under["exact"]),
-            *(Row(f"gateway: one tool call{what}, median of {added['calls']} (adds {added[f'{kind}added_ms']} ms)",
-                  added[f"{kind}gateway_ms"], f"at most +{GOAL_MS:g} ms", added[f"{kind}added_ms"] <= GOAL_MS, "ms",
-                  f"bare MCP server{what}", added[f"{kind}bare_ms"],
-                  round(added[f"{kind}bare_ms"] / added[f"{kind}gateway_ms"], 3))
-              for kind, what in (("", ""), ("thread_", ", tool in a thread")))]
+    return [
+        Row(
+            f"gateway: {under['runs']} runs at once, {under['posts']} posts, {under['counted']} calls counted "
+            f"({'exact' if under['exact'] else 'WRONG'})",
+            under["seconds"],
+            "every count exact",
+            under["exact"],
+        ),
+        *(
+            Row(
+                f"gateway: one tool call{what}, median of {added['calls']} (adds {added[f'{kind}added_ms']} ms)",
+                added[f"{kind}gateway_ms"],
+                f"at most +{GOAL_MS:g} ms",
+                added[f"{kind}added_ms"] <= GOAL_MS,
+                "ms",
+                f"bare MCP server{what}",
+                added[f"{kind}bare_ms"],
+                round(added[f"{kind}bare_ms"] / added[f"{kind}gateway_ms"], 3),
+            )
+            for kind, what in (("", ""), ("thread_", ", tool in a thread"))
+        ),
+    ]
 
 
 if __name__ == "__main__":

@@ -24,16 +24,20 @@ def _level(unreal: ModuleType) -> list[Any]:
     """Basic shapes of 1 m, one on each 4 m of a square, turned and at several heights."""
     random = np.random.default_rng(1)
     actors = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
-    side = round(ACTORS ** 0.5) + 1
-    return [actors.spawn_actor_from_object(
-        unreal.load_asset(f"/Engine/BasicShapes/{SHAPES[i % len(SHAPES)]}"),
-        unreal.Vector(400.0 * (i % side), 400.0 * (i // side), float(random.uniform(50, 500))),
-        unreal.Rotator(yaw=float(random.uniform(0, 360)))) for i in range(ACTORS)]
+    side = round(ACTORS**0.5) + 1
+    return [
+        actors.spawn_actor_from_object(
+            unreal.load_asset(f"/Engine/BasicShapes/{SHAPES[i % len(SHAPES)]}"),
+            unreal.Vector(400.0 * (i % side), 400.0 * (i // side), float(random.uniform(50, 500))),
+            unreal.Rotator(yaw=float(random.uniform(0, 360))),
+        )
+        for i in range(ACTORS)
+    ]
 
 
 def _median_ms(actors: list[Any], unreal: ModuleType, call: Callable[[Any], Any], moves: bool = True) -> float:
     spent = []
-    for actor in actors[::len(actors) // CALLS][:CALLS]:
+    for actor in actors[:: len(actors) // CALLS][:CALLS]:
         before = time.process_time()
         if moves:
             actor.set_actor_location(actor.get_actor_location() + unreal.Vector(1, 0, 0), False, False)
@@ -53,22 +57,41 @@ def rows() -> list[Row]:
 
         def trace(kind: str, *size: Any, triangles: bool = False) -> Callable[[Any], Any]:
             call = getattr(library, f"{kind}_trace_single")
-            return lambda actor: call(world, actor.get_actor_location() + up, actor.get_actor_location() - up, *size,
-                                      channel, triangles, [], none)
+            return lambda actor: call(
+                world,
+                actor.get_actor_location() + up,
+                actor.get_actor_location() - up,
+                *size,
+                channel,
+                triangles,
+                [],
+                none,
+            )
 
         calls: dict[str, Callable[[Any], Any]] = {
-            "line trace": trace("line"), "line trace, complex": trace("line", triangles=True),
-            "sphere sweep": trace("sphere", 30.0), "box sweep": trace("box", unreal.Vector(30, 20, 10),
-                                                                      unreal.Rotator(yaw=20)),
+            "line trace": trace("line"),
+            "line trace, complex": trace("line", triangles=True),
+            "sphere sweep": trace("sphere", 30.0),
+            "box sweep": trace("box", unreal.Vector(30, 20, 10), unreal.Rotator(yaw=20)),
             "capsule sweep": trace("capsule", 30.0, 90.0),
             "sphere overlap": lambda actor: library.sphere_overlap_actors(
-                world, actor.get_actor_location(), 100.0, kinds, None, [])}
+                world, actor.get_actor_location(), 100.0, kinds, None, []
+            ),
+        }
         trace("line")(actors[0])
         ours = {name: _median_ms(actors, unreal, call) for name, call in calls.items()}
         rival = _rival_ms(actors)
-    return [Row(f"{name}, {ACTORS:,} actors", value, f"under {GOAL_MS:g} ms", value < GOAL_MS, "ms",
-                *(("trimesh rays (Embree)", rival, rival / value) if name == "line trace, complex" else ()))
-            for name, value in ours.items()]
+    return [
+        Row(
+            f"{name}, {ACTORS:,} actors",
+            value,
+            f"under {GOAL_MS:g} ms",
+            value < GOAL_MS,
+            "ms",
+            *(("trimesh rays (Embree)", rival, rival / value) if name == "line trace, complex" else ()),
+        )
+        for name, value in ours.items()
+    ]
 
 
 def _rival_ms(actors: list[Any]) -> float:
@@ -79,7 +102,7 @@ def _rival_ms(actors: list[Any]) -> float:
     scene = trimesh.util.concatenate(parts)
     down = np.array([[0.0, 0.0, -1.0]])
     spent = []
-    for actor in actors[::len(actors) // CALLS][:CALLS]:
+    for actor in actors[:: len(actors) // CALLS][:CALLS]:
         place = actor.get_actor_location()
         before = time.process_time()
         assert len(scene.ray.intersects_location([[place.x + 1, place.y + 1, 1000.0]], down, multiple_hits=False)[0])

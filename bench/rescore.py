@@ -23,5 +23,12 @@ def rows() -> list[Row]:
         report = rescore(root, POLICIES["strict-tolerance"]).report()
         seconds = time.perf_counter() - began
     rate = 60 * report["trials"] / seconds
-    return [Row(f"re-scoring stored trials ({report['trials']} timed)", rate, f"{_GOAL:,} per minute", rate >= _GOAL,
-                unit="trials/min")]
+    return [
+        Row(
+            f"re-scoring stored trials ({report['trials']} timed)",
+            rate,
+            f"{_GOAL:,} per minute",
+            rate >= _GOAL,
+            unit="trials/min",
+        )
+    ]

@@ -23,58 +23,110 @@ _FAMILIES = list(FAMILY_WEIGHTS)
 
 def _counts(tp: int, fp: int, targets: int) -> dict[str, Any]:
     fn = targets - tp
-    return {"tp": tp, "fp": fp, "fn": fn, "precision": tp / (tp + fp) if tp + fp else 0.0, "recall": tp / targets,
-            "f1": 2 * tp / (2 * tp + fp + fn)}
+    return {
+        "tp": tp,
+        "fp": fp,
+        "fn": fn,
+        "precision": tp / (tp + fp) if tp + fp else 0.0,
+        "recall": tp / targets,
+        "f1": 2 * tp / (2 * tp + fp + fn),
+    }
 
 
 def _physics(rng: random.Random) -> Verdict:
-    leaves = [{"leaf_id": "floating", "status": "measured", "score": round(rng.random() * 0.5, 4)},
-              {"leaf_id": "solid_penetration", "status": "measured", "score": round(rng.random(), 4)}]
-    metrics = {"leaf_results": leaves, "leaf_score_directions": {"floating": "lower_is_better",
-                                                                 "solid_penetration": "higher_is_better"}}
+    leaves = [
+        {"leaf_id": "floating", "status": "measured", "score": round(rng.random() * 0.5, 4)},
+        {"leaf_id": "solid_penetration", "status": "measured", "score": round(rng.random(), 4)},
+    ]
+    metrics = {
+        "leaf_results": leaves,
+        "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"},
+    }
     score = physics_from_report({"status": "measured", "metrics": metrics})["score"]
     return Verdict(verifier="physics", status="measured", score=score, policy="made", measurements=metrics)
 
 
 def _repair(rng: random.Random) -> Verdict:
     strict, nominal, relaxed = sorted(rng.randrange(7) for _ in range(3))
-    profiles = {name: _counts(tp, 6 - tp, 6) for name, tp in (("strict", strict), ("nominal", nominal),
-                                                              ("relaxed", relaxed))}
+    profiles = {
+        name: _counts(tp, 6 - tp, 6) for name, tp in (("strict", strict), ("nominal", nominal), ("relaxed", relaxed))
+    }
     targets = [{"label": f"SM_{n}", "operation": "repair", "outcome": "TP" if n < nominal else "FN"} for n in range(6)]
-    return Verdict(verifier="repair", status="measured", score=profiles["nominal"]["f1"], policy="made",
-                   measurements=profiles["nominal"] | {"profiles": profiles, "targets": targets})
+    return Verdict(
+        verifier="repair",
+        status="measured",
+        score=profiles["nominal"]["f1"],
+        policy="made",
+        measurements=profiles["nominal"] | {"profiles": profiles, "targets": targets},
+    )
 
 
 def _detailed(rng: random.Random) -> Verdict:
-    rows = [{"node_id": f"n{n}", "semantic_family": _FAMILIES[n % 4], "clause_index": n % 5, "included": True,
-             "predicate_weight": 1.0, "evaluation_status": "MATCH", "score_known": rng.random() < 0.9,
-             "effective_score": round(rng.random(), 4)} for n in range(40)]
+    rows = [
+        {
+            "node_id": f"n{n}",
+            "semantic_family": _FAMILIES[n % 4],
+            "clause_index": n % 5,
+            "included": True,
+            "predicate_weight": 1.0,
+            "evaluation_status": "MATCH",
+            "score_known": rng.random() < 0.9,
+            "effective_score": round(rng.random(), 4),
+        }
+        for n in range(40)
+    ]
     made = detailed_score(rows)
-    return Verdict(verifier="detailed", status="measured", score=made["score"], policy="made",
-                   measurements={"semantic_requirement_aggregation": rows, "known_coverage": made["known_coverage"]})
+    return Verdict(
+        verifier="detailed",
+        status="measured",
+        score=made["score"],
+        policy="made",
+        measurements={"semantic_requirement_aggregation": rows, "known_coverage": made["known_coverage"]},
+    )
 
 
 def _overview(rng: random.Random) -> Verdict:
     dimensions, structure = {name: rng.random() for name in OVERVIEW_WEIGHTS}, rng.random()
-    return Verdict(verifier="overview", status="measured", policy="made",
-                   score=overview_score(dimensions, structure, False)["score"],
-                   measurements={"dimensions": {name: {"score": value} for name, value in dimensions.items()},
-                                 "structural_integrity_score": structure, "severe_structural_cap_eligible": False})
+    return Verdict(
+        verifier="overview",
+        status="measured",
+        policy="made",
+        score=overview_score(dimensions, structure, False)["score"],
+        measurements={
+            "dimensions": {name: {"score": value} for name, value in dimensions.items()},
+            "structural_integrity_score": structure,
+            "severe_structural_cap_eligible": False,
+        },
+    )
 
 
 def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: str, rng: random.Random) -> None:
     valid = rng.random() < 0.95
-    verdicts = {"integrity": Verdict(verifier="integrity", status="valid" if valid else "invalid", policy="made",
-                                     reason="" if valid else "unloadable")}
+    verdicts = {
+        "integrity": Verdict(
+            verifier="integrity",
+            status="valid" if valid else "invalid",
+            policy="made",
+            reason="" if valid else "unloadable",
+        )
+    }
     if valid:
         verdicts["physics"] = _physics(rng)
         if setting == "text-to-scene":
-            verdicts |= {"detailed": _detailed(rng),
-                         "overview": _overview(rng)}
+            verdicts |= {"detailed": _detailed(rng), "overview": _overview(rng)}
         else:
             verdicts["repair"] = _repair(rng)
-    made = case_score(case_id=case_id, setting=setting, configuration=configuration, repeat=1, judge="rule",
-                      engine="headless", submitted=True, verdicts=verdicts, policy=DEFAULT_POLICY)
+    made = case_score(
+        case_id=case_id,
+        setting=setting,
+        configuration=configuration,
+        repeat=1,
+        judge="rule",
+        engine="headless",
+        submitted=True,
+        verdicts=verdicts,
+        policy=DEFAULT_POLICY,
+    )
     (folder.root / "verdicts").mkdir(parents=True)
     for name, verdict in verdicts.items():
         folder.verdict(name).write_text(json.dumps(verdict.plain()))
@@ -85,11 +137,27 @@ def make_run(root: Path, trials: int, *, configurations: int = 10, seed: int = 1
     """Write a run of about ``trials`` trials (a whole number of cases) and return its plan."""
     rng = random.Random(seed)
     names = [f"agent-{n}" for n in range(configurations)]
-    cases = [PlannedCase(case_id=f"case-{n}", setting=SETTINGS[n % len(SETTINGS)], scene_id="made", agent_digest="0",
-                         withheld_digest="0") for n in range(max(1, trials // configurations))]
-    plan = Plan(run_id="made", suite_id="made", suite_digest="0", policy=DEFAULT_POLICY, judge="rule",
-                engine="headless", configurations=[Configuration(name=name, client="noop") for name in names],
-                cases=cases, versions={})
+    cases = [
+        PlannedCase(
+            case_id=f"case-{n}",
+            setting=SETTINGS[n % len(SETTINGS)],
+            scene_id="made",
+            agent_digest="0",
+            withheld_digest="0",
+        )
+        for n in range(max(1, trials // configurations))
+    ]
+    plan = Plan(
+        run_id="made",
+        suite_id="made",
+        suite_digest="0",
+        policy=DEFAULT_POLICY,
+        judge="rule",
+        engine="headless",
+        configurations=[Configuration(name=name, client="noop") for name in names],
+        cases=cases,
+        versions={},
+    )
     folder = RunFolder(root)
     for case in cases:
         for name in names:

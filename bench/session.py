@@ -46,28 +46,59 @@ def city(actors: int, *, seed: int = 5) -> Level:
     rng = random.Random(seed)
 
     def actor(number: int, shape: str, place: Transform) -> LevelActor:
-        return LevelActor(name=f"StaticMeshActor_{number}", label=f"{shape}{number}", guid=f"{number:032X}",
-                          class_path="/Script/Engine.StaticMeshActor", transform=place, components=[LevelComponent(
-                              name="StaticMeshComponent0", class_path="/Script/Engine.StaticMeshComponent",
-                              static_mesh=f"/Engine/BasicShapes/{shape}.{shape}")])
+        return LevelActor(
+            name=f"StaticMeshActor_{number}",
+            label=f"{shape}{number}",
+            guid=f"{number:032X}",
+            class_path="/Script/Engine.StaticMeshActor",
+            transform=place,
+            components=[
+                LevelComponent(
+                    name="StaticMeshComponent0",
+                    class_path="/Script/Engine.StaticMeshComponent",
+                    static_mesh=f"/Engine/BasicShapes/{shape}.{shape}",
+                )
+            ],
+        )
 
-    side = int(actors ** 0.5) + 1
+    side = int(actors**0.5) + 1
     ground = actor(0, "Plane", Transform(scale=(side * 4.0, side * 4.0, 1.0)))
-    return Level(package=PACKAGE, actors=[ground, *(
-        actor(n, _SHAPES[n % len(_SHAPES)], Transform(
-            location_cm=(200.0 * (n % side - side / 2), 200.0 * (n // side - side / 2), 50.0),
-            rotation_deg=(0.0, rng.uniform(-180, 180), 0.0))) for n in range(1, actors))])
+    return Level(
+        package=PACKAGE,
+        actors=[
+            ground,
+            *(
+                actor(
+                    n,
+                    _SHAPES[n % len(_SHAPES)],
+                    Transform(
+                        location_cm=(200.0 * (n % side - side / 2), 200.0 * (n // side - side / 2), 50.0),
+                        rotation_deg=(0.0, rng.uniform(-180, 180), 0.0),
+                    ),
+                )
+                for n in range(1, actors)
+            ),
+        ],
+    )
 
 
 def mix(number: int) -> Iterator[tuple[str, dict[str, Any]]]:
     """The calls of one round of the mix."""
-    yield "spawn_actor", {"name": f"New{number}", "static_mesh": "/Engine/BasicShapes/Cube.Cube",
-                          "location": [0, 0, 500 + number]}
+    yield (
+        "spawn_actor",
+        {"name": f"New{number}", "static_mesh": "/Engine/BasicShapes/Cube.Cube", "location": [0, 0, 500 + number]},
+    )
     yield "set_actor_transform", {"name": f"New{number}", "location": [10, 0, 500], "rotation": [0, 45, 0]}
     yield "find_actors_by_name", {"pattern": f"Cube{40 * number}"}
     yield "set_actor_transform", {"name": "Sphere1001", "rotation": [0, number, 0]}
-    yield "execute_python_script", {"execution_mode": "sync", "script": "import unreal\nactors = unreal.get_editor_"
-                                    "subsystem(unreal.EditorActorSubsystem)\nprint(len(actors.get_all_level_actors()))"}
+    yield (
+        "execute_python_script",
+        {
+            "execution_mode": "sync",
+            "script": "import unreal\nactors = unreal.get_editor_"
+            "subsystem(unreal.EditorActorSubsystem)\nprint(len(actors.get_all_level_actors()))",
+        },
+    )
     yield "read_job_log", {}
     yield "delete_actor", {"name": f"New{number}"}
 
@@ -76,13 +107,29 @@ def session(root: Path, actors: int) -> dict[str, Any]:
     """Latencies (seconds) of the mix and of the slow tools, as the client sees them."""
     agent_folder = root / "agent" / "bench"
     city(actors).write(agent_folder / "start.level.json")
-    case = AgentCase.parse({"case_id": "bench", "setting": "image-to-scene/outdoor", "prompt": "-",
-                            "start_map": PACKAGE, "packs": [], "catalog": [],
-                            "budget": Budget(tool_calls=10_000, wall_minutes=60).plain()})
+    case = AgentCase.parse(
+        {
+            "case_id": "bench",
+            "setting": "image-to-scene/outdoor",
+            "prompt": "-",
+            "start_map": PACKAGE,
+            "packs": [],
+            "catalog": [],
+            "budget": Budget(tool_calls=10_000, wall_minutes=60).plain(),
+        }
+    )
     write_json(agent_folder / "case.json", case.plain())
     took: dict[str, list[float]] = {}
-    with EngineSession.start(packs=[], content=root / "content", scratch=root / "scratch", start_map=PACKAGE,
-                             levels=[agent_folder / "start.level.json"]) as engine, Gateway() as gateway:
+    with (
+        EngineSession.start(
+            packs=[],
+            content=root / "content",
+            scratch=root / "scratch",
+            start_map=PACKAGE,
+            levels=[agent_folder / "start.level.json"],
+        ) as engine,
+        Gateway() as gateway,
+    ):
         bench = Workbench(case, agent_folder, CaseCatalog.load(case, []), engine, root / "scratch")
         endpoint = gateway.open_run(Run("bench", bench, case.budget, root / "trajectory.jsonl"))
         with GatewayClient(endpoint) as client:
@@ -92,10 +139,14 @@ def session(root: Path, actors: int) -> dict[str, Any]:
             every = sorted(seconds for all_of_one in took.values() for seconds in all_of_one)
             slow = {name: round(_timed(client, name, arguments), 3) for name, arguments in _SLOW}
             warm = {name: round(_timed(client, name, {}), 3) for name in _CHECKS}
-    return {"calls": len(every), "median_s": round(statistics.median(every), 4),
-            "p95_s": round(every[int(0.95 * len(every))], 4),
-            "median_by_tool_s": {name: round(statistics.median(all_of_one), 4) for name, all_of_one in took.items()},
-            "slow_s": slow, "unchanged_s": warm}
+    return {
+        "calls": len(every),
+        "median_s": round(statistics.median(every), 4),
+        "p95_s": round(every[int(0.95 * len(every))], 4),
+        "median_by_tool_s": {name: round(statistics.median(all_of_one), 4) for name, all_of_one in took.items()},
+        "slow_s": slow,
+        "unchanged_s": warm,
+    }
 
 
 def _timed(client: GatewayClient, name: str, arguments: dict[str, Any]) -> float:
@@ -108,8 +159,9 @@ def reopened(root: Path, actors: int) -> dict[str, Any]:
     """Seconds to save a level under a new name and to open that in a clean process; whether the snapshots are equal."""
     given = root / "given.level.json"
     city(actors).write(given)
-    with EngineSession.start(packs=[], content=root / "content", scratch=root / "first", levels=[given],
-                             start_map=PACKAGE) as engine:
+    with EngineSession.start(
+        packs=[], content=root / "content", scratch=root / "first", levels=[given], start_map=PACKAGE
+    ) as engine:
         started = time.perf_counter()
         engine.call("scene_tools.save_scene", package=SAVED)
         saved_s = time.perf_counter() - started
@@ -118,15 +170,22 @@ def reopened(root: Path, actors: int) -> dict[str, Any]:
     with EngineSession.start(packs=[], content=root / "content", scratch=root / "second", start_map=SAVED) as engine:
         opened_s = time.perf_counter() - started
         second = engine.call("snapshot.export_snapshot")
-    return {"saved_s": round(saved_s, 3), "opened_s": round(opened_s, 3), "equal": first == second,
-            "actors": second["actor_count"]}
+    return {
+        "saved_s": round(saved_s, 3),
+        "opened_s": round(opened_s, 3),
+        "equal": first == second,
+        "actors": second["actor_count"],
+    }
 
 
 def run(actors: int = ACTORS) -> dict[str, Any]:
     """Both parts."""
     with tempfile.TemporaryDirectory(prefix="c4s-session-") as folder:
-        return {"actors": actors, **session(Path(folder) / "session", actors),
-                "save_and_reopen": reopened(Path(folder) / "reopen", actors)}
+        return {
+            "actors": actors,
+            **session(Path(folder) / "session", actors),
+            "save_and_reopen": reopened(Path(folder) / "reopen", actors),
+        }
 
 
 def rows() -> list[Row]:
@@ -134,13 +193,27 @@ def rows() -> list[Row]:
     found = run()
     level = found["save_and_reopen"]
     seconds = round(level["saved_s"] + level["opened_s"], 3)
-    return [Row(f"a tool call on {found['actors']} actors, median of {found['calls']} (95 %: {found['p95_s']} s)",
-                found["median_s"], f"under {MEDIAN_S:g} s", found["median_s"] < MEDIAN_S),
-            Row(f"the slowest check of {found['actors']} actors that have not changed since the last check",
-                max(found["unchanged_s"].values()), f"under {WARM_S:g} s", max(found["unchanged_s"].values()) < WARM_S),
-            Row(f"{level['actors']} actors saved, and open in a clean process"
-                f" ({'equal' if level['equal'] else 'UNEQUAL'} snapshot)", seconds, f"under {REOPEN_S:g} s, equal",
-                seconds < REOPEN_S and level["equal"])]
+    return [
+        Row(
+            f"a tool call on {found['actors']} actors, median of {found['calls']} (95 %: {found['p95_s']} s)",
+            found["median_s"],
+            f"under {MEDIAN_S:g} s",
+            found["median_s"] < MEDIAN_S,
+        ),
+        Row(
+            f"the slowest check of {found['actors']} actors that have not changed since the last check",
+            max(found["unchanged_s"].values()),
+            f"under {WARM_S:g} s",
+            max(found["unchanged_s"].values()) < WARM_S,
+        ),
+        Row(
+            f"{level['actors']} actors saved, and open in a clean process"
+            f" ({'equal' if level['equal'] else 'UNEQUAL'} snapshot)",
+            seconds,
+            f"under {REOPEN_S:g} s, equal",
+            seconds < REOPEN_S and level["equal"],
+        ),
+    ]
 
 
 if __name__ == "__main__":

@@ -89,8 +89,7 @@ def read_json(path: Path, *, what: str = "file") -> Any:
     try:
         return parse_json(data)
     except (ValueError, RecursionError) as error:
-        raise BadInput(f"this {what} is not valid JSON: {error}", where=str(path),
-                       todo="is it complete?") from None
+        raise BadInput(f"this {what} is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
 
 
 def append_json_line(path: Path, value: Any) -> None:

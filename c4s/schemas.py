@@ -16,9 +16,18 @@ from c4s.scene.snapshot import SceneSnapshot
 from c4s.verify.verdict import Verdict
 
 FORMATS: dict[str, type[BaseModel]] = {
-    "scene-snapshot": SceneSnapshot, "level": Level, "pack": Pack, "suite": Suite, "agent-case": AgentCase,
-    "withheld-case": WithheldCase, "plan": Plan, "configuration": Configuration, "attempt-outcome": AttemptOutcome,
-    "verdict": Verdict, "trial-score": TrialScore}
+    "scene-snapshot": SceneSnapshot,
+    "level": Level,
+    "pack": Pack,
+    "suite": Suite,
+    "agent-case": AgentCase,
+    "withheld-case": WithheldCase,
+    "plan": Plan,
+    "configuration": Configuration,
+    "attempt-outcome": AttemptOutcome,
+    "verdict": Verdict,
+    "trial-score": TrialScore,
+}
 
 
 def write_schemas(folder: Path) -> list[Path]:

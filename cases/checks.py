@@ -16,8 +16,10 @@ MOVE_CM, TURN_DEG, SCALE_REL = 5.0, 5.0, 0.05
 
 def check_definition(definition: SuiteDefinition) -> None:
     """``BadInput`` for a suite whose cases do not fit together."""
-    for what, names in (("case", [case.case_id for case in definition.cases]),
-                        ("scene", [scene.scene_id for scene in definition.scenes])):
+    for what, names in (
+        ("case", [case.case_id for case in definition.cases]),
+        ("scene", [scene.scene_id for scene in definition.scenes]),
+    ):
         repeated = [name for name, count in Counter(names).items() if count > 1]
         if repeated:
             raise BadInput(f"two cases or scenes have this {what} id", where=repeated[0])
@@ -56,11 +58,16 @@ def check_repair(case: RepairCase, truth: Level, corrupted: Level) -> None:
     gone = {_look(original[o.target]) for o in case.operations if isinstance(o, RemoveActor)}
     for operation in case.operations:
         if isinstance(operation, SpawnActor) and _look(corrupt[operation.stable_id]) in gone:
-            raise BadInput("it removes and adds actors of one look: the published rule then takes the extra actor for "
-                           "the missing one, so a perfect repair cannot reach F1 1", where=case.case_id)
+            raise BadInput(
+                "it removes and adds actors of one look: the published rule then takes the extra actor for "
+                "the missing one, so a perfect repair cannot reach F1 1",
+                where=case.case_id,
+            )
         if isinstance(operation, SetTransform) and _same_pose(original[operation.target], corrupt[operation.target]):
-            raise BadInput(f"the change of {original[operation.target].name} lies within the tolerance of Repair F1",
-                           where=case.case_id)
+            raise BadInput(
+                f"the change of {original[operation.target].name} lies within the tolerance of Repair F1",
+                where=case.case_id,
+            )
 
 
 def _look(actor: LevelActor) -> tuple[str, tuple[str, ...]]:

@@ -127,7 +127,7 @@ def with_identities(level: Level, scene_id: str) -> Level:
 
 def id_of(actor: LevelActor) -> str | None:
     """The stable id that an actor's tags carry."""
-    return next((tag[len(STABLE_ID_TAG):] for tag in actor.tags if tag.startswith(STABLE_ID_TAG)), None)
+    return next((tag[len(STABLE_ID_TAG) :] for tag in actor.tags if tag.startswith(STABLE_ID_TAG)), None)
 
 
 def _index(actors: Sequence[LevelActor], target: str) -> int:
@@ -137,8 +137,9 @@ def _index(actors: Sequence[LevelActor], target: str) -> int:
     raise BadInput("no actor has this stable id", where=target, todo="is it removed by an earlier operation?")
 
 
-def apply(level: Level, operations: Sequence[SetTransform | RemoveActor | SpawnActor | SetStaticMesh],
-          package: str) -> Level:
+def apply(
+    level: Level, operations: Sequence[SetTransform | RemoveActor | SpawnActor | SetStaticMesh], package: str
+) -> Level:
     """The corrupted copy of ``level`` as package ``package``. ``BadInput`` where a target or a component is missing."""
     actors = list(level.actors)
     for operation in operations:
@@ -149,8 +150,11 @@ def apply(level: Level, operations: Sequence[SetTransform | RemoveActor | SpawnA
                     raise BadInput("an actor with attached children cannot be removed", where=gone.name)
             case SetTransform(target=target):
                 at = _index(actors, target)
-                changes = {key: value for key in ("location_cm", "rotation_deg", "scale")
-                           if (value := getattr(operation, key)) is not None}
+                changes = {
+                    key: value
+                    for key in ("location_cm", "rotation_deg", "scale")
+                    if (value := getattr(operation, key)) is not None
+                }
                 moved = actors[at].transform.model_copy(update=changes)
                 actors[at] = actors[at].model_copy(update={"transform": moved})
             case SetStaticMesh(target=target):
@@ -166,8 +170,9 @@ def _with_mesh(actor: LevelActor, operation: SetStaticMesh) -> LevelActor:
     for component in actor.components:
         if component.name == operation.component:
             if component.static_mesh != operation.replaces:
-                raise BadInput(f"the component shows {component.static_mesh}, not {operation.replaces}",
-                               where=actor.name)
+                raise BadInput(
+                    f"the component shows {component.static_mesh}, not {operation.replaces}", where=actor.name
+                )
             component = component.model_copy(update={"static_mesh": operation.static_mesh, "materials": {}})
         components.append(component)
     if components == actor.components:
@@ -187,16 +192,27 @@ def _spawned(actors: Sequence[LevelActor], operation: SpawnActor) -> LevelActor:
     if "like" in operation.expect:
         components = list(actors[_index(actors, operation.expect["like"])].components)
     elif "static_mesh" in operation.source:
-        components = [LevelComponent(name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT,
-                                     static_mesh=operation.source["static_mesh"])]
+        components = [
+            LevelComponent(
+                name="StaticMeshComponent0",
+                class_path=STATIC_MESH_COMPONENT,
+                static_mesh=operation.source["static_mesh"],
+            )
+        ]
     else:
         raise BadInput("a Blueprint is spawned like an existing actor only", where=operation.object_name)
     tags = [STABLE_ID_TAG + operation.stable_id, ORIGIN_TAG] if operation.identity_tag else []
     return LevelActor(
-        name=operation.object_name, label=operation.label, guid=guid_of(operation.stable_id),
-        class_path=operation.source.get("class", STATIC_MESH_ACTOR), components=components, tags=tags,
-        transform=Transform(location_cm=operation.location_cm, rotation_deg=operation.rotation_deg,
-                            scale=operation.scale))
+        name=operation.object_name,
+        label=operation.label,
+        guid=guid_of(operation.stable_id),
+        class_path=operation.source.get("class", STATIC_MESH_ACTOR),
+        components=components,
+        tags=tags,
+        transform=Transform(
+            location_cm=operation.location_cm, rotation_deg=operation.rotation_deg, scale=operation.scale
+        ),
+    )
 
 
 def guid_of(text: str) -> str:
@@ -233,8 +249,10 @@ class Author:
 
     def insertion(self, mesh: str, location_cm: Vector, *, yaw_deg: float = 0.0, scale: float = 1.0) -> Corruption:
         """An actor that does not belong appears; ``mesh`` is a static mesh path."""
-        return Corruption("insertion", (self._spawn({"static_mesh": mesh}, location_cm, (0.0, yaw_deg, 0.0),
-                                                    (scale, scale, scale), {}),))
+        return Corruption(
+            "insertion",
+            (self._spawn({"static_mesh": mesh}, location_cm, (0.0, yaw_deg, 0.0), (scale, scale, scale), {}),),
+        )
 
     def duplication(self, name: str, location_cm: Vector, *, yaw_deg: float | None = None) -> Corruption:
         """A second copy of an actor appears at another place."""
@@ -243,17 +261,32 @@ class Author:
         simple = actor.class_path == STATIC_MESH_ACTOR and mesh
         source = {"static_mesh": str(mesh)} if simple else {"class": actor.class_path}
         pitch, yaw, roll = actor.transform.rotation_deg
-        return Corruption("duplication", (self._spawn(
-            source, location_cm, (pitch, yaw if yaw_deg is None else yaw_deg, roll), actor.transform.scale,
-            {"like": self.target(name)}),))
+        return Corruption(
+            "duplication",
+            (
+                self._spawn(
+                    source,
+                    location_cm,
+                    (pitch, yaw if yaw_deg is None else yaw_deg, roll),
+                    actor.transform.scale,
+                    {"like": self.target(name)},
+                ),
+            ),
+        )
 
     def replacement(self, name: str, mesh: str) -> Corruption:
         """The actor shows another mesh."""
         component = next((c for c in self.actor(name).components if c.static_mesh), None)
         if component is None or component.static_mesh is None or component.static_mesh == mesh:
             raise BadInput("this actor has no mesh that could be replaced by another", where=name)
-        return Corruption("replacement", (SetStaticMesh(target=self.target(name), component=component.name,
-                                                        static_mesh=mesh, replaces=component.static_mesh),))
+        return Corruption(
+            "replacement",
+            (
+                SetStaticMesh(
+                    target=self.target(name), component=component.name, static_mesh=mesh, replaces=component.static_mesh
+                ),
+            ),
+        )
 
     def move(self, name: str, *, by_cm: Vector | None = None, to_cm: Vector | None = None) -> Corruption:
         """The actor stands elsewhere: shifted by ``by_cm``, or at ``to_cm``."""
@@ -280,13 +313,22 @@ class Author:
         scale = (-x, y, z) if axis == "x" else (x, -y, z)
         return Corruption("mirror", (SetTransform(target=self.target(name), scale=scale),))
 
-    def _spawn(self, source: dict[str, str], location_cm: Vector, rotation_deg: Vector, scale: Vector,
-               expect: dict[str, Any]) -> SpawnActor:
+    def _spawn(
+        self, source: dict[str, str], location_cm: Vector, rotation_deg: Vector, scale: Vector, expect: dict[str, Any]
+    ) -> SpawnActor:
         name = self._fresh_name(next(iter(source.values())))
         self.names.add(name)
         key = f"{name}|{source}|{location_cm}"
-        return SpawnActor(stable_id=stable_id(self.scene_id, key, "spawned"), object_name=name, label=name,
-                          source=source, location_cm=location_cm, rotation_deg=rotation_deg, scale=scale, expect=expect)
+        return SpawnActor(
+            stable_id=stable_id(self.scene_id, key, "spawned"),
+            object_name=name,
+            label=name,
+            source=source,
+            location_cm=location_cm,
+            rotation_deg=rotation_deg,
+            scale=scale,
+            expect=expect,
+        )
 
     def _fresh_name(self, asset: str) -> str:
         """An unused object name in the style of the scene's own names, numbered in a gap of theirs if there is one."""
@@ -298,8 +340,11 @@ class Author:
                 width = 2 if style[2].startswith("0") else width
                 if not actor.name.startswith(("SM_", "BP_")):
                     stem = stem.removeprefix("SM_").removeprefix("BP_")
-        used = {int(name[len(stem) + 1:]) for name in self.names
-                if name.startswith(f"{stem}_") and name[len(stem) + 1:].isdigit()}
+        used = {
+            int(name[len(stem) + 1 :])
+            for name in self.names
+            if name.startswith(f"{stem}_") and name[len(stem) + 1 :].isdigit()
+        }
         free = [number for number in range(1, max(used, default=0) + 2) if number not in used]
         number = free[int(hashlib.sha256(f"{self.scene_id}|{stem}".encode()).hexdigest()[:8], 16) % len(free)]
         return f"{stem}_{number:0{width}d}"

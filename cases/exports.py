@@ -41,33 +41,61 @@ class Exported:
     """The original from the four overview cameras of the evaluator."""
 
 
-def scene(packs: Sequence[Path], truth: Level, corrupted: Mapping[str, Level], views: Mapping[str, Sequence[View]],
-          out: Path, progress: Callable[[str], None]) -> Exported:
+def scene(
+    packs: Sequence[Path],
+    truth: Level,
+    corrupted: Mapping[str, Level],
+    views: Mapping[str, Sequence[View]],
+    out: Path,
+    progress: Callable[[str], None],
+) -> Exported:
     """Export a scene into ``out``: one engine for the original and its pictures, one for all other levels."""
     content = out / "content"
     truth.write(content / f"{truth.package.lstrip('/')}.level.json")
-    cameras = [{**camera(view), "name": f"{case_id}--{view.name}"}
-               for case_id, wanted in views.items() for view in wanted]
+    cameras = [
+        {**camera(view), "name": f"{case_id}--{view.name}"} for case_id, wanted in views.items() for view in wanted
+    ]
     progress(f"  {truth.package}: snapshot and {len(cameras)} pictures of the original")
-    evidence.collect(packs=packs, submission_content=content, package=truth.package, out=out / "truth",
-                     cameras=lambda snapshot: [*cameras, *overview_cameras(snapshot)], keep_pictures=True)
+    evidence.collect(
+        packs=packs,
+        submission_content=content,
+        package=truth.package,
+        out=out / "truth",
+        cameras=lambda snapshot: [*cameras, *overview_cameras(snapshot)],
+        keep_pictures=True,
+    )
     inputs, starts = _inputs(packs, corrupted, views, out / "inputs", progress) if corrupted else ({}, {})
     captures = out / "truth" / "captures"
-    pictures = {case_id: [captures / f"{case_id}--{view.name}.png" for view in wanted]
-                for case_id, wanted in views.items()}
-    return Exported(out / "truth" / "snapshot.json", inputs, pictures, starts,
-                    [captures / f"overview-{number}.png" for number in range(1, VIEWS + 1)])
+    pictures = {
+        case_id: [captures / f"{case_id}--{view.name}.png" for view in wanted] for case_id, wanted in views.items()
+    }
+    return Exported(
+        out / "truth" / "snapshot.json",
+        inputs,
+        pictures,
+        starts,
+        [captures / f"overview-{number}.png" for number in range(1, VIEWS + 1)],
+    )
 
 
-def _inputs(packs: Sequence[Path], levels: Mapping[str, Level], views: Mapping[str, Sequence[View]], out: Path,
-            progress: Callable[[str], None]) -> tuple[dict[str, Path], dict[str, list[Path]]]:
+def _inputs(
+    packs: Sequence[Path],
+    levels: Mapping[str, Level],
+    views: Mapping[str, Sequence[View]],
+    out: Path,
+    progress: Callable[[str], None],
+) -> tuple[dict[str, Path], dict[str, list[Path]]]:
     """Snapshot and pictures of each corrupted level; opened one after the other, none holds anything of another."""
     for case_id, level in levels.items():
         level.write(out / "levels" / f"{case_id}.level.json")
     files = {case_id: out / f"{case_id}.snapshot.json" for case_id in levels}
     pictures: dict[str, list[Path]] = {}
-    with EngineSession.start(packs=packs, content=out / "content", scratch=out / "engine",
-                             levels=[out / "levels" / f"{case_id}.level.json" for case_id in levels]) as engine:
+    with EngineSession.start(
+        packs=packs,
+        content=out / "content",
+        scratch=out / "engine",
+        levels=[out / "levels" / f"{case_id}.level.json" for case_id in levels],
+    ) as engine:
         for case_id, level in levels.items():
             progress(f"  {case_id}: snapshot and pictures of the corrupted level")
             reply = engine.execute(_OPEN.substitute(package=level.package))

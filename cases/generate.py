@@ -27,9 +27,16 @@ from cases.model import Group, RepairCase, Scene, SuiteDefinition, View
 from cases.views import orbit
 
 KINDS: tuple[Kind, ...] = ("removal", "move", "rotate", "rescale", "insertion", "duplication", "replacement", "mirror")
-GROUP: dict[Kind, Group] = {"removal": "Restore", "insertion": "Lifecycle", "duplication": "Lifecycle",
-                            "replacement": "Lifecycle", "move": "Layout", "rotate": "Transform", "rescale": "Transform",
-                            "mirror": "Symmetry"}
+GROUP: dict[Kind, Group] = {
+    "removal": "Restore",
+    "insertion": "Lifecycle",
+    "duplication": "Lifecycle",
+    "replacement": "Lifecycle",
+    "move": "Layout",
+    "rotate": "Transform",
+    "rescale": "Transform",
+    "mirror": "Symmetry",
+}
 MIN_SIDE_CM, MAX_SHARE = 15.0, 0.34
 """Changed things are at least this large, and at most this share of the scene in plan: no crumbs, no floors."""
 ASIDE_CM = 1e7
@@ -47,9 +54,18 @@ class Thing:
     mesh: str
 
 
-def generated(scene_id: str, level: Level, things: Sequence[Thing], packs_root: Path, packs: Sequence[str], *,
-              count: int, changes: int, seed: int, environment: Literal["indoor", "outdoor"] = "indoor"
-              ) -> SuiteDefinition:
+def generated(
+    scene_id: str,
+    level: Level,
+    things: Sequence[Thing],
+    packs_root: Path,
+    packs: Sequence[str],
+    *,
+    count: int,
+    changes: int,
+    seed: int,
+    environment: Literal["indoor", "outdoor"] = "indoor",
+) -> SuiteDefinition:
     """A suite of ``count`` repair cases of 1 to ``changes`` changes each (the first has one, the next two, and so on).
 
     Args:
@@ -67,15 +83,28 @@ def generated(scene_id: str, level: Level, things: Sequence[Thing], packs_root: 
         BadInput: too few actors stand and fit for what is asked.
     """
     if len(things) < changes + 1:
-        raise BadInput(f"{len(things)} actors of this scene stand and fit; {changes + 1} are needed", where=scene_id,
-                       todo="give fewer --changes")
-    meshes = [asset.path for pack in packs for asset in Pack.read(packs_root / pack / "pack.json").assets
-              if asset.kind == "static_mesh" and max(asset.size_m) < 3 and min(asset.size_m) > MIN_SIDE_CM / 100]
+        raise BadInput(
+            f"{len(things)} actors of this scene stand and fit; {changes + 1} are needed",
+            where=scene_id,
+            todo="give fewer --changes",
+        )
+    meshes = [
+        asset.path
+        for pack in packs
+        for asset in Pack.read(packs_root / pack / "pack.json").assets
+        if asset.kind == "static_mesh" and max(asset.size_m) < 3 and min(asset.size_m) > MIN_SIDE_CM / 100
+    ]
     author, chance = Author(level, scene_id), random.Random(f"{scene_id}|{seed}")
     scene = Scene(scene_id, environment, scene_id.replace("-", " ").capitalize(), level, tuple(packs))
     cases = [_case(number, scene, author, things, meshes, 1 + (number % changes), chance) for number in range(count)]
-    return SuiteDefinition(f"{scene_id}-cases", f"Repairs of {scene_id}", f"Changes made by chance, seed {seed}.",
-                           tuple(packs), (scene,), tuple(cases))
+    return SuiteDefinition(
+        f"{scene_id}-cases",
+        f"Repairs of {scene_id}",
+        f"Changes made by chance, seed {seed}.",
+        tuple(packs),
+        (scene,),
+        tuple(cases),
+    )
 
 
 def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
@@ -91,13 +120,21 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
     aside = copy.deepcopy(snapshot)
     for actor in aside["actors"]:
         actor["transform"]["location_cm"][0] += ASIDE_CM
-    leaves = {leaf["leaf_id"]: leaf for leaf in
-              verify_physics("image-to-scene/indoor", snapshot, aside).measurements["leaf_results"]}
-    bad = {*leaves["floating"]["floating_actors"], *leaves["floating"]["unresolved_actors"],
-           *(row["actor"] for row in leaves["solid_penetration"]["actors"] if row["state"] != "clean")}
+    leaves = {
+        leaf["leaf_id"]: leaf
+        for leaf in verify_physics("image-to-scene/indoor", snapshot, aside).measurements["leaf_results"]
+    }
+    bad = {
+        *leaves["floating"]["floating_actors"],
+        *leaves["floating"]["unresolved_actors"],
+        *(row["actor"] for row in leaves["solid_penetration"]["actors"] if row["state"] != "clean"),
+    }
     known = {actor.name: actor for actor in level.actors if actor.class_path == STATIC_MESH_ACTOR}
-    boxes = {actor["name"]: (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"], actor.get("label"))
-             for actor in snapshot["actors"] if actor["name"] in known}
+    boxes = {
+        actor["name"]: (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"], actor.get("label"))
+        for actor in snapshot["actors"]
+        if actor["name"] in known
+    }
     corners = np.array([[np.subtract(origin, extent), np.add(origin, extent)] for origin, extent, _ in boxes.values()])
     whole = corners[:, 1].max(axis=0) - corners[:, 0].min(axis=0) if len(corners) else np.zeros(3)
     found = []
@@ -109,8 +146,15 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
     return found
 
 
-def _case(number: int, scene: Scene, author: Author, things: Sequence[Thing], meshes: list[str], changes: int,
-          chance: random.Random) -> RepairCase:
+def _case(
+    number: int,
+    scene: Scene,
+    author: Author,
+    things: Sequence[Thing],
+    meshes: list[str],
+    changes: int,
+    chance: random.Random,
+) -> RepairCase:
     made: list[Corruption] = []
     places: list[Thing] = []
     removed: set[str] = set()
@@ -128,14 +172,27 @@ def _case(number: int, scene: Scene, author: Author, things: Sequence[Thing], me
     if not made:
         raise BadInput(f"no actor can take the change {kinds[0]}", where=scene.scene_id, todo="give another --seed")
     names = "-".join(dict.fromkeys(change.kind for change in made))
-    return RepairCase(f"{scene.scene_id}-{number + 1:02d}-{names}", scene.scene_id,
-                      f"{len(made)} change{'s' if len(made) > 1 else ''}", made, GROUP[made[0].kind],
-                      "easy" if len(made) == 1 else "medium" if len(made) < 4 else "hard", _views(places),
-                      "image-to-scene/indoor" if scene.environment == "indoor" else "image-to-scene/outdoor")
+    return RepairCase(
+        f"{scene.scene_id}-{number + 1:02d}-{names}",
+        scene.scene_id,
+        f"{len(made)} change{'s' if len(made) > 1 else ''}",
+        made,
+        GROUP[made[0].kind],
+        "easy" if len(made) == 1 else "medium" if len(made) < 4 else "hard",
+        _views(places),
+        "image-to-scene/indoor" if scene.environment == "indoor" else "image-to-scene/outdoor",
+    )
 
 
-def _change(kind: Kind, thing: Thing, author: Author, meshes: list[str], chance: random.Random, removed: set[str],
-            added: set[str]) -> Corruption | None:
+def _change(
+    kind: Kind,
+    thing: Thing,
+    author: Author,
+    meshes: list[str],
+    chance: random.Random,
+    removed: set[str],
+    added: set[str],
+) -> Corruption | None:
     """One change of a thing, or ``None`` where it would not be one or would spoil another."""
     name, (x, y, _), (wide, deep, _) = thing.name, thing.origin, thing.extent
     aside = (max(40.0, 2.2 * wide) * chance.choice((-1, 1)), max(40.0, 2.2 * deep) * chance.choice((-1, 0, 1)))
@@ -176,5 +233,7 @@ def _views(places: Sequence[Thing]) -> list[View]:
     high = np.max([np.add(thing.origin, thing.extent) for thing in places], axis=0)
     x, y, z = (float(round(value, 1)) for value in (low + high) / 2)
     distance = round(max(MIN_DISTANCE_CM, REACH * float(np.linalg.norm(high - low)) / 2 + 100), 1)
-    return [orbit("view-01", (x, y, z), distance_cm=distance, yaw_deg=-60, pitch_deg=42),
-            orbit("view-02", (x, y, z), distance_cm=distance, yaw_deg=125, pitch_deg=52)]
+    return [
+        orbit("view-01", (x, y, z), distance_cm=distance, yaw_deg=-60, pitch_deg=42),
+        orbit("view-02", (x, y, z), distance_cm=distance, yaw_deg=125, pitch_deg=52),
+    ]

@@ -12,9 +12,11 @@ from c4s.packs.manifest import Asset
 def repair_prompt(environment: Literal["indoor", "outdoor"], views: int) -> str:
     """The instruction of an image-to-scene case with ``views`` reference pictures."""
     evidence = "the reference picture" if views == 1 else f"the {views} reference pictures"
-    return (f"This {environment} level was changed from its original. Restore it to what {evidence} "
-            f"{'shows' if views == 1 else 'show'}. Change as little as you can: actors and properties that already "
-            "agree with the original must stay exactly as they are.")
+    return (
+        f"This {environment} level was changed from its original. Restore it to what {evidence} "
+        f"{'shows' if views == 1 else 'show'}. Change as little as you can: actors and properties that already "
+        "agree with the original must stay exactly as they are."
+    )
 
 
 def spawn_path(asset: Asset) -> str:
@@ -30,9 +32,12 @@ def palette_line(asset: Asset) -> str:
 
 def ground_block(tiles: Sequence[Asset], plate_m: float) -> str:
     """The optional ground part: which flat tiles can carpet the plate."""
-    lines = [f"The plate is bare: without a floor everything hangs over nothing. Call `ground_pass` before anything "
-             f"else to carpet the whole {plate_m:g} m plate,",
-             "or lay these flat tiles edge to edge yourself:", ""]
+    lines = [
+        f"The plate is bare: without a floor everything hangs over nothing. Call `ground_pass` before anything "
+        f"else to carpet the whole {plate_m:g} m plate,",
+        "or lay these flat tiles edge to edge yourself:",
+        "",
+    ]
     for tile in tiles:
         width, depth, height = tile.size_m
         name = tile.path.rsplit(".", 1)[-1]
@@ -43,25 +48,37 @@ def ground_block(tiles: Sequence[Asset], plate_m: float) -> str:
 def palette_block(assets: Sequence[Asset]) -> str:
     """The catalog of a text-to-scene case, sorted by category, then id."""
     rows = [palette_line(asset) for asset in sorted(assets, key=lambda a: (a.category, a.id))]
-    return "\n".join([
-        "=== ASSET PALETTE ===",
-        "These assets are the whole library of this case; there is no search beyond them. Use any of them as",
-        "often as you like and leave out what you do not need. Scene graphs name an asset by its id, the engine",
-        "by its spawn path. A line reads", "",
-        "  id | name | category | width x depth x height (m) | spawn path", "", *rows])
+    return "\n".join(
+        [
+            "=== ASSET PALETTE ===",
+            "These assets are the whole library of this case; there is no search beyond them. Use any of them as",
+            "often as you like and leave out what you do not need. Scene graphs name an asset by its id, the engine",
+            "by its spawn path. A line reads",
+            "",
+            "  id | name | category | width x depth x height (m) | spawn path",
+            "",
+            *rows,
+        ]
+    )
 
 
 def task_block(plate_m: float, budget: Budget) -> str:
     """What to do, and with how much."""
-    return "\n".join([
-        "=== THE TASK ===",
-        f"Build the described place on the {plate_m:g} m x {plate_m:g} m plate, as dense and as ordered as the text",
-        f"says, and save it. You have {budget.tool_calls} tool calls and {budget.wall_minutes:g} minutes; every tool",
-        "result says how much is left. You need not use it all: stop when the scene is what the text describes."])
+    return "\n".join(
+        [
+            "=== THE TASK ===",
+            f"Build the described place on the {plate_m:g} m x {plate_m:g} m plate, as dense and as ordered as the "
+            "text",
+            f"says, and save it. You have {budget.tool_calls} tool calls and {budget.wall_minutes:g} minutes; every "
+            "tool",
+            "result says how much is left. You need not use it all: stop when the scene is what the text describes.",
+        ]
+    )
 
 
-def text_prompt(description: str, ground: Sequence[Asset], assets: Sequence[Asset], plate_m: float,
-                budget: Budget) -> str:
+def text_prompt(
+    description: str, ground: Sequence[Asset], assets: Sequence[Asset], plate_m: float, budget: Budget
+) -> str:
     """A whole text-to-scene prompt; it starts with ``description``."""
     parts = [description] + ([ground_block(ground, plate_m)] if ground else [])
     return "\n\n".join([*parts, palette_block(assets), task_block(plate_m, budget)])

@@ -14,14 +14,28 @@ from typing import Any, Literal
 from c4s.errors import BadInput
 from c4s.files import digest_bytes
 
-PredicateType = Literal["scene_identity", "environment", "existence", "quantity", "attribute", "material",
-                        "spatial_relation", "distribution", "composition"]
+PredicateType = Literal[
+    "scene_identity",
+    "environment",
+    "existence",
+    "quantity",
+    "attribute",
+    "material",
+    "spatial_relation",
+    "distribution",
+    "composition",
+]
 FAMILIES: dict[str, str] = {
-    "scene_identity": "identity_environment", "environment": "identity_environment",
-    "existence": "content_quantity", "quantity": "content_quantity",
-    "attribute": "attributes_materials", "material": "attributes_materials",
-    "spatial_relation": "spatial_composition", "distribution": "spatial_composition",
-    "composition": "spatial_composition"}
+    "scene_identity": "identity_environment",
+    "environment": "identity_environment",
+    "existence": "content_quantity",
+    "quantity": "content_quantity",
+    "attribute": "attributes_materials",
+    "material": "attributes_materials",
+    "spatial_relation": "spatial_composition",
+    "distribution": "spatial_composition",
+    "composition": "spatial_composition",
+}
 """Family of each predicate type, as the published scorer assigns them."""
 COMPILER = "c4s-authored-requirements"
 COMPILER_VERSION = "1"
@@ -116,32 +130,82 @@ def bundle(case_id: str, description: str, prompt: str, spec: RequirementSpec) -
         scope = {}
         for ordinal, (role, key) in enumerate((("subject", predicate.subject), ("reference", predicate.reference))):
             if key is not None:
-                edges.append({"edge_type": "argument", "source_id": identity, "target_id": entity_ids[key],
-                              "ordinal": ordinal, "role": role})
+                edges.append(
+                    {
+                        "edge_type": "argument",
+                        "source_id": identity,
+                        "target_id": entity_ids[key],
+                        "ordinal": ordinal,
+                        "role": role,
+                    }
+                )
                 scope[entity_ids[key]] = "candidate_all"
-        edges.append({"edge_type": "requirement_member", "source_id": "requirement_scene", "target_id": identity,
-                      "role": "scored_facet", "weight_fraction": 1.0 / len(spec.predicates)})
+        edges.append(
+            {
+                "edge_type": "requirement_member",
+                "source_id": "requirement_scene",
+                "target_id": identity,
+                "role": "scored_facet",
+                "weight_fraction": 1.0 / len(spec.predicates),
+            }
+        )
         requirements.append(_requirement(identity, span, predicate.text, scope))
         evaluations.append(_evaluation(identity, span, predicate.type, scope))
-    edges += [{"edge_type": "requirement_member", "source_id": "requirement_scene", "target_id": entity_id,
-               "role": "support_only", "weight_fraction": None} for entity_id in entity_ids.values()]
-    nodes.append({"node_type": "requirement", "id": "requirement_scene", "aggregation": "weighted_sum",
-                  "text": description, "source_span": _span((0, len(description)))})
+    edges += [
+        {
+            "edge_type": "requirement_member",
+            "source_id": "requirement_scene",
+            "target_id": entity_id,
+            "role": "support_only",
+            "weight_fraction": None,
+        }
+        for entity_id in entity_ids.values()
+    ]
+    nodes.append(
+        {
+            "node_type": "requirement",
+            "id": "requirement_scene",
+            "aggregation": "weighted_sum",
+            "text": description,
+            "source_span": _span((0, len(description))),
+        }
+    )
     sha256 = digest_bytes(prompt.encode())
     return {
-        "schema_version": "1.0", "task_mode": "generation", "bundle_id": f"semantic_{case_id}_{sha256[:12]}",
-        "graph": {"schema_version": "2.0", "prompt": prompt, "nodes": nodes, "edges": edges,
-                  "roots": [{"requirement_id": "requirement_scene", "weight": 1.0}]},
-        "requirements": requirements, "evaluations": evaluations,
-        "provenance": {"prompt_sha256": sha256, "authoring_parser": "authored",
-                       "authoring_client": {"client": spec.author},
-                       "compiler_name": COMPILER, "compiler_version": COMPILER_VERSION,
-                       "semantic_prompt_view": {"kind": "prefix_before_asset_palette",
-                                                "source_span": [0, len(description)],
-                                                "excluded_suffix": [len(description), len(prompt)]}},
-        "review": {"approved": True, "human_reviewed": False, "review_method": "automated_policy",
-                   "reviewer": f"{COMPILER}:{COMPILER_VERSION}", "policy_name": "authored-and-validated",
-                   "policy_version": "1", "basis": ["every_span_equals_the_prompt", "every_reference_resolves"]}}
+        "schema_version": "1.0",
+        "task_mode": "generation",
+        "bundle_id": f"semantic_{case_id}_{sha256[:12]}",
+        "graph": {
+            "schema_version": "2.0",
+            "prompt": prompt,
+            "nodes": nodes,
+            "edges": edges,
+            "roots": [{"requirement_id": "requirement_scene", "weight": 1.0}],
+        },
+        "requirements": requirements,
+        "evaluations": evaluations,
+        "provenance": {
+            "prompt_sha256": sha256,
+            "authoring_parser": "authored",
+            "authoring_client": {"client": spec.author},
+            "compiler_name": COMPILER,
+            "compiler_version": COMPILER_VERSION,
+            "semantic_prompt_view": {
+                "kind": "prefix_before_asset_palette",
+                "source_span": [0, len(description)],
+                "excluded_suffix": [len(description), len(prompt)],
+            },
+        },
+        "review": {
+            "approved": True,
+            "human_reviewed": False,
+            "review_method": "automated_policy",
+            "reviewer": f"{COMPILER}:{COMPILER_VERSION}",
+            "policy_name": "authored-and-validated",
+            "policy_version": "1",
+            "basis": ["every_span_equals_the_prompt", "every_reference_resolves"],
+        },
+    }
 
 
 def families(spec: RequirementSpec) -> set[str]:
@@ -175,43 +239,95 @@ def _validate(case_id: str, description: str, prompt: str, spec: RequirementSpec
 
 def _entity_node(entity: Entity, identity: str, description: str) -> dict[str, Any]:
     span = span_of(description, entity.text, entity.occurrence)
-    grounding = {"object": "actor_collection" if entity.collection else "actor", "region": "derived_region",
-                 "surface": "actor_collection"}[entity.entity_type]
-    return {"node_type": "entity", "id": identity, "name": entity.key, "text": entity.text, "source_span": _span(span),
-            "aliases": list(entity.aliases), "entity_type": entity.entity_type, "grounding_mode": grounding,
-            "referent_kind": "collection" if entity.collection else "individual", "evaluation_route": "stage2_visual"}
+    grounding = {
+        "object": "actor_collection" if entity.collection else "actor",
+        "region": "derived_region",
+        "surface": "actor_collection",
+    }[entity.entity_type]
+    return {
+        "node_type": "entity",
+        "id": identity,
+        "name": entity.key,
+        "text": entity.text,
+        "source_span": _span(span),
+        "aliases": list(entity.aliases),
+        "entity_type": entity.entity_type,
+        "grounding_mode": grounding,
+        "referent_kind": "collection" if entity.collection else "individual",
+        "evaluation_route": "stage2_visual",
+    }
 
 
 def _predicate_node(predicate: Predicate, identity: str, number: int, span: tuple[int, int]) -> dict[str, Any]:
     qualifiers = []
     for kind, word in predicate.qualifiers:
         start = span[0] + predicate.text.find(word)
-        qualifiers.append({"kind": kind, "name": word, "source_text": word, "occurrence": 0,
-                           "source_span": _span((start, start + len(word)))})
+        qualifiers.append(
+            {
+                "kind": kind,
+                "name": word,
+                "source_text": word,
+                "occurrence": 0,
+                "source_span": _span((start, start + len(word))),
+            }
+        )
     quantity = predicate.quantity
     return {
-        "node_type": "predicate", "id": identity, "name": predicate.name, "text": predicate.text,
-        "source_span": _span(span), "polarity": "affirmative", "constraint": None, "predicate_type": predicate.type,
+        "node_type": "predicate",
+        "id": identity,
+        "name": predicate.name,
+        "text": predicate.text,
+        "source_span": _span(span),
+        "polarity": "affirmative",
+        "constraint": None,
+        "predicate_type": predicate.type,
         "semantic_parameters": {
-            "ir_key": f"r{number}", "stage0_ir_version": "2.0", "relation": predicate.relation, "logic": None,
+            "ir_key": f"r{number}",
+            "stage0_ir_version": "2.0",
+            "relation": predicate.relation,
+            "logic": None,
             "scope": None,
             "requirement_type": "presence" if predicate.type == "existence" else predicate.type,
-            "quantity": None if quantity is None else {
-                "mode": quantity.mode, "value": quantity.value, "lower": quantity.lower, "upper": quantity.upper,
-                "qualitative": quantity.qualitative, "unit": None},
-            "qualifiers": qualifiers}}
+            "quantity": None
+            if quantity is None
+            else {
+                "mode": quantity.mode,
+                "value": quantity.value,
+                "lower": quantity.lower,
+                "upper": quantity.upper,
+                "qualitative": quantity.qualitative,
+                "unit": None,
+            },
+            "qualifiers": qualifiers,
+        },
+    }
 
 
 def _requirement(identity: str, span: tuple[int, int], text: str, scope: dict[str, str]) -> dict[str, Any]:
-    return {"requirement_id": f"atomic_{identity}", "node_id": identity, "source_span": list(span), "source_text": text,
-            "entity_scopes": scope, "population_scope": "candidate_all", "evidence_class": "open_ended",
-            "primary_owner": "requirement_graph", "deterministic_rule_id": None, "status": "supported"}
+    return {
+        "requirement_id": f"atomic_{identity}",
+        "node_id": identity,
+        "source_span": list(span),
+        "source_text": text,
+        "entity_scopes": scope,
+        "population_scope": "candidate_all",
+        "evidence_class": "open_ended",
+        "primary_owner": "requirement_graph",
+        "deterministic_rule_id": None,
+        "status": "supported",
+    }
 
 
 def _evaluation(identity: str, span: tuple[int, int], kind: str, scope: dict[str, str]) -> dict[str, Any]:
-    return {"binding_id": f"evaluation_atomic_{identity}", "requirement_id": f"atomic_{identity}", "node_id": identity,
-            "evaluator_id": "semantic_requirements.evidence_ladder", "evaluator_version": "1.0",
-            "parameters": {"graph_node_kind": "predicate", "predicate_type": kind},
-            "required_evidence": ["candidate_scene_graph", "requirement_graph", "evaluation_binding"],
-            "entity_scopes": scope, "population_scope": "candidate_all",
-            "source_provenance": {"kind": "text_span", "source_span": list(span)}}
+    return {
+        "binding_id": f"evaluation_atomic_{identity}",
+        "requirement_id": f"atomic_{identity}",
+        "node_id": identity,
+        "evaluator_id": "semantic_requirements.evidence_ladder",
+        "evaluator_version": "1.0",
+        "parameters": {"graph_node_kind": "predicate", "predicate_type": kind},
+        "required_evidence": ["candidate_scene_graph", "requirement_graph", "evaluation_binding"],
+        "entity_scopes": scope,
+        "population_scope": "candidate_all",
+        "source_provenance": {"kind": "text_span", "source_span": list(span)},
+    }

@@ -53,12 +53,18 @@ def least_actors(truth_actors: int) -> int:
 
 def definition_digest(definition: SuiteDefinition, packs: Sequence[PackRef]) -> str:
     """SHA-256 of all that a built suite depends on."""
-    return digest({
-        "builder": BUILDER_VERSION, "suite": [definition.suite_id, definition.title, definition.description],
-        "packs": [pack.plain() for pack in packs],
-        "scenes": [[scene.scene_id, scene.environment, scene.level.plain(), list(scene.packs)]
-                   for scene in definition.scenes],
-        "cases": [_case_digest(case) for case in definition.cases]})
+    return digest(
+        {
+            "builder": BUILDER_VERSION,
+            "suite": [definition.suite_id, definition.title, definition.description],
+            "packs": [pack.plain() for pack in packs],
+            "scenes": [
+                [scene.scene_id, scene.environment, scene.level.plain(), list(scene.packs)]
+                for scene in definition.scenes
+            ],
+            "cases": [_case_digest(case) for case in definition.cases],
+        }
+    )
 
 
 def _case_digest(case: RepairCase | TextCase) -> str:
@@ -84,8 +90,11 @@ def build_suite(definition: SuiteDefinition, root: Path, packs_root: Path, progr
     packs = {pack_id: Pack.read(packs_root / pack_id / "pack.json") for pack_id in definition.packs}
     references = [PackRef(pack_id=pack_id, digest=pack.sha256()) for pack_id, pack in packs.items()]
     wanted = definition_digest(definition, references)
-    if (root / "suite.json").is_file() and (root / "build.json").is_file() \
-            and read_json(root / "build.json").get("definition") == wanted:
+    if (
+        (root / "suite.json").is_file()
+        and (root / "build.json").is_file()
+        and read_json(root / "build.json").get("definition") == wanted
+    ):
         progress(f"suite {definition.suite_id}: already built")
         return SuiteFolder(root).suite()
     root.parent.mkdir(parents=True, exist_ok=True)
@@ -105,8 +114,14 @@ def build_suite(definition: SuiteDefinition, root: Path, packs_root: Path, progr
 class _Builder:
     """Writes the cases of a suite, one scene after the other."""
 
-    def __init__(self, definition: SuiteDefinition, folder: SuiteFolder, packs: dict[str, Pack], packs_root: Path,
-                 progress: Progress) -> None:
+    def __init__(
+        self,
+        definition: SuiteDefinition,
+        folder: SuiteFolder,
+        packs: dict[str, Pack],
+        packs_root: Path,
+        progress: Progress,
+    ) -> None:
         self.definition, self.folder, self.packs = definition, folder, packs
         self.packs_root, self.progress = packs_root, progress
 
@@ -118,7 +133,8 @@ class _Builder:
         assets = {asset.path: asset for pack_id in scene.packs for asset in self._pack(pack_id).assets}
         check_scene(scene, set(assets))
         truth = with_identities(scene.level, scene.scene_id).model_copy(
-            update={"package": truth_package(scene.scene_id)})
+            update={"package": truth_package(scene.scene_id)}
+        )
         repairs = [case for case in cases if isinstance(case, RepairCase)]
         corrupted = {case.case_id: apply(truth, case.operations, input_package(case.case_id)) for case in repairs}
         for repair in repairs:
@@ -142,46 +158,82 @@ class _Builder:
     def _refs(self, scene: Scene) -> list[PackRef]:
         return [PackRef(pack_id=pack_id, digest=self._pack(pack_id).sha256()) for pack_id in scene.packs]
 
-    def _repair(self, case: RepairCase, scene: Scene, truth: Level, corrupted: Level, assets: dict[str, Asset],
-                exported: exports.Exported) -> None:
+    def _repair(
+        self,
+        case: RepairCase,
+        scene: Scene,
+        truth: Level,
+        corrupted: Level,
+        assets: dict[str, Asset],
+        exported: exports.Exported,
+    ) -> None:
         agent, withheld = self.folder.agent(case.case_id), self.folder.withheld(case.case_id)
         budget = case.budget or (INDOOR_BUDGET if scene.environment == "indoor" else OUTDOOR_BUDGET)
         names = []
-        for view, picture, start in zip(case.views, exported.views[case.case_id], exported.start_views[case.case_id],
-                                        strict=True):
+        for view, picture, start in zip(
+            case.views, exported.views[case.case_id], exported.start_views[case.case_id], strict=True
+        ):
             names.append(f"references/{view.name}.png")
             _copy(picture, agent / names[-1])
             _copy(picture, withheld / f"views/truth/{view.name}.png")
             _copy(start, withheld / f"views/start/{view.name}.png")
-        AgentCase(case_id=case.case_id, setting=case.setting, title=case.title, start_map=corrupted.package,
-                  prompt=case.prompt or repair_prompt(scene.environment, len(names)), budget=budget,
-                  packs=self._refs(scene), catalog=[spawn_path(asset) for asset in assets.values()],
-                  reference_views=names).write(agent / "case.json")
+        AgentCase(
+            case_id=case.case_id,
+            setting=case.setting,
+            title=case.title,
+            start_map=corrupted.package,
+            prompt=case.prompt or repair_prompt(scene.environment, len(names)),
+            budget=budget,
+            packs=self._refs(scene),
+            catalog=[spawn_path(asset) for asset in assets.values()],
+            reference_views=names,
+        ).write(agent / "case.json")
         corrupted.write(agent / "start.level.json")
-        WithheldCase(case_id=case.case_id, scene_id=case.scene_id, minimum_actors=least_actors(len(truth.actors)),
-                     operations=case.kinds, operation_group=case.group,
-                     difficulty=case.difficulty).write(withheld / "case.json")
+        WithheldCase(
+            case_id=case.case_id,
+            scene_id=case.scene_id,
+            minimum_actors=least_actors(len(truth.actors)),
+            operations=case.kinds,
+            operation_group=case.group,
+            difficulty=case.difficulty,
+        ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")
         _copy(exported.inputs[case.case_id], withheld / "input.snapshot.json")
-        Recipe(case_id=case.case_id, setting=case.setting, scene_id=case.scene_id, source_map=truth.package,
-               ground_truth_map=truth.package, input_map=corrupted.package,
-               operations=case.operations).write(withheld / "recipe.json")
+        Recipe(
+            case_id=case.case_id,
+            setting=case.setting,
+            scene_id=case.scene_id,
+            source_map=truth.package,
+            ground_truth_map=truth.package,
+            input_map=corrupted.package,
+            operations=case.operations,
+        ).write(withheld / "recipe.json")
         write_json(withheld / "cameras.json", cameras_record(case))
 
-    def _text(self, case: TextCase, scene: Scene, truth: Level, assets: dict[str, Asset],
-              exported: exports.Exported) -> None:
+    def _text(
+        self, case: TextCase, scene: Scene, truth: Level, assets: dict[str, Asset], exported: exports.Exported
+    ) -> None:
         agent, withheld = self.folder.agent(case.case_id), self.folder.withheld(case.case_id)
         palette = [_known(assets, path, case.case_id) for path in case.palette] or list(assets.values())
         ground = [_known(assets, path, case.case_id) for path in case.ground]
         prompt = text_prompt(case.description, ground, palette, case.plate_m, case.budget)
         requirements: dict[str, Any] = bundle(case.case_id, case.description, prompt, case.requirements)
-        AgentCase(case_id=case.case_id, setting=case.setting, title=case.title, prompt=prompt + "\n",
-                  start_map=BLANK_STAGE, budget=case.budget, packs=self._refs(scene),
-                  catalog=[spawn_path(asset) for asset in palette], plate_m=case.plate_m).write(agent / "case.json")
+        AgentCase(
+            case_id=case.case_id,
+            setting=case.setting,
+            title=case.title,
+            prompt=prompt + "\n",
+            start_map=BLANK_STAGE,
+            budget=case.budget,
+            packs=self._refs(scene),
+            catalog=[spawn_path(asset) for asset in palette],
+            plate_m=case.plate_m,
+        ).write(agent / "case.json")
         Level(package=BLANK_STAGE).write(agent / "start.level.json")
-        WithheldCase(case_id=case.case_id, scene_id=case.scene_id, minimum_actors=case.minimum_actors,
-                     difficulty=case.difficulty).write(withheld / "case.json")
+        WithheldCase(
+            case_id=case.case_id, scene_id=case.scene_id, minimum_actors=case.minimum_actors, difficulty=case.difficulty
+        ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")
         write_json(withheld / "requirements.bundle.json", requirements)

@@ -39,9 +39,13 @@ def glb(mesh: Mesh, slots: list[str], colors: dict[str, tuple[float, float, floa
         if mesh.colors is not None:
             rgb = np.concatenate([mesh.colors[used], np.ones((len(used), 1))], axis=1)
             visual.vertex_attributes["color"] = np.round(rgb * 255).astype(np.uint8)
-        part = trimesh.Trimesh(mesh.vertices[used][:, swap].astype(np.float64) / 100,
-                               corners.reshape(-1, 3)[:, ::-1], vertex_normals=mesh.normals[used][:, swap],
-                               visual=visual, process=False)
+        part = trimesh.Trimesh(
+            mesh.vertices[used][:, swap].astype(np.float64) / 100,
+            corners.reshape(-1, 3)[:, ::-1],
+            vertex_normals=mesh.normals[used][:, swap],
+            visual=visual,
+            process=False,
+        )
         scene.add_geometry(part, node_name=f"part_{index:02d}", geom_name=f"part_{index:02d}")
     return bytes(trimesh.exchange.gltf.export_glb(scene, include_normals=True))
 
@@ -71,8 +75,15 @@ class _Writer:
             data = png(spec.texture())
             texture = f"textures/T_{spec.name}_{digest_bytes(data)[:12]}.png"
             write_bytes(self.folder / texture, data)
-        return Material(path=self.path("Materials", f"M_{spec.name}"), base_color=spec.color, roughness=spec.roughness,
-                        metallic=spec.metallic, emissive=spec.emissive, opacity=spec.opacity, texture=texture)
+        return Material(
+            path=self.path("Materials", f"M_{spec.name}"),
+            base_color=spec.color,
+            roughness=spec.roughness,
+            metallic=spec.metallic,
+            emissive=spec.emissive,
+            opacity=spec.opacity,
+            texture=texture,
+        )
 
     def asset(self, spec: AssetSpec) -> Asset:
         builder = Builder()
@@ -81,16 +92,30 @@ class _Writer:
         unknown = [name for name in shape.materials if name not in self.materials]
         if unknown:
             raise BadInput(f"the pack has no material {unknown[0]!r}", where=spec.name)
-        data = glb(_tiled(shape, self.materials), shape.materials,
-                   {name: self.materials[name].color for name in shape.materials})
+        data = glb(
+            _tiled(shape, self.materials),
+            shape.materials,
+            {name: self.materials[name].color for name in shape.materials},
+        )
         identity = asset_id(spec.name)
         write_bytes(self.folder / f"meshes/{identity}.glb", data)
         low, high = shape.mesh.bounds_cm
         slots = [MaterialSlot(name=name, material=self.path("Materials", f"M_{name}")) for name in shape.materials]
-        asset = Asset(id=identity, name=readable(spec.name), path=self.path(spec.category.title(), f"SM_{spec.name}"),
-                      category=spec.category, description=spec.description, tags=list(spec.tags), bounds_min_cm=low,
-                      bounds_max_cm=high, mesh=f"meshes/{identity}.glb", mesh_sha256=digest_bytes(data), slots=slots,
-                      collision=shape.collision, collision_source="authored" if shape.collision else "none")
+        asset = Asset(
+            id=identity,
+            name=readable(spec.name),
+            path=self.path(spec.category.title(), f"SM_{spec.name}"),
+            category=spec.category,
+            description=spec.description,
+            tags=list(spec.tags),
+            bounds_min_cm=low,
+            bounds_max_cm=high,
+            mesh=f"meshes/{identity}.glb",
+            mesh_sha256=digest_bytes(data),
+            slots=slots,
+            collision=shape.collision,
+            collision_source="authored" if shape.collision else "none",
+        )
         self.built[spec.name] = asset
         return asset
 
@@ -102,14 +127,24 @@ class _Writer:
             asset = self.built[part.asset]
             place = Transform(location_cm=part.location_cm, rotation_deg=(0.0, part.yaw_deg, 0.0), scale=part.scale)
             parts.append(BlueprintPart(name=f"{part.asset}{number}", asset=asset.path, relative=place))
-            origin, extent = transformed_box(affine(place.location_cm, place.rotation_deg, place.scale),
-                                             asset.bounds_min_cm, asset.bounds_max_cm)
+            origin, extent = transformed_box(
+                affine(place.location_cm, place.rotation_deg, place.scale), asset.bounds_min_cm, asset.bounds_max_cm
+            )
             lows.append(origin - extent)
             highs.append(origin + extent)
         low, high = np.min(lows, axis=0).round(3).tolist(), np.max(highs, axis=0).round(3).tolist()
-        return Asset(id=f"{asset_id(spec.name)}_bp", name=f"{readable(spec.name)} BP", kind="blueprint",
-                     path=self.path("Blueprints", f"BP_{spec.name}"), category=spec.category, tags=list(spec.tags),
-                     description=spec.description, bounds_min_cm=tuple(low), bounds_max_cm=tuple(high), parts=parts)
+        return Asset(
+            id=f"{asset_id(spec.name)}_bp",
+            name=f"{readable(spec.name)} BP",
+            kind="blueprint",
+            path=self.path("Blueprints", f"BP_{spec.name}"),
+            category=spec.category,
+            tags=list(spec.tags),
+            description=spec.description,
+            bounds_min_cm=tuple(low),
+            bounds_max_cm=tuple(high),
+            parts=parts,
+        )
 
 
 def build_pack(spec: PackSpec, root: Path) -> Pack:
@@ -122,9 +157,16 @@ def build_pack(spec: PackSpec, root: Path) -> Pack:
     missing = sorted(categories - set(spec.category_descriptions))
     if missing:
         raise BadInput(f"category {missing[0]!r} has no description", where=spec.pack_id)
-    pack = Pack(pack_id=spec.pack_id, content_folder=spec.content_folder, title=spec.title, license=spec.license,
-                description=spec.description, assets=assets, materials=materials,
-                category_descriptions=spec.category_descriptions)
+    pack = Pack(
+        pack_id=spec.pack_id,
+        content_folder=spec.content_folder,
+        title=spec.title,
+        license=spec.license,
+        description=spec.description,
+        assets=assets,
+        materials=materials,
+        category_descriptions=spec.category_descriptions,
+    )
     pack.write(writer.folder / "pack.json")
     return write_previews(writer.folder)
 

@@ -57,10 +57,18 @@ class Surfaces:
             return None if file is None else np.asarray(Image.open(file).convert(mode), dtype=np.uint8)
 
         return SurfaceMaterial(
-            material.base_color, material.roughness, material.metallic, material.emissive, material.opacity,
-            picture(material.texture, "RGB" if material.alpha == "opaque" else "RGBA"), material.alpha,
-            material.alpha_cutoff, picture(material.normal_texture), picture(material.roughness_metal_texture),
-            picture(material.emissive_texture))
+            material.base_color,
+            material.roughness,
+            material.metallic,
+            material.emissive,
+            material.opacity,
+            picture(material.texture, "RGB" if material.alpha == "opaque" else "RGBA"),
+            material.alpha,
+            material.alpha_cutoff,
+            picture(material.normal_texture),
+            picture(material.roughness_metal_texture),
+            picture(material.emissive_texture),
+        )
 
 
 def _pieces(store: PackStore, asset: Asset) -> list[tuple[Asset, NDArray[np.float64]]]:
@@ -119,9 +127,18 @@ def _painter() -> str:
 
 def _key(store: PackStore, asset: Asset) -> str:
     """Digest of what an asset's preview is made of; textures carry their digest in their name."""
-    pieces = [(piece.mesh_sha256, piece.mesh_scale, matrix.round(6).tolist(), [
-        None if material is None else material.plain() for material in (
-            store.material(slot.material) for slot in piece.slots)]) for piece, matrix in _pieces(store, asset)]
+    pieces = [
+        (
+            piece.mesh_sha256,
+            piece.mesh_scale,
+            matrix.round(6).tolist(),
+            [
+                None if material is None else material.plain()
+                for material in (store.material(slot.material) for slot in piece.slots)
+            ],
+        )
+        for piece, matrix in _pieces(store, asset)
+    ]
     return digest([_painter(), asset.bounds_min_cm, asset.bounds_max_cm, pieces])
 
 

@@ -34,17 +34,26 @@ def _submit(trial: Trial, plan: Plan, warehouse: Path) -> list[PrefectFuture[Any
     ran_2 = attempt.submit(trial, 2, valid_1)
     valid = integrity.submit(trial, plan, 2, ran_2, valid_1)
     if trial.case.setting == "text-to-scene":
-        verdicts = [physics.submit(trial, plan, valid),
-                    *(semantic.submit(trial, plan, valid, name) for name in ("detailed", "overview"))]
+        verdicts = [
+            physics.submit(trial, plan, valid),
+            *(semantic.submit(trial, plan, valid, name) for name in ("detailed", "overview")),
+        ]
     else:
         verdicts = [physics.submit(trial, plan, valid), repair.submit(trial, plan, valid)]
     return [ran_1, valid_1, ran_2, valid, *verdicts, persist.submit(trial, plan, warehouse, wait_for=verdicts)]
 
 
 @flow(name="evaluate", task_runner=ThreadPoolTaskRunner(max_workers=WAITING_THREADS), validate_parameters=False)
-def evaluate(suite: str = "starter", agents: list[str] | None = None, run_id: str | None = None,
-             cases: list[str] | None = None, repeats: int = 1, judge: str = "rule", engine: str = "headless",
-             slots: int | None = None) -> str:
+def evaluate(
+    suite: str = "starter",
+    agents: list[str] | None = None,
+    run_id: str | None = None,
+    cases: list[str] | None = None,
+    repeats: int = 1,
+    judge: str = "rule",
+    engine: str = "headless",
+    slots: int | None = None,
+) -> str:
     """Run, verify, store and publish a suite. Returns the address of the leaderboard page.
 
     Run it again with the same arguments to complete a run that was stopped; finished trials are skipped.
@@ -62,8 +71,19 @@ def evaluate(suite: str = "starter", agents: list[str] | None = None, run_id: st
     folder = suites_root() / suite
     run = runs_root() / (run_id or suite)
     chosen = [configuration(name) for name in agents or ("noop", "random", "planner", "vandal", "oracle")]
-    plan = open_run(run, make_plan(SuiteFolder(folder), chosen, run_id=run.name, policy=DEFAULT_POLICY,
-                                   judge=judge, engine=engine, repeats=repeats, cases=cases or ()))
+    plan = open_run(
+        run,
+        make_plan(
+            SuiteFolder(folder),
+            chosen,
+            run_id=run.name,
+            policy=DEFAULT_POLICY,
+            judge=judge,
+            engine=engine,
+            repeats=repeats,
+            cases=cases or (),
+        ),
+    )
     warehouse = warehouse_root()
     ingest_schedule(run, folder, plan, warehouse)
     missing = [trial for trial in trials(run, folder, plan) if not is_stored(trial, plan, warehouse)]
@@ -76,8 +96,10 @@ def evaluate(suite: str = "starter", agents: list[str] | None = None, run_id: st
     page = publish(warehouse, site_root())
     if failed:
         first, reason = failed[0]
-        raise MachineryFault(f"{len(failed)} of {len(missing)} trials are pending; first {first.name}: {reason}",
-                             todo="run the same command again")
+        raise MachineryFault(
+            f"{len(failed)} of {len(missing)} trials are pending; first {first.name}: {reason}",
+            todo="run the same command again",
+        )
     return page.as_uri()
 
 

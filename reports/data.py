@@ -38,8 +38,15 @@ def boards(warehouse: Path) -> list[Board]:
     for row in rows(warehouse, "SELECT * FROM case_scores ORDER BY setting, case_id, repeat"):
         trials[tuple(row[name] for name in FIELD)].append(row)
     zeros = rows(warehouse, "SELECT * FROM zero_reasons")
-    return [Board(*field, standings=found, cases=_by_case(trials[field]),
-                  zeros=[row for row in zeros if row["suite"] == field[0]]) for field, found in standings.items()]
+    return [
+        Board(
+            *field,
+            standings=found,
+            cases=_by_case(trials[field]),
+            zeros=[row for row in zeros if row["suite"] == field[0]],
+        )
+        for field, found in standings.items()
+    ]
 
 
 def _by_case(trials: list[Row]) -> list[Row]:
@@ -52,15 +59,19 @@ def _by_case(trials: list[Row]) -> list[Row]:
 
 def prompt(warehouse: Path, suite: str, case_id: str) -> str:
     """A case's prompt."""
-    found = rows(warehouse, f"SELECT prompt FROM schedule WHERE suite = {_text(suite)} AND case_id = {_text(case_id)}"
-                            " LIMIT 1")
+    found = rows(
+        warehouse, f"SELECT prompt FROM schedule WHERE suite = {_text(suite)} AND case_id = {_text(case_id)} LIMIT 1"
+    )
     return str(found[0]["prompt"])
 
 
 def pictures(warehouse: Path, suite: str) -> list[Row]:
     """Every picture of a suite."""
-    return rows(warehouse, "SELECT case_id, configuration, repeat, role, view, width, height, jpeg FROM pictures "
-                           f"WHERE suite = {_text(suite)} ORDER BY case_id, role, configuration, repeat, view")
+    return rows(
+        warehouse,
+        "SELECT case_id, configuration, repeat, role, view, width, height, jpeg FROM pictures "
+        f"WHERE suite = {_text(suite)} ORDER BY case_id, role, configuration, repeat, view",
+    )
 
 
 def findings(warehouse: Path, suite: str) -> dict[tuple[str, str, int], list[Row]]:
@@ -77,7 +88,8 @@ def verdicts(warehouse: Path, suite: str) -> dict[tuple[str, str, int], list[Row
     found: dict[tuple[str, str, int], list[Row]] = defaultdict(list)
     for row in rows(warehouse, f"SELECT * FROM verdicts WHERE suite = {_text(suite)} ORDER BY verifier"):
         found[(row["case_id"], row["configuration"], row["repeat"])].append(
-            {**row, "document": json.loads(row["document"])})
+            {**row, "document": json.loads(row["document"])}
+        )
     return found
 
 

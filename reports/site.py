@@ -13,14 +13,22 @@ from reports import data
 from reports.text import number, percent, slug
 
 HERE = Path(__file__).parent
-SETTING_NAMES = {"text-to-scene": "Text to scene", "image-to-scene/indoor": "Image to scene, indoor",
-                 "image-to-scene/outdoor": "Image to scene, outdoor"}
+SETTING_NAMES = {
+    "text-to-scene": "Text to scene",
+    "image-to-scene/indoor": "Image to scene, indoor",
+    "image-to-scene/outdoor": "Image to scene, outdoor",
+}
 FINDINGS_SHOWN = 60
 
 
 def _environment() -> Environment:
-    environment = Environment(loader=PackageLoader("reports"), autoescape=True, undefined=StrictUndefined,
-                              trim_blocks=True, lstrip_blocks=True)
+    environment = Environment(
+        loader=PackageLoader("reports"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
     environment.filters.update(number=number, percent=percent, slug=slug)
     environment.globals["setting_names"] = SETTING_NAMES
     return environment
@@ -52,22 +60,46 @@ def _suite_pages(environment: Environment, warehouse: Path, site: Path, suite: s
     findings, verdicts = data.findings(warehouse, suite), data.verdicts(warehouse, suite)
     for board in boards:
         for case in board.cases:
-            shown = [{"configuration": name, "trial": trial,
-                      "pictures": pictures.get((case["case_id"], name, trial["repeat"], "submission"), []),
-                      "findings": findings.get((case["case_id"], name, trial["repeat"]), []),
-                      "verdicts": verdicts.get((case["case_id"], name, trial["repeat"]), [])}
-                     for name, trials in case["scores"].items() for trial in trials]
-            _page(environment, "case.html.j2", site / "cases" / f"{slug(suite)}--{slug(case['case_id'])}.html",
-                  root="../", board=board, case=case, shown=shown, limit=FINDINGS_SHOWN,
-                  prompt=data.prompt(warehouse, suite, case["case_id"]),
-                  start=pictures.get((case["case_id"], "_case", 0, "start"), []),
-                  truth=pictures.get((case["case_id"], "_case", 0, "truth"), []))
+            shown = [
+                {
+                    "configuration": name,
+                    "trial": trial,
+                    "pictures": pictures.get((case["case_id"], name, trial["repeat"], "submission"), []),
+                    "findings": findings.get((case["case_id"], name, trial["repeat"]), []),
+                    "verdicts": verdicts.get((case["case_id"], name, trial["repeat"]), []),
+                }
+                for name, trials in case["scores"].items()
+                for trial in trials
+            ]
+            _page(
+                environment,
+                "case.html.j2",
+                site / "cases" / f"{slug(suite)}--{slug(case['case_id'])}.html",
+                root="../",
+                board=board,
+                case=case,
+                shown=shown,
+                limit=FINDINGS_SHOWN,
+                prompt=data.prompt(warehouse, suite, case["case_id"]),
+                start=pictures.get((case["case_id"], "_case", 0, "start"), []),
+                truth=pictures.get((case["case_id"], "_case", 0, "truth"), []),
+            )
         for standing in board.standings:
             name = standing["configuration"]
-            trials = [(case, trial, (pictures.get((case["case_id"], name, trial["repeat"], "submission")) or [None])[0])
-                      for case in board.cases for trial in case["scores"].get(name, [])]
-            _page(environment, "agent.html.j2", site / "agents" / f"{slug(suite)}--{slug(name)}.html", root="../",
-                  board=board, standing=standing, trials=trials)
+            trials = [
+                (case, trial, (pictures.get((case["case_id"], name, trial["repeat"], "submission")) or [None])[0])
+                for case in board.cases
+                for trial in case["scores"].get(name, [])
+            ]
+            _page(
+                environment,
+                "agent.html.j2",
+                site / "agents" / f"{slug(suite)}--{slug(name)}.html",
+                root="../",
+                board=board,
+                standing=standing,
+                trials=trials,
+            )
 
 
 def _save_pictures(warehouse: Path, site: Path, suite: str) -> dict[tuple[str, str, int, str], list[dict[str, Any]]]:
@@ -78,7 +110,8 @@ def _save_pictures(warehouse: Path, site: Path, suite: str) -> dict[tuple[str, s
         if not (site / name).is_file():
             write_bytes(site / name, row["jpeg"])
         saved.setdefault((row["case_id"], row["configuration"], row["repeat"], row["role"]), []).append(
-            {"file": name, "view": row["view"], "width": row["width"], "height": row["height"]})
+            {"file": name, "view": row["view"], "width": row["width"], "height": row["height"]}
+        )
     return saved
 
 

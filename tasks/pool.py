@@ -76,7 +76,8 @@ def in_slot(stage: Callable[Concatenate[Trial, P], R], trial: Trial, *args: P.ar
         try:
             result, spent = _slots.pool.submit(_timed, stage, (trial, *args)).result()
         except BrokenProcessPool as error:
-            raise MachineryFault("a worker process died", where=trial.name,
-                                 todo="run the same command again") from error
+            raise MachineryFault(
+                "a worker process died", where=trial.name, todo="run the same command again"
+            ) from error
         record_time(trial, "orchestration", time.perf_counter() - started - spent)
     return result

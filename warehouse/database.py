@@ -26,8 +26,9 @@ def questions() -> list[str]:
 
 def _table_view(root: Path, table: str) -> str:
     """A view over a table's parts; an empty relation of the right columns where none was written yet."""
-    columns = ", ".join(f'CAST("{field.name}" AS {_TYPES[str(field.type)]}) AS "{field.name}"'
-                        for field in arrow_schema(table))
+    columns = ", ".join(
+        f'CAST("{field.name}" AS {_TYPES[str(field.type)]}) AS "{field.name}"' for field in arrow_schema(table)
+    )
     if any((root / table).glob("suite=*/configuration=*/*.parquet")):
         pattern = str(root / table / "*" / "*" / "*.parquet").replace("'", "''")
         source = f"read_parquet('{pattern}', hive_partitioning = true, hive_types_autocast = false)"

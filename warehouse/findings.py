@@ -53,11 +53,18 @@ def _physics(measurements: Mapping[str, Any]) -> Iterator[Finding]:
             yield Finding(actor, FLOATING, "no support within 5 cm")
         for row in leaf.get("violations", []):
             deepest = max(row["contacts"], key=lambda contact: contact["depth_cm"])
-            yield Finding(row["actor"], PENETRATING, f"{deepest['depth_cm']:.1f} cm into {deepest['actor']}, "
-                          f"tolerance {row['tolerance_cm']:.1f} cm, {len(row['contacts'])} contacts")
+            yield Finding(
+                row["actor"],
+                PENETRATING,
+                f"{deepest['depth_cm']:.1f} cm into {deepest['actor']}, "
+                f"tolerance {row['tolerance_cm']:.1f} cm, {len(row['contacts'])} contacts",
+            )
 
 
 def _detailed(measurements: Mapping[str, Any]) -> Iterator[Finding]:
     for row in measurements.get("decisions", []):
-        yield Finding(str(row.get("text", "")), str(row.get("evaluation_status", row.get("status", ""))),
-                      str(row.get("reason", "")))
+        yield Finding(
+            str(row.get("text", "")),
+            str(row.get("evaluation_status", row.get("status", ""))),
+            str(row.get("reason", "")),
+        )

@@ -21,8 +21,9 @@ def frame(root: Path, sql: str) -> pd.DataFrame:
 def export(root: Path, sql: str, out: Path) -> int:
     """Write the rows of a query to a ``.csv`` or ``.parquet`` file and count them. Another ending is ``BadInput``."""
     if out.suffix not in WRITERS:
-        raise BadInput(f"cannot write {out.suffix or 'a file without ending'}", where=str(out),
-                       todo=f"one of {', '.join(WRITERS)}")
+        raise BadInput(
+            f"cannot write {out.suffix or 'a file without ending'}", where=str(out), todo=f"one of {', '.join(WRITERS)}"
+        )
     found = frame(root, sql)
     getattr(found, WRITERS[out.suffix])(out, index=False)
     return len(found)

@@ -42,29 +42,61 @@ def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None
         for trial in trials(run, suite, plan.model_copy(update={"cases": [case]})):
             chosen = trial.configuration
             row = ScheduleRow(
-                trial_id=trial_id(plan, trial), run_id=plan.run_id, suite=plan.suite_id,
-                suite_digest=plan.suite_digest, configuration=chosen.name, client=chosen.client, model=chosen.model,
-                case_id=case.case_id, title=agent.title, prompt=agent.prompt, setting=case.setting,
-                scene_id=case.scene_id, repeat=trial.repeat, operations=" ".join(withheld.operations),
-                operation_group=withheld.operation_group, difficulty=withheld.difficulty,
-                proxy_assets=withheld.proxy_assets, policy=plan.policy, judge=plan.judge, engine=plan.engine,
-                ranked=is_ranked(chosen))
+                trial_id=trial_id(plan, trial),
+                run_id=plan.run_id,
+                suite=plan.suite_id,
+                suite_digest=plan.suite_digest,
+                configuration=chosen.name,
+                client=chosen.client,
+                model=chosen.model,
+                case_id=case.case_id,
+                title=agent.title,
+                prompt=agent.prompt,
+                setting=case.setting,
+                scene_id=case.scene_id,
+                repeat=trial.repeat,
+                operations=" ".join(withheld.operations),
+                operation_group=withheld.operation_group,
+                difficulty=withheld.difficulty,
+                proxy_assets=withheld.proxy_assets,
+                policy=plan.policy,
+                judge=plan.judge,
+                engine=plan.engine,
+                ranked=is_ranked(chosen),
+            )
             if not part_path(warehouse, "schedule", plan.suite_id, chosen.name, row.trial_id).is_file():
-                write_part(warehouse, "schedule", [row], suite=plan.suite_id, configuration=chosen.name,
-                           key=row.trial_id)
+                write_part(
+                    warehouse, "schedule", [row], suite=plan.suite_id, configuration=chosen.name, key=row.trial_id
+                )
         key = f"{case.case_id}-{case.withheld_digest[:12]}"
         if not part_path(warehouse, "pictures", plan.suite_id, CASE_PARTITION, key).is_file():
-            write_part(warehouse, "pictures", list(_case_pictures(folder, plan, case.case_id)), suite=plan.suite_id,
-                       configuration=CASE_PARTITION, key=key)
+            write_part(
+                warehouse,
+                "pictures",
+                list(_case_pictures(folder, plan, case.case_id)),
+                suite=plan.suite_id,
+                configuration=CASE_PARTITION,
+                key=key,
+            )
 
 
 def _case_pictures(folder: SuiteFolder, plan: Plan, case_id: str) -> Iterator[PictureRow]:
     for role in ("start", "truth"):
         for path in sorted((folder.withheld(case_id) / "views" / role).glob("*.png")):
             width, height, jpeg = _jpeg(path)
-            yield PictureRow(trial_id="", run_id=plan.run_id, suite=plan.suite_id, configuration=CASE_PARTITION,
-                             case_id=case_id, repeat=0, role=role, view=path.stem, width=width, height=height,
-                             jpeg=jpeg)
+            yield PictureRow(
+                trial_id="",
+                run_id=plan.run_id,
+                suite=plan.suite_id,
+                configuration=CASE_PARTITION,
+                case_id=case_id,
+                repeat=0,
+                role=role,
+                view=path.stem,
+                width=width,
+                height=height,
+                jpeg=jpeg,
+            )
 
 
 def _jpeg(path: Path) -> tuple[int, int, bytes]:
@@ -80,31 +112,42 @@ def _jpeg(path: Path) -> tuple[int, int, bytes]:
 
 def is_stored(trial: Trial, plan: Plan, warehouse: Path) -> bool:
     """Whether the trial's outcome row is there."""
-    return part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name,
-                     trial_id(plan, trial)).is_file()
+    return part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial)).is_file()
 
 
 def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
     """Write all rows of a scored trial; the outcome row comes last, so that it stands for the whole."""
     key = _key(trial, plan)
-    place: dict[str, str] = {"suite": plan.suite_id, "configuration": trial.configuration.name,
-                             "key": key["trial_id"]}
+    place: dict[str, str] = {"suite": plan.suite_id, "configuration": trial.configuration.name, "key": key["trial_id"]}
     verdicts = {path.stem: path for path in sorted((trial.folder.root / "verdicts").glob("*.json"))}
     attempts = list(_attempts(trial, key))
     write_part(warehouse, "attempts", [row for row, _ in attempts], **place)
     write_part(warehouse, "tool_use", _tool_use(attempts, key), **place)
     write_part(warehouse, "python_submissions", _submissions(attempts, key), **place)
     write_part(warehouse, "verdicts", [_verdict_row(path, key) for path in verdicts.values()], **place)
-    write_part(warehouse, "findings", [
-        FindingRow(**key, verifier=name, subject=found.subject, outcome=found.outcome, detail=found.detail)
-        for name, path in verdicts.items() for found in findings(Verdict.read(path))], **place)
+    write_part(
+        warehouse,
+        "findings",
+        [
+            FindingRow(**key, verifier=name, subject=found.subject, outcome=found.outcome, detail=found.detail)
+            for name, path in verdicts.items()
+            for found in findings(Verdict.read(path))
+        ],
+        **place,
+    )
     write_part(warehouse, "pictures", list(_submission_pictures(trial, key)), **place)
     write_part(warehouse, "outcomes", [_outcome(trial, plan, key)], **place)
 
 
 def _key(trial: Trial, plan: Plan) -> dict[str, Any]:
-    return {"trial_id": trial_id(plan, trial), "run_id": plan.run_id, "suite": plan.suite_id,
-            "configuration": trial.configuration.name, "case_id": trial.case.case_id, "repeat": trial.repeat}
+    return {
+        "trial_id": trial_id(plan, trial),
+        "run_id": plan.run_id,
+        "suite": plan.suite_id,
+        "configuration": trial.configuration.name,
+        "case_id": trial.case.case_id,
+        "repeat": trial.repeat,
+    }
 
 
 def _attempts(trial: Trial, key: dict[str, Any]) -> Iterator[tuple[AttemptRow, Analysis]]:
@@ -113,32 +156,67 @@ def _attempts(trial: Trial, key: dict[str, Any]) -> Iterator[tuple[AttemptRow, A
     for path in sorted(trial.folder.root.glob("attempt-*/outcome.json")):
         outcome, did = AttemptOutcome.read(path), analyse(path.parent / "trajectory.jsonl")
         gate = path.parent / "integrity.json"
-        yield AttemptRow(**key, attempt=outcome.attempt, ended_by=outcome.ended_by,
-                         retained=outcome.attempt == retained, submission=outcome.submission,
-                         valid=Verdict.read(gate).status == "valid" if gate.is_file() else None,
-                         tool_calls=outcome.tool_calls, polling_calls=did.polling, python_calls=did.python,
-                         failed_calls=did.failed, named_transform_calls=did.named_transform_calls,
-                         wall_s=outcome.wall_s, input_tokens=outcome.input_tokens,
-                         output_tokens=outcome.output_tokens, cost_usd=outcome.cost_usd, message=outcome.message), did
+        yield (
+            AttemptRow(
+                **key,
+                attempt=outcome.attempt,
+                ended_by=outcome.ended_by,
+                retained=outcome.attempt == retained,
+                submission=outcome.submission,
+                valid=Verdict.read(gate).status == "valid" if gate.is_file() else None,
+                tool_calls=outcome.tool_calls,
+                polling_calls=did.polling,
+                python_calls=did.python,
+                failed_calls=did.failed,
+                named_transform_calls=did.named_transform_calls,
+                wall_s=outcome.wall_s,
+                input_tokens=outcome.input_tokens,
+                output_tokens=outcome.output_tokens,
+                cost_usd=outcome.cost_usd,
+                message=outcome.message,
+            ),
+            did,
+        )
 
 
 def _tool_use(attempts: list[tuple[AttemptRow, Analysis]], key: dict[str, Any]) -> list[ToolUseRow]:
-    return [ToolUseRow(**key, attempt=row.attempt, retained=row.retained, tool=tool, calls=calls)
-            for row, did in attempts for tool, calls in did.by_tool.items()]
+    return [
+        ToolUseRow(**key, attempt=row.attempt, retained=row.retained, tool=tool, calls=calls)
+        for row, did in attempts
+        for tool, calls in did.by_tool.items()
+    ]
 
 
 def _submissions(attempts: list[tuple[AttemptRow, Analysis]], key: dict[str, Any]) -> list[SubmissionRow]:
-    return [SubmissionRow(**key, attempt=row.attempt, retained=row.retained, call=one.call, parseable=one.parseable,
-                          families=" ".join(one.families), feedback=one.feedback, failed=one.failed,
-                          errors=" ".join(one.errors))
-            for row, did in attempts for one in did.submissions]
+    return [
+        SubmissionRow(
+            **key,
+            attempt=row.attempt,
+            retained=row.retained,
+            call=one.call,
+            parseable=one.parseable,
+            families=" ".join(one.families),
+            feedback=one.feedback,
+            failed=one.failed,
+            errors=" ".join(one.errors),
+        )
+        for row, did in attempts
+        for one in did.submissions
+    ]
 
 
 def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:
     verdict = Verdict.read(path)
-    return VerdictRow(**key, verifier=verdict.verifier, status=verdict.status, score=verdict.score,
-                      reason=verdict.reason, policy=verdict.policy, document=canonical_json(verdict.plain()),
-                      verdict_sha256=digest_file(path))
+    return VerdictRow(
+        **key,
+        verifier=verdict.verifier,
+        status=verdict.status,
+        score=verdict.score,
+        reason=verdict.reason,
+        policy=verdict.policy,
+        document=canonical_json(verdict.plain()),
+        verdict_sha256=digest_file(path),
+    )
 
 
 def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureRow]:
@@ -151,24 +229,45 @@ def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureR
 
 def _outcome(trial: Trial, plan: Plan, key: dict[str, Any]) -> OutcomeRow:
     score = TrialScore.read(trial.folder.score)
-    attempts = {outcome.attempt: outcome for outcome in
-                (AttemptOutcome.read(path) for path in trial.folder.root.glob("attempt-*/outcome.json"))}
+    attempts = {
+        outcome.attempt: outcome
+        for outcome in (AttemptOutcome.read(path) for path in trial.folder.root.glob("attempt-*/outcome.json"))
+    }
     kept = attempts.get(score.retained_attempt or 0)
     stages = list(json_lines((trial.folder.root / "stages.jsonl").read_text().splitlines()))
     overhead = sum(stage["seconds"] for stage in stages if stage["stage"] == "orchestration")
-    evaluation = sum(stage["seconds"] for stage in stages
-                     if stage["stage"] != "orchestration" and not stage["stage"].startswith("attempt"))
-    parts = score.model_dump(include={"detailed", "known_coverage", "overview", "physics", "repair_precision",
-                                      "repair_recall", "repair_f1"})
+    evaluation = sum(
+        stage["seconds"]
+        for stage in stages
+        if stage["stage"] != "orchestration" and not stage["stage"].startswith("attempt")
+    )
+    parts = score.model_dump(
+        include={"detailed", "known_coverage", "overview", "physics", "repair_precision", "repair_recall", "repair_f1"}
+    )
     return OutcomeRow(
-        **key, **parts, setting=trial.case.setting, scene_id=trial.case.scene_id, status=score.status,
-        score=score.score, reason=score.reason, attempts=len(attempts), retained_attempt=score.retained_attempt,
-        tool_calls=kept.tool_calls if kept else None, attempt_wall_s=kept.wall_s if kept else None,
-        evaluation_s=evaluation, orchestration_s=overhead,
-        input_tokens=kept.input_tokens if kept else None, output_tokens=kept.output_tokens if kept else None,
-        cost_usd=kept.cost_usd if kept else None, ranked=is_ranked(trial.configuration), policy=plan.policy,
-        judge=plan.judge, engine=plan.engine, suite_digest=plan.suite_digest,
-        score_sha256=digest_file(trial.folder.score))
+        **key,
+        **parts,
+        setting=trial.case.setting,
+        scene_id=trial.case.scene_id,
+        status=score.status,
+        score=score.score,
+        reason=score.reason,
+        attempts=len(attempts),
+        retained_attempt=score.retained_attempt,
+        tool_calls=kept.tool_calls if kept else None,
+        attempt_wall_s=kept.wall_s if kept else None,
+        evaluation_s=evaluation,
+        orchestration_s=overhead,
+        input_tokens=kept.input_tokens if kept else None,
+        output_tokens=kept.output_tokens if kept else None,
+        cost_usd=kept.cost_usd if kept else None,
+        ranked=is_ranked(trial.configuration),
+        policy=plan.policy,
+        judge=plan.judge,
+        engine=plan.engine,
+        suite_digest=plan.suite_digest,
+        score_sha256=digest_file(trial.folder.score),
+    )
 
 
 def rebuild_from_run(run: Path, suite: Path, warehouse: Path) -> int:

@@ -167,6 +167,13 @@ class ScheduleRow(Record):
     ranked: bool
 
 
-TABLES: dict[str, type[Record]] = {"outcomes": OutcomeRow, "attempts": AttemptRow, "tool_use": ToolUseRow,
-                                   "python_submissions": SubmissionRow, "verdicts": VerdictRow,
-                                   "findings": FindingRow, "pictures": PictureRow, "schedule": ScheduleRow}
+TABLES: dict[str, type[Record]] = {
+    "outcomes": OutcomeRow,
+    "attempts": AttemptRow,
+    "tool_use": ToolUseRow,
+    "python_submissions": SubmissionRow,
+    "verdicts": VerdictRow,
+    "findings": FindingRow,
+    "pictures": PictureRow,
+    "schedule": ScheduleRow,
+}

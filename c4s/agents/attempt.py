@@ -42,8 +42,16 @@ MOST_SAVES_BYTES = 4 << 20
 _PACKAGE = re.compile(r"/Game(/[A-Za-z0-9_-]+)+")
 
 
-def run_attempt(case: AgentCase, agent_folder: Path, configuration: Configuration, attempt: int, folder: Path,
-                packs: Sequence[Path], withheld: Path | None, ledger: Path | None = None) -> AttemptOutcome:
+def run_attempt(
+    case: AgentCase,
+    agent_folder: Path,
+    configuration: Configuration,
+    attempt: int,
+    folder: Path,
+    packs: Sequence[Path],
+    withheld: Path | None,
+    ledger: Path | None = None,
+) -> AttemptOutcome:
     """Run one attempt and write its ``outcome.json``; an outcome that is there is returned as it is.
 
     Args:
@@ -69,8 +77,10 @@ def run_attempt(case: AgentCase, agent_folder: Path, configuration: Configuratio
     _set_aside(folder)
     (folder / "agent").mkdir(parents=True)
     catalog = CaseCatalog.load(case, packs)
-    write_json(folder / "manifest.json", {
-        "packs": {pack.name: Pack.read(pack / "pack.json").sha256() for pack in packs}, "engine": "headless"})
+    write_json(
+        folder / "manifest.json",
+        {"packs": {pack.name: Pack.read(pack / "pack.json").sha256() for pack in packs}, "engine": "headless"},
+    )
     (folder / "usage.jsonl").touch()
     (folder / "trajectory.jsonl").touch()
     levels, truth_package = [agent_folder / "start.level.json"], None
@@ -79,19 +89,35 @@ def run_attempt(case: AgentCase, agent_folder: Path, configuration: Configuratio
         levels.append(_readable_truth(withheld, folder / "oracle", truth_package))
     content, scratch = folder / "submission", folder / "scratch"
     stopping = _Stopping()
-    with _model(agent, configuration, folder, ledger, stopping) as model, Gateway() as gateway, \
-            EngineSession.start(packs=packs, content=content, scratch=scratch, levels=levels,
-                                                   start_map=case.start_map) as engine:
+    with (
+        _model(agent, configuration, folder, ledger, stopping) as model,
+        Gateway() as gateway,
+        EngineSession.start(
+            packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
+        ) as engine,
+    ):
         bench = Workbench(case, agent_folder, catalog, engine, scratch)
         run = Run(f"{case.case_id}-{attempt}", bench, case.budget, folder / "trajectory.jsonl")
-        context = AgentContext(case, agent_folder, gateway.open_run(run), configuration, attempt, folder / "agent",
-                               truth_package, model, lambda seconds: run.ended.wait(seconds) or run.over_calls)
+        context = AgentContext(
+            case,
+            agent_folder,
+            gateway.open_run(run),
+            configuration,
+            attempt,
+            folder / "agent",
+            truth_package,
+            model,
+            lambda seconds: run.ended.wait(seconds) or run.over_calls,
+        )
         stopping.run = run
         report, error = _work(agent, context, run)
         gateway.close_run(run)
     if model is not None and model.run.limit_message:
-        raise SpendingLimitReached(model.run.limit_message, where=f"{configuration.name}/{case.case_id}",
-                                   todo="raise the limit and run the same command again")
+        raise SpendingLimitReached(
+            model.run.limit_message,
+            where=f"{configuration.name}/{case.case_id}",
+            todo="raise the limit and run the same command again",
+        )
     for record in report.usage:
         append_json_line(folder / "usage.jsonl", record)
     outcome = _outcome(run, report, error, content, attempt)
@@ -110,14 +136,21 @@ class _Stopping:
 
 
 @contextmanager
-def _model(agent: Agent, configuration: Configuration, folder: Path, ledger: Path | None, stopping: _Stopping
-           ) -> Iterator[ModelAccess | None]:
+def _model(
+    agent: Agent, configuration: Configuration, folder: Path, ledger: Path | None, stopping: _Stopping
+) -> Iterator[ModelAccess | None]:
     """A meter for an agent that uses a model; None for one that does not."""
     if not isinstance(agent, ModelClient):
         yield None
         return
-    with open_model(configuration, agent.endpoint, agent.wire_of(configuration), usage=folder / "usage.jsonl",
-                    ledger=ledger, at_limit=stopping) as access:
+    with open_model(
+        configuration,
+        agent.endpoint,
+        agent.wire_of(configuration),
+        usage=folder / "usage.jsonl",
+        ledger=ledger,
+        at_limit=stopping,
+    ) as access:
         yield access
 
 
@@ -159,15 +192,17 @@ def _work(agent: Agent, context: AgentContext, run: Run) -> tuple[AgentReport, B
     return (reports[0] if reports else AgentReport()), (errors[0] if errors else None)
 
 
-def _outcome(run: Run, report: AgentReport, error: BaseException | None, content: Path, attempt: int
-             ) -> AttemptOutcome:
+def _outcome(run: Run, report: AgentReport, error: BaseException | None, content: Path, attempt: int) -> AttemptOutcome:
     """The attempt's outcome. Raises what was the machinery's fault."""
     ended_by: EndedBy = "finished"
     message = report.message
     if run.fault is not None:
         if not (isinstance(run.fault, EngineDied | BridgeFault) and run.bench.ran_script):
-            raise run.fault if isinstance(run.fault, MachineryFault) else MachineryFault(
-                f"a tool failed: {type(run.fault).__name__}: {run.fault}", where=run.run_id) from run.fault
+            raise (
+                run.fault
+                if isinstance(run.fault, MachineryFault)
+                else MachineryFault(f"a tool failed: {type(run.fault).__name__}: {run.fault}", where=run.run_id)
+            ) from run.fault
         ended_by, message = "agent_error", f"agent code ended the engine: {run.fault}"
     elif run.end_reason == "wall_budget":
         ended_by, message = "wall_budget", run.end_message
@@ -186,11 +221,18 @@ def _outcome(run: Run, report: AgentReport, error: BaseException | None, content
     with (content.parent / "usage.jsonl").open(encoding="utf-8") as lines:
         used = sums(list(json_lines(lines)))
     return AttemptOutcome(
-        attempt=attempt, ended_by=ended_by, submission=submission,
-        submission_sha256=digest_tree(content) if submission is not None else None, tool_calls=run.calls,
-        wall_s=round(run.wall_s, 3), input_tokens=used["input_tokens"],
-        output_tokens=used["output_tokens"], cost_usd=used["cost_usd"],
-        client_version=report.client_version, message=" ".join(message.split())[:2000])
+        attempt=attempt,
+        ended_by=ended_by,
+        submission=submission,
+        submission_sha256=digest_tree(content) if submission is not None else None,
+        tool_calls=run.calls,
+        wall_s=round(run.wall_s, 3),
+        input_tokens=used["input_tokens"],
+        output_tokens=used["output_tokens"],
+        cost_usd=used["cost_usd"],
+        client_version=report.client_version,
+        message=" ".join(message.split())[:2000],
+    )
 
 
 def last_saved(content: Path) -> str | None:

@@ -87,22 +87,33 @@ class ModelClient(Protocol):
         ...
 
 
-CLIENTS = {"noop": "c4s.agents.noop:NoOp", "random": "c4s.agents.random_agent:RandomAgent",
-           "vandal": "c4s.agents.vandal:Vandal", "oracle": "c4s.agents.oracle:Oracle",
-           "planner": "c4s.agents.planner:Planner", "replay": "c4s.agents.replay:Replay",
-           "api": "c4s.agents.api.agent:ApiAgent",
-           "codex": "c4s.agents.clients.codex:Codex", "claude_code": "c4s.agents.clients.claude_code:ClaudeCode",
-           "gemini": "c4s.agents.clients.gemini:GeminiCLI", "opencode": "c4s.agents.clients.opencode:OpenCode",
-           "hermes": "c4s.agents.clients.hermes:Hermes", "antigravity": "c4s.agents.clients.antigravity:Antigravity",
-           "command": "c4s.agents.clients.command:CommandClient"}
+CLIENTS = {
+    "noop": "c4s.agents.noop:NoOp",
+    "random": "c4s.agents.random_agent:RandomAgent",
+    "vandal": "c4s.agents.vandal:Vandal",
+    "oracle": "c4s.agents.oracle:Oracle",
+    "planner": "c4s.agents.planner:Planner",
+    "replay": "c4s.agents.replay:Replay",
+    "api": "c4s.agents.api.agent:ApiAgent",
+    "codex": "c4s.agents.clients.codex:Codex",
+    "claude_code": "c4s.agents.clients.claude_code:ClaudeCode",
+    "gemini": "c4s.agents.clients.gemini:GeminiCLI",
+    "opencode": "c4s.agents.clients.opencode:OpenCode",
+    "hermes": "c4s.agents.clients.hermes:Hermes",
+    "antigravity": "c4s.agents.clients.antigravity:Antigravity",
+    "command": "c4s.agents.clients.command:CommandClient",
+}
 """Client name to ``module:class``; the class is made without arguments."""
 
 
 def agent_of(configuration: Configuration) -> Agent:
     """The agent of a configuration. ``BadInput`` for an unknown client."""
     if configuration.client not in CLIENTS:
-        raise BadInput(f"unknown agent client {configuration.client!r}", where=configuration.name,
-                       todo=f"the clients are {', '.join(CLIENTS)}")
+        raise BadInput(
+            f"unknown agent client {configuration.client!r}",
+            where=configuration.name,
+            todo=f"the clients are {', '.join(CLIENTS)}",
+        )
     module, _, name = CLIENTS[configuration.client].partition(":")
     made: Agent = getattr(importlib.import_module(module), name)()
     return made

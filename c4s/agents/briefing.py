@@ -22,8 +22,13 @@ _PICTURES = "The attached pictures show the scene as it should be, from {count} 
 
 def briefing(case: AgentCase, server: str, *, pictures: int) -> str:
     """The first message: the case's prompt, the rules of work, and how many pictures are attached."""
-    text = _TASK.format(prompt=case.prompt.strip(), server=server, calls=case.budget.tool_calls,
-                        minutes=case.budget.wall_minutes, start_map=case.start_map)
+    text = _TASK.format(
+        prompt=case.prompt.strip(),
+        server=server,
+        calls=case.budget.tool_calls,
+        minutes=case.budget.wall_minutes,
+        start_map=case.start_map,
+    )
     text = f"{text}\n{skill_text()}"
     return text + (_PICTURES.format(count=pictures) if pictures else "")
 

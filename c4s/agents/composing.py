@@ -19,11 +19,52 @@ from c4s.agents.palette import PaletteItem, asked_counts, description, palette, 
 
 ENCLOSING = {"wall", "fence", "railing", "hedge", "parapet", "partition", "enclosure", "gate"}
 GREEN = {"tree", "bush", "shrub", "palm", "hedge", "plant", "pine", "oak", "birch", "vegetation"}
-SURFACES = {"table", "desk", "counter", "crate", "shelf", "cabinet", "dresser", "nightstand", "sideboard", "stall",
-            "bench", "drawer", "stand"}
-UNSTANDABLE = {"sky", "decal", "water", "cloud", "fog", "particle", "light", "ceiling", "roof", "window", "door",
-               "balcony", "awning", "cornice", "curtain", "picture", "painting", "mirror", "sign", "clock", "stain",
-               "puddle", "wire", "cable", "gutter", "carpet", "rug", "beam", "pendant"}
+SURFACES = {
+    "table",
+    "desk",
+    "counter",
+    "crate",
+    "shelf",
+    "cabinet",
+    "dresser",
+    "nightstand",
+    "sideboard",
+    "stall",
+    "bench",
+    "drawer",
+    "stand",
+}
+UNSTANDABLE = {
+    "sky",
+    "decal",
+    "water",
+    "cloud",
+    "fog",
+    "particle",
+    "light",
+    "ceiling",
+    "roof",
+    "window",
+    "door",
+    "balcony",
+    "awning",
+    "cornice",
+    "curtain",
+    "picture",
+    "painting",
+    "mirror",
+    "sign",
+    "clock",
+    "stain",
+    "puddle",
+    "wire",
+    "cable",
+    "gutter",
+    "carpet",
+    "rug",
+    "beam",
+    "pendant",
+}
 SEATS = {"chair", "stool", "armchair"}
 MAX_ITEMS_M = 45.0
 STREET_M = 3.0
@@ -88,13 +129,21 @@ def compose(prompt: str, plate_m: float) -> dict[str, Any]:
     chosen = [wish for wish in wishes(prompt) if wish.named] or wishes(prompt)
     chosen = chosen[:70]
     plan = _Plan()
-    fences = [wish for wish in chosen if wish.item.words & ENCLOSING and wish.item.height >= 0.5
-              and max(wish.item.width, wish.item.depth) >= 0.8
-              and min(wish.item.width, wish.item.depth) < 0.5 * max(wish.item.width, wish.item.depth)]
+    fences = [
+        wish
+        for wish in chosen
+        if wish.item.words & ENCLOSING
+        and wish.item.height >= 0.5
+        and max(wish.item.width, wish.item.depth) >= 0.8
+        and min(wish.item.width, wish.item.depth) < 0.5 * max(wish.item.width, wish.item.depth)
+    ]
     green = [wish for wish in chosen if wish.item.words & GREEN and wish not in fences]
     seats = [wish for wish in chosen if wish.item.words & SEATS]
-    small = [wish for wish in chosen if max(wish.item.width, wish.item.depth, wish.item.height) < 0.62
-             and wish not in green + seats + fences]
+    small = [
+        wish
+        for wish in chosen
+        if max(wish.item.width, wish.item.depth, wish.item.height) < 0.62 and wish not in green + seats + fences
+    ]
     rest = [wish for wish in chosen if wish not in fences + green + seats + small]
     largest = max((wish.item.area for wish in rest), default=1.0)
     anchors = [wish for wish in rest if wish.item.area >= 0.18 * largest or wish.item.words & SURFACES]
@@ -104,7 +153,7 @@ def compose(prompt: str, plate_m: float) -> dict[str, Any]:
     _scatter(plan, [wish for wish in green if wish.item.area >= 9], reach, plate_m, random)
     _tops(plan, small)
     _enclose(plan, fences, reach, plate_m)
-    return {"nodes": plan.nodes[:MAX_COPIES + 120]}
+    return {"nodes": plan.nodes[: MAX_COPIES + 120]}
 
 
 def _copies(found: Sequence[Wish]) -> Iterator[PaletteItem]:
@@ -120,8 +169,9 @@ def _copies(found: Sequence[Wish]) -> Iterator[PaletteItem]:
                 left.remove(pair)
 
 
-def _anchors(plan: _Plan, anchors: Sequence[Wish], seats: Sequence[Wish], plate_m: float,
-             random: np.random.Generator) -> float:
+def _anchors(
+    plan: _Plan, anchors: Sequence[Wish], seats: Sequence[Wish], plate_m: float, random: np.random.Generator
+) -> float:
     """Large things in rows with streets between; seats in front of tables and desks. Returns the half extent used."""
     items = sorted(_copies(anchors), key=lambda item: -item.area)
     if not items:

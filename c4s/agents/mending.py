@@ -61,8 +61,9 @@ def _copies(members: Sequence[Actor]) -> list[Mend]:
 
 def _typical_distance(members: Sequence[Actor]) -> float:
     """Median distance of an actor to the nearest of its like."""
-    nearest = sorted(min((math.dist(a["location"], b["location"]) for b in members if b is not a), default=math.inf)
-                     for a in members)
+    nearest = sorted(
+        min((math.dist(a["location"], b["location"]) for b in members if b is not a), default=math.inf) for a in members
+    )
     return nearest[len(nearest) // 2]
 
 
@@ -73,5 +74,8 @@ def _odd_scales(members: Sequence[Actor]) -> list[Mend]:
     if count < len(members) - 1:
         return []
     wanted = (float(usual[0]), float(usual[1]), float(usual[2]))
-    return [Mend(actor["name"], wanted, f"scale {list(actor['scale'])} while its {count} like have {list(usual)}")
-            for actor in members if max(abs(a - b) for a, b in zip(actor["scale"], usual, strict=True)) > SAME_SCALE]
+    return [
+        Mend(actor["name"], wanted, f"scale {list(actor['scale'])} while its {count} like have {list(usual)}")
+        for actor in members
+        if max(abs(a - b) for a, b in zip(actor["scale"], usual, strict=True)) > SAME_SCALE
+    ]

@@ -35,16 +35,29 @@ class ModelAccess:
         """Raise ``MachineryFault`` when the model endpoint, not the agent, is why it ended badly."""
         last = self.run.last_generation
         if last is None:
-            raise MachineryFault(f"{what}, before it asked its model anything", where=self.run.run_id,
-                                 todo="read the client's output in the attempt's agent folder")
+            raise MachineryFault(
+                f"{what}, before it asked its model anything",
+                where=self.run.run_id,
+                todo="read the client's output in the attempt's agent folder",
+            )
         if last.ending in UPSTREAM_FAULTS:
-            raise MachineryFault(f"{what} after the model endpoint failed ({last.ending} {last.status or ''}: "
-                                 f"{last.problem})", where=self.run.run_id, todo="run the same command again")
+            raise MachineryFault(
+                f"{what} after the model endpoint failed ({last.ending} {last.status or ''}: {last.problem})",
+                where=self.run.run_id,
+                todo="run the same command again",
+            )
 
 
 @contextmanager
-def open_model(configuration: Configuration, default_endpoint: str, wire: str, *, usage: Path, ledger: Path | None,
-               at_limit: Callable[[], None]) -> Iterator[ModelAccess]:
+def open_model(
+    configuration: Configuration,
+    default_endpoint: str,
+    wire: str,
+    *,
+    usage: Path,
+    ledger: Path | None,
+    at_limit: Callable[[], None],
+) -> Iterator[ModelAccess]:
     """Open a meter for an attempt.
 
     The configuration names ``model``; its options may name ``endpoint`` (of ``endpoints.yaml`` or a known one) and
@@ -55,10 +68,21 @@ def open_model(configuration: Configuration, default_endpoint: str, wire: str, *
     name = str(configuration.options.get("endpoint", default_endpoint))
     endpoint = model_endpoint(name)
     if wire not in endpoint.formats:
-        raise BadInput(f"client {configuration.client!r} speaks {wire}, and endpoint {name!r} speaks "
-                       + ", ".join(endpoint.formats), where=configuration.name)
+        raise BadInput(
+            f"client {configuration.client!r} speaks {wire}, and endpoint {name!r} speaks "
+            + ", ".join(endpoint.formats),
+            where=configuration.name,
+        )
     books = Ledger(ledger, spending_limit()) if ledger is not None else None
-    run = MeterRun(configuration.name, endpoint, key_of(name, endpoint), usage, prices=PriceTable.load(), ledger=books,
-                   models=(configuration.model, *configuration.options.get("side_models", ())), at_limit=at_limit)
+    run = MeterRun(
+        configuration.name,
+        endpoint,
+        key_of(name, endpoint),
+        usage,
+        prices=PriceTable.load(),
+        ledger=books,
+        models=(configuration.model, *configuration.options.get("side_models", ())),
+        at_limit=at_limit,
+    )
     with Meter() as meter:
         yield ModelAccess(meter.open_run(run), configuration.model, run)

@@ -19,13 +19,16 @@ class Oracle:
         """Open the truth and save it."""
         if context.truth_package is None:
             raise BadInput("the oracle needs the withheld truth", where=context.case.case_id)
-        script = ("import unreal\n"
-                  f"assert unreal.EditorLoadingAndSavingUtils.load_map({context.truth_package!r}) is not None\n")
+        script = (
+            "import unreal\n"
+            f"assert unreal.EditorLoadingAndSavingUtils.load_map({context.truth_package!r}) is not None\n"
+        )
         with context.connect() as tools:
             job = tools.call("execute_python_script", script=script).data["job_id"]
             state = tools.call("read_job_log", job_id=job, wait_s=WAIT_S).data
             if state["status"] != "done":
-                raise AgentFault(f"the truth cannot be opened: {state.get('error', state['status'])}",
-                                 where=context.case.case_id)
+                raise AgentFault(
+                    f"the truth cannot be opened: {state.get('error', state['status'])}", where=context.case.case_id
+                )
             tools.call("save_scene_as", name=SUBMISSION_NAME)
         return AgentReport(client_version="oracle 1")

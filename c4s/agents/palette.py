@@ -5,14 +5,51 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-LINE = re.compile(r"^\s*-\s*(?P<id>[^|\n]+?)\s*\|\s*(?P<name>[^|\n]+?)\s*\|\s*(?P<category>[^|\n]+?)\s*\|\s*"
-                  r"(?P<w>[\d.]+)x(?P<d>[\d.]+)x(?P<h>[\d.]+)\s*m\s*\|\s*(?P<path>/\S+)\s*$", re.MULTILINE)
+LINE = re.compile(
+    r"^\s*-\s*(?P<id>[^|\n]+?)\s*\|\s*(?P<name>[^|\n]+?)\s*\|\s*(?P<category>[^|\n]+?)\s*\|\s*"
+    r"(?P<w>[\d.]+)x(?P<d>[\d.]+)x(?P<h>[\d.]+)\s*m\s*\|\s*(?P<path>/\S+)\s*$",
+    re.MULTILINE,
+)
 SECTION = re.compile(r"^\s*===", re.MULTILINE)
-NUMBERS = {"a": 1, "an": 1, "one": 1, "single": 1, "two": 2, "pair": 2, "couple": 2, "three": 3, "four": 4, "five": 5,
-           "six": 6, "seven": 7, "eight": 8, "nine": 9, "ten": 10, "eleven": 11, "twelve": 12, "dozen": 12,
-           "fifteen": 15, "sixteen": 16, "eighteen": 18, "twenty": 20, "thirty": 30, "forty": 40, "fifty": 50,
-           "sixty": 60, "eighty": 80, "few": 3, "several": 5, "some": 4, "many": 10, "rows": 8, "row": 6,
-           "scattered": 6, "clusters": 6, "cluster": 5, "occasional": 3}
+NUMBERS = {
+    "a": 1,
+    "an": 1,
+    "one": 1,
+    "single": 1,
+    "two": 2,
+    "pair": 2,
+    "couple": 2,
+    "three": 3,
+    "four": 4,
+    "five": 5,
+    "six": 6,
+    "seven": 7,
+    "eight": 8,
+    "nine": 9,
+    "ten": 10,
+    "eleven": 11,
+    "twelve": 12,
+    "dozen": 12,
+    "fifteen": 15,
+    "sixteen": 16,
+    "eighteen": 18,
+    "twenty": 20,
+    "thirty": 30,
+    "forty": 40,
+    "fifty": 50,
+    "sixty": 60,
+    "eighty": 80,
+    "few": 3,
+    "several": 5,
+    "some": 4,
+    "many": 10,
+    "rows": 8,
+    "row": 6,
+    "scattered": 6,
+    "clusters": 6,
+    "cluster": 5,
+    "occasional": 3,
+}
 REACH_WORDS = 5
 
 
@@ -41,8 +78,15 @@ class PaletteItem:
 
 def singular(word: str) -> str:
     """A plural without its ending, roughly: enough to match words of a prompt with names of assets."""
-    for ending, replacement in (("shelves", "shelf"), ("ies", "y"), ("sses", "ss"), ("ches", "ch"), ("shes", "sh"),
-                                ("xes", "x"), ("ses", "se")):
+    for ending, replacement in (
+        ("shelves", "shelf"),
+        ("ies", "y"),
+        ("sses", "ss"),
+        ("ches", "ch"),
+        ("shes", "sh"),
+        ("xes", "x"),
+        ("ses", "se"),
+    ):
         if word.endswith(ending) and len(word) > len(ending):
             return word[: -len(ending)] + replacement
     return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
@@ -56,8 +100,18 @@ def description(prompt: str) -> str:
 
 def palette(prompt: str) -> list[PaletteItem]:
     """The palette lines of a prompt, in order."""
-    return [PaletteItem(id=m["id"], name=m["name"], category=m["category"], width=float(m["w"]), depth=float(m["d"]),
-                        height=float(m["h"]), path=m["path"]) for m in LINE.finditer(prompt)]
+    return [
+        PaletteItem(
+            id=m["id"],
+            name=m["name"],
+            category=m["category"],
+            width=float(m["w"]),
+            depth=float(m["d"]),
+            height=float(m["h"]),
+            path=m["path"],
+        )
+        for m in LINE.finditer(prompt)
+    ]
 
 
 def asked_counts(text: str) -> dict[str, int]:
@@ -67,7 +121,7 @@ def asked_counts(text: str) -> dict[str, int]:
         words = re.findall(r"[a-z]+|\d+", clause.replace("-", " "))
         for index, word in enumerate(words):
             number = 0
-            for earlier in words[max(0, index - REACH_WORDS):index]:
+            for earlier in words[max(0, index - REACH_WORDS) : index]:
                 if earlier.isdigit():
                     number = int(earlier)
                 elif earlier in NUMBERS:

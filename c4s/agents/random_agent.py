@@ -49,13 +49,21 @@ class RandomAgent:
             if asset["spawn_with"] == "spawn_actor":
                 _try(tools, refused, "spawn_actor", name=label, static_mesh=path, location=location, rotation=rotation)
             else:
-                _try(tools, refused, "spawn_blueprint_actor", actor_name=label, blueprint_id=path, location=location,
-                     rotation=rotation)
+                _try(
+                    tools,
+                    refused,
+                    "spawn_blueprint_actor",
+                    actor_name=label,
+                    blueprint_id=path,
+                    location=location,
+                    rotation=rotation,
+                )
 
     def _edit(self, context: AgentContext, tools: GatewayClient, chance: random.Random, refused: list[str]) -> None:
         """Move, turn, scale or delete random actors that have a mesh."""
-        actors = sorted((actor for actor in tools.actors()
-                         if actor["static_meshes"]), key=lambda actor: str(actor["name"]))
+        actors = sorted(
+            (actor for actor in tools.actors() if actor["static_meshes"]), key=lambda actor: str(actor["name"])
+        )
         count = min(int(context.options.get("count", EDITED)), _calls_for_edits(context), len(actors))
         for actor in chance.sample(actors, count):
             name, kind = actor["name"], chance.choice(("move", "turn", "scale", "delete"))
@@ -64,12 +72,14 @@ class RandomAgent:
                 _try(tools, refused, "set_actor_transform", name=name, location=[*moved, actor["location"][2]])
             elif kind == "turn":
                 pitch, _, roll = actor["rotation"]
-                _try(tools, refused, "set_actor_transform", name=name,
-                     rotation=[pitch, chance.uniform(-180, 180), roll])
+                _try(
+                    tools, refused, "set_actor_transform", name=name, rotation=[pitch, chance.uniform(-180, 180), roll]
+                )
             elif kind == "scale":
                 factor = chance.uniform(0.5, 1.5)
-                _try(tools, refused, "set_actor_transform", name=name,
-                     scale=[value * factor for value in actor["scale"]])
+                _try(
+                    tools, refused, "set_actor_transform", name=name, scale=[value * factor for value in actor["scale"]]
+                )
             else:
                 _try(tools, refused, "delete_actor", name=name)
 

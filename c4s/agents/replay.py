@@ -48,5 +48,7 @@ class Replay:
                     answered = False
                 if answered != succeeded:
                     otherwise.append(f"call {sent} ({name})")
-        return AgentReport(client_version="replay 1", message=f"{sent} calls" + (
-            f"; answered otherwise: {', '.join(otherwise)}" if otherwise else ""))
+        return AgentReport(
+            client_version="replay 1",
+            message=f"{sent} calls" + (f"; answered otherwise: {', '.join(otherwise)}" if otherwise else ""),
+        )

@@ -54,8 +54,9 @@ def read_bundle(root: Path) -> EvidenceBundle:
         if not (root / path).is_file():
             raise BadInput("a file of the bundle is missing", where=str(root / path), todo="copy the whole folder")
         if digest_file(root / path) != expected:
-            raise BadInput("a file of the bundle is not the one that was packed: its digest differs",
-                           where=str(root / path))
+            raise BadInput(
+                "a file of the bundle is not the one that was packed: its digest differs", where=str(root / path)
+            )
     bundle = EvidenceBundle(root, manifest)
     for path in _replayed_frames(bundle):
         if path not in manifest.files:
@@ -68,7 +69,9 @@ def _replayed_frames(bundle: EvidenceBundle) -> list[str]:
     plan_path = bundle.manifest.semantic.stage3_plan if bundle.manifest.semantic else None
     plan = bundle.json(plan_path) if plan_path else None
     frames = plan.get("frames") if isinstance(plan, Mapping) else None
-    if frames is not None and not (isinstance(frames, Mapping) and all(
-            isinstance(frame, Mapping) and isinstance(frame.get("path"), str) for frame in frames.values())):
+    if frames is not None and not (
+        isinstance(frames, Mapping)
+        and all(isinstance(frame, Mapping) and isinstance(frame.get("path"), str) for frame in frames.values())
+    ):
         raise BadInput("the frames of the stage 3 plan have no paths", where=str(bundle.root / str(plan_path)))
     return [frame["path"] for frame in (frames or {}).values()]

@@ -53,13 +53,24 @@ def score_bundle(bundle: EvidenceBundle, *, minimum_actors: int = MINIMUM_ACTORS
         verdicts["integrity"] = _integrity(bundle, candidate, minimum_actors)
     if submitted and verdicts["integrity"].status == "valid":
         if setting == "text-to-scene":
-            verdicts |= {"physics": _physics(bundle, candidate), "detailed": _detailed(bundle),
-                         "overview": _overview(bundle)}
+            verdicts |= {
+                "physics": _physics(bundle, candidate),
+                "detailed": _detailed(bundle),
+                "overview": _overview(bundle),
+            }
         else:
             verdicts |= {"physics": _physics(bundle, None), "repair": _repair(bundle, candidate)}
     model = manifest.run.model if manifest.run else None
-    score = case_score(case_id=manifest.task.id, setting=setting, configuration=model or "unnamed",
-                       repeat=1, judge="recorded", engine=_engine(candidate), submitted=submitted, verdicts=verdicts)
+    score = case_score(
+        case_id=manifest.task.id,
+        setting=setting,
+        configuration=model or "unnamed",
+        repeat=1,
+        judge="recorded",
+        engine=_engine(candidate),
+        submitted=submitted,
+        verdicts=verdicts,
+    )
     return BundleScore(score, verdicts)
 
 
@@ -83,8 +94,13 @@ def _integrity(bundle: EvidenceBundle, candidate: Any, minimum_actors: int) -> V
         reason = f"minimum_actors: {len(candidate['actors'])} of at least {minimum_actors} actors"
     elif candidate is not None and failed:
         reason = f"{failed} is recorded as {(recorded.leaves or {})[failed]!r}"
-    return Verdict(verifier="integrity", status="invalid" if reason else "valid", policy=INTEGRITY_POLICY,
-                   measurements={"leaves": recorded.leaves or {}}, reason=reason)
+    return Verdict(
+        verifier="integrity",
+        status="invalid" if reason else "valid",
+        policy=INTEGRITY_POLICY,
+        measurements={"leaves": recorded.leaves or {}},
+        reason=reason,
+    )
 
 
 def _physics(bundle: EvidenceBundle, scene: Any) -> Verdict:
@@ -100,25 +116,41 @@ def _physics(bundle: EvidenceBundle, scene: Any) -> Verdict:
         except ValueError as error:
             raise BadInput(f"support cannot be measured: {error}", where=str(bundle.root)) from None
     total = physics_from_report(report, rate, whole_scene=bundle.manifest.task.setting == "text-to-scene")
-    return Verdict(verifier="physics", status="measured", score=total["score"], policy=PHYSICS_POLICY,
-                   measurements={"leaves": total["leaves"], "floating_source": total["floating_source"]})
+    return Verdict(
+        verifier="physics",
+        status="measured",
+        score=total["score"],
+        policy=PHYSICS_POLICY,
+        measurements={"leaves": total["leaves"], "floating_source": total["floating_source"]},
+    )
 
 
 def _repair(bundle: EvidenceBundle, candidate: Any) -> Verdict:
     scenes = bundle.manifest.scenes
     if scenes is None or scenes.input is None or scenes.ground_truth is None:
         raise BadInput("the bundle lacks scenes", where=str(bundle.root))
-    return repair_verdict(bundle.json(scenes.input), bundle.json(scenes.ground_truth), candidate,
-                          inputs={path: bundle.manifest.files[path]
-                                  for path in (scenes.input, scenes.ground_truth, scenes.candidate) if path})
+    return repair_verdict(
+        bundle.json(scenes.input),
+        bundle.json(scenes.ground_truth),
+        candidate,
+        inputs={
+            path: bundle.manifest.files[path] for path in (scenes.input, scenes.ground_truth, scenes.candidate) if path
+        },
+    )
 
 
 def _semantic(verifier: str, policy: str, made: Mapping[str, Any]) -> Verdict:
     if made["score"] is None:
-        return Verdict(verifier=verifier, status="not_evaluated", policy=policy,
-                       reason=f"recorded status {made['status']}")
-    return Verdict(verifier=verifier, status="measured", score=made["score"], policy=policy,
-                   measurements={key: value for key, value in made.items() if key not in ("status", "score")})
+        return Verdict(
+            verifier=verifier, status="not_evaluated", policy=policy, reason=f"recorded status {made['status']}"
+        )
+    return Verdict(
+        verifier=verifier,
+        status="measured",
+        score=made["score"],
+        policy=policy,
+        measurements={key: value for key, value in made.items() if key not in ("status", "score")},
+    )
 
 
 def _detailed(bundle: EvidenceBundle) -> Verdict:
@@ -126,10 +158,17 @@ def _detailed(bundle: EvidenceBundle) -> Verdict:
     found = bundle.json(semantic.decisions) if semantic and semantic.decisions else {"decisions": []}
     document = {"report_status": "measured", "decisions": found} if isinstance(found, list) else found
     if not isinstance(document, Mapping) or not isinstance(document.get("decisions") or [], list):
-        raise BadInput("the decisions are not {\"report_status\", \"decisions\": [...]}", where=str(bundle.root))
-    return _semantic("detailed", SEMANTIC_CASE_POLICY, detailed_from_report(
-        {"status": document.get("report_status"),
-         "metrics": {"semantic_requirement_aggregation": document.get("decisions")}}))
+        raise BadInput('the decisions are not {"report_status", "decisions": [...]}', where=str(bundle.root))
+    return _semantic(
+        "detailed",
+        SEMANTIC_CASE_POLICY,
+        detailed_from_report(
+            {
+                "status": document.get("report_status"),
+                "metrics": {"semantic_requirement_aggregation": document.get("decisions")},
+            }
+        ),
+    )
 
 
 def _overview(bundle: EvidenceBundle) -> Verdict:
@@ -139,6 +178,12 @@ def _overview(bundle: EvidenceBundle) -> Verdict:
         return _semantic("overview", OVERVIEW_RULE_POLICY, {"status": "missing", "score": None})
     if not isinstance(found, Mapping) or not isinstance(found.get("dimension_scores"), Mapping):
         raise BadInput("the overview judgement has no dimension_scores", where=str(bundle.root))
-    return _semantic("overview", OVERVIEW_RULE_POLICY, overview_score(
-        found["dimension_scores"], found.get("structural_integrity_score"),
-        bool(found.get("severe_structural_cap_eligible"))))
+    return _semantic(
+        "overview",
+        OVERVIEW_RULE_POLICY,
+        overview_score(
+            found["dimension_scores"],
+            found.get("structural_integrity_score"),
+            bool(found.get("severe_structural_cap_eligible")),
+        ),
+    )

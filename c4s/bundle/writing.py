@@ -15,8 +15,10 @@ from c4s.run.records import AttemptOutcome, TrialScore
 from c4s.score.policy import OVERVIEW_VIEWS
 from c4s.verify.verdict import Verdict
 
-_LEAF_OF_REASON = {"unresolved_dependencies": "content_and_dependency_parity",
-                   "manifest_disagreement": "asset_library_manifest_parity"}
+_LEAF_OF_REASON = {
+    "unresolved_dependencies": "content_and_dependency_parity",
+    "manifest_disagreement": "asset_library_manifest_parity",
+}
 
 
 class _Writer:
@@ -64,9 +66,11 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
         raise BadInput("the folder is not empty", where=str(out))
     writer = _Writer(out)
     value: dict[str, Any] = {
-        "schema_version": "code4scene.bundle.v1", "task": {"id": score.case_id, "setting": score.setting},
+        "schema_version": "code4scene.bundle.v1",
+        "task": {"id": score.case_id, "setting": score.setting},
         "run": {"model": score.configuration, "submission": "submitted"},
-        "notes": f"made by c4s; engine {score.engine}, judge {score.judge}, policy {score.policy}"}
+        "notes": f"made by c4s; engine {score.engine}, judge {score.judge}, policy {score.policy}",
+    }
     if score.retained_attempt is not None:
         kept = AttemptOutcome.read(folder.attempt(score.retained_attempt) / "outcome.json")
         value["run"]["candidate_sha256"] = kept.submission_sha256
@@ -75,8 +79,11 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
     else:
         integrity = Verdict.read(folder.verdict("integrity"))
         if score.status == "pending" or integrity.status not in ("valid", "invalid"):
-            raise BadInput(f"the trial has no score yet: {score.reason or integrity.reason}",
-                           where=str(folder.root), todo="finish the run first")
+            raise BadInput(
+                f"the trial has no score yet: {score.reason or integrity.reason}",
+                where=str(folder.root),
+                todo="finish the run first",
+            )
         value["candidate_integrity"] = _integrity(integrity)
         if integrity.status == "valid":
             value |= _evidence(writer, folder, score, withheld)
@@ -90,18 +97,30 @@ def _integrity(verdict: Verdict) -> dict[str, Any]:
     if verdict.status != "valid":
         code = str(verdict.measurements.get("reason_code"))
         leaves[_LEAF_OF_REASON.get(code, "candidate_snapshot_integrity")] = "invalid"
-    return {"status": "valid" if verdict.status == "valid" else "invalid", "leaves": leaves,
-            "failure_reason": verdict.reason or None}
+    return {
+        "status": "valid" if verdict.status == "valid" else "invalid",
+        "leaves": leaves,
+        "failure_reason": verdict.reason or None,
+    }
 
 
 def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld: Path | None) -> dict[str, Any]:
     physics = Verdict.read(folder.verdict("physics"))
-    report = {"report_id": "physical_safety", "status": physics.status, "score": physics.score,
-              "metrics": {key: physics.measurements[key] for key in ("leaf_results", "leaf_score_directions")
-                          if key in physics.measurements}}
+    report = {
+        "report_id": "physical_safety",
+        "status": physics.status,
+        "score": physics.score,
+        "metrics": {
+            key: physics.measurements[key]
+            for key in ("leaf_results", "leaf_score_directions")
+            if key in physics.measurements
+        },
+    }
     scenes = {"candidate": writer.copy("scenes/candidate.scene.json", folder.evidence / "snapshot.json")}
-    value: dict[str, Any] = {"scenes": scenes, "physics": {"report": writer.json("physics/physical_safety.json",
-                                                                                 report)}}
+    value: dict[str, Any] = {
+        "scenes": scenes,
+        "physics": {"report": writer.json("physics/physical_safety.json", report)},
+    }
     if score.setting != "text-to-scene":
         if withheld is None:
             raise BadInput("an image-to-scene bundle needs the case's withheld folder", where=score.case_id)
@@ -112,18 +131,28 @@ def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld:
     rows = detailed.measurements.get("semantic_requirement_aggregation", [])
     if detailed.measurements.get("judge") == "rule":
         rows = [{**row, "resolved_by": "structured"} for row in rows]
-    value["semantic"] = {"decisions": writer.json("semantic/decisions.json",
-                                                  {"report_status": detailed.status, "decisions": rows})}
-    views = [writer.copy(f"renders/overview/view_{n}.png", folder.evidence / "captures" / f"overview-{n}.png")
-             for n in range(1, OVERVIEW_VIEWS + 1)]
+    value["semantic"] = {
+        "decisions": writer.json("semantic/decisions.json", {"report_status": detailed.status, "decisions": rows})
+    }
+    views = [
+        writer.copy(f"renders/overview/view_{n}.png", folder.evidence / "captures" / f"overview-{n}.png")
+        for n in range(1, OVERVIEW_VIEWS + 1)
+    ]
     value["overview"] = {"views": views}
     overview = Verdict.read(folder.verdict("overview"))
     if overview.status == "measured":
-        value["overview"]["judgement"] = writer.json("overview/judgement.json", {
-            "status": "measured", "recorded_score": overview.score,
-            "dimension_scores": {name: row["score"] for name, row in overview.measurements["dimensions"].items()},
-            "structural_integrity_score": overview.measurements["structural_integrity_score"],
-            "severe_structural_cap_eligible": overview.measurements["severe_structural_cap_eligible"]})
-    value["renders"] = [{"role": "overview", "view": f"view_{n}", "channel": "rgb", "path": path}
-                        for n, path in enumerate(views, start=1)]
+        value["overview"]["judgement"] = writer.json(
+            "overview/judgement.json",
+            {
+                "status": "measured",
+                "recorded_score": overview.score,
+                "dimension_scores": {name: row["score"] for name, row in overview.measurements["dimensions"].items()},
+                "structural_integrity_score": overview.measurements["structural_integrity_score"],
+                "severe_structural_cap_eligible": overview.measurements["severe_structural_cap_eligible"],
+            },
+        )
+    value["renders"] = [
+        {"role": "overview", "view": f"view_{n}", "channel": "rgb", "path": path}
+        for n, path in enumerate(views, start=1)
+    ]
     return value

@@ -134,9 +134,15 @@ class SuiteFolder:
 
     def freeze(self, suite_id: str, title: str, description: str, packs: list[PackRef]) -> Suite:
         """Digest both trees of every case and write ``suite.json``."""
-        cases = [SuiteCase(case_id=path.name, setting=self.agent_case(path.name).setting,
-                           agent_digest=digest_tree(path), withheld_digest=digest_tree(self.withheld(path.name)))
-                 for path in sorted((self.root / "agent").iterdir())]
+        cases = [
+            SuiteCase(
+                case_id=path.name,
+                setting=self.agent_case(path.name).setting,
+                agent_digest=digest_tree(path),
+                withheld_digest=digest_tree(self.withheld(path.name)),
+            )
+            for path in sorted((self.root / "agent").iterdir())
+        ]
         suite = Suite(suite_id=suite_id, title=title, description=description, packs=packs, cases=cases)
         suite.write(self.root / "suite.json")
         return suite

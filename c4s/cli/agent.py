@@ -21,8 +21,9 @@ from c4s.run.configurations import configuration
 from c4s.run.plan import DEFAULT_POLICY, Trial, make_plan, open_run, trials
 from c4s.run.records import AttemptOutcome, Configuration, Plan, TrialScore
 
-app = typer.Typer(help="Agent clients: which there are, one trial with live output, a recorded attempt again.",
-                  no_args_is_help=True)
+app = typer.Typer(
+    help="Agent clients: which there are, one trial with live output, a recorded attempt again.", no_args_is_help=True
+)
 
 
 @app.command("list")
@@ -41,16 +42,21 @@ def list_clients(json_output: Annotated[bool, typer.Option("--json")] = False) -
     if json_output:
         print_json(rows)
         return
-    print_table(("client", "uses a model", "ready", ""),
-                [(row["client"], row["model"], row["ready"], row["problem"]) for row in rows])
+    print_table(
+        ("client", "uses a model", "ready", ""),
+        [(row["client"], row["model"], row["ready"], row["problem"]) for row in rows],
+    )
 
 
 def _suite(name: str) -> Path:
     folder = suites_root() / name
     if not (folder / "suite.json").is_file():
         built = sorted(path.parent.name for path in suites_root().glob("*/suite.json"))
-        raise BadInput(f"unknown suite {name!r}", where=str(suites_root()),
-                       todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`")
+        raise BadInput(
+            f"unknown suite {name!r}",
+            where=str(suites_root()),
+            todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`",
+        )
     return folder
 
 
@@ -68,19 +74,29 @@ def _new_folder(root: Path, stem: str) -> Path:
 
 
 @app.command("try")
-def try_agent(name: Annotated[str, typer.Argument(help="configuration: a baseline, or a YAML file")],
-              case: Annotated[str, typer.Option("--case", "-c", help="case id")],
-              suite: Annotated[str, typer.Option(help="id of a built suite")] = "starter",
-              open_page: Annotated[bool, typer.Option("--open/--no-open", help="open the case page at the end, where "
-                                                      "there is a desktop")] = True,
-              json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def try_agent(
+    name: Annotated[str, typer.Argument(help="configuration: a baseline, or a YAML file")],
+    case: Annotated[str, typer.Option("--case", "-c", help="case id")],
+    suite: Annotated[str, typer.Option(help="id of a built suite")] = "starter",
+    open_page: Annotated[
+        bool, typer.Option("--open/--no-open", help="open the case page at the end, where there is a desktop")
+    ] = True,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Run one trial and watch it: every call, the budget left, the cost, the pictures; then its case page.
 
     A try has a folder of its own under ``tries/`` and is on no leaderboard.
     """
     chosen, suite_folder = configuration(name), _suite(suite)
-    plan = make_plan(SuiteFolder(suite_folder), [chosen], run_id="try", policy=DEFAULT_POLICY, judge="rule",
-                     engine="headless", cases=[case])
+    plan = make_plan(
+        SuiteFolder(suite_folder),
+        [chosen],
+        run_id="try",
+        policy=DEFAULT_POLICY,
+        judge="rule",
+        engine="headless",
+        cases=[case],
+    )
     agent = agent_of(chosen)
     if isinstance(agent, ModelClient):
         agent.ready(chosen)
@@ -119,8 +135,10 @@ def _ending(outcome: AttemptOutcome) -> str:
     cost = "" if outcome.cost_usd is None else f", ${outcome.cost_usd:.4f}"
     saved = f"saved {outcome.submission}" if outcome.submission else "nothing was saved"
     message = f": {outcome.message}" if outcome.message else ""
-    return (f"attempt {outcome.attempt}: {outcome.ended_by}{message}; {outcome.tool_calls} calls in "
-            f"{outcome.wall_s:.1f} s{tokens}{cost}; {saved}")
+    return (
+        f"attempt {outcome.attempt}: {outcome.ended_by}{message}; {outcome.tool_calls} calls in "
+        f"{outcome.wall_s:.1f} s{tokens}{cost}; {saved}"
+    )
 
 
 def _publish(root: Path, suite: Path, plan: Plan, case: str) -> Path:
@@ -137,16 +155,21 @@ def _publish(root: Path, suite: Path, plan: Plan, case: str) -> Path:
 
 def _print_score(trial: Trial, score: TrialScore) -> None:
     parts: list[tuple[str, Any]] = [("score", score.score), ("status", score.status)]
-    parts += [(name, value) for name in ("detailed", "overview", "physics", "repair_precision", "repair_recall",
-                                         "repair_f1") if (value := getattr(score, name)) is not None]
+    parts += [
+        (name, value)
+        for name in ("detailed", "overview", "physics", "repair_precision", "repair_recall", "repair_f1")
+        if (value := getattr(score, name)) is not None
+    ]
     if score.reason:
         parts.append(("reason", score.reason))
     print_table(("", trial.name), parts)
 
 
 @app.command("replay")
-def replay(attempt: Annotated[Path, typer.Argument(help="folder of a finished attempt in a run")],
-           json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def replay(
+    attempt: Annotated[Path, typer.Argument(help="folder of a finished attempt in a run")],
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Send the calls of a recorded attempt again and compare what is saved, byte by byte. Exit 1 when it differs."""
     from c4s.agents.attempt import run_attempt
     from c4s.run.stages import inputs
@@ -157,15 +180,28 @@ def replay(attempt: Annotated[Path, typer.Argument(help="folder of a finished at
         raise BadInput("the oracle reads the truth, which a replay is not given", where=str(attempt))
     given = inputs(trial)
     with tempfile.TemporaryDirectory(prefix="c4s-replay-") as folder:
-        again = run_attempt(given.case, given.agent_folder,
-                            Configuration(name="replay", client="replay",
-                                          options={"trajectory": str(attempt.absolute() / "trajectory.jsonl")}),
-                            recorded.attempt, Path(folder) / "attempt", given.packs, None)
+        again = run_attempt(
+            given.case,
+            given.agent_folder,
+            Configuration(
+                name="replay", client="replay", options={"trajectory": str(attempt.absolute() / "trajectory.jsonl")}
+            ),
+            recorded.attempt,
+            Path(folder) / "attempt",
+            given.packs,
+            None,
+        )
     equal = (again.submission, again.submission_sha256) == (recorded.submission, recorded.submission_sha256)
     if json_output:
-        print_json({"equal": equal, "recorded_sha256": recorded.submission_sha256,
-                    "replayed_sha256": again.submission_sha256, "tool_calls": again.tool_calls,
-                    "message": again.message})
+        print_json(
+            {
+                "equal": equal,
+                "recorded_sha256": recorded.submission_sha256,
+                "replayed_sha256": again.submission_sha256,
+                "tool_calls": again.tool_calls,
+                "message": again.message,
+            }
+        )
     else:
         print(f"{again.message}; the submission is {'equal, byte by byte' if equal else 'another one'}")
     if not equal:
@@ -177,8 +213,7 @@ def _trial_of(attempt: Path) -> Trial:
     folder = attempt.absolute()
     run = folder.parents[3] if len(folder.parents) > 3 else folder
     if not (run / "plan.json").is_file():
-        raise BadInput("not an attempt of a run", where=str(attempt),
-                       todo="give <run>/<agent>/<case>/r<k>/attempt-<n>")
+        raise BadInput("not an attempt of a run", where=str(attempt), todo="give <run>/<agent>/<case>/r<k>/attempt-<n>")
     plan = Plan.read(run / "plan.json")
     suite = _suite(plan.suite_id)
     return next(trial for trial in trials(run, suite, plan) if trial.folder.root == folder.parent)

@@ -8,23 +8,39 @@ from c4s.cli.output import console, print_table
 from c4s.home import warehouse_root
 from warehouse.database import rows
 
-COLUMNS = {"rank": "rank", "configuration": "agent", "model_score": "overall", "text_to_scene": "T2S",
-           "image_to_scene": "I2S", "indoor": "indoor", "outdoor": "outdoor", "repair_f1": "F1", "trials": "trials"}
+COLUMNS = {
+    "rank": "rank",
+    "configuration": "agent",
+    "model_score": "overall",
+    "text_to_scene": "T2S",
+    "image_to_scene": "I2S",
+    "indoor": "indoor",
+    "outdoor": "outdoor",
+    "repair_f1": "F1",
+    "trials": "trials",
+}
 
 
 def leaderboard(suite: str) -> list[dict[str, Any]]:
     """The leaderboard's rows of one suite."""
-    return [{**row, "trials": f"{row['resolved']}/{row['planned']}"}
-            for row in rows(warehouse_root(), "SELECT * FROM leaderboard") if row["suite"] == suite]
+    return [
+        {**row, "trials": f"{row['resolved']}/{row['planned']}"}
+        for row in rows(warehouse_root(), "SELECT * FROM leaderboard")
+        if row["suite"] == suite
+    ]
 
 
 def print_leaderboard(suite: str) -> None:
     """Print the leaderboard of a suite with what it may and may not be compared with."""
     found = leaderboard(suite)
-    print_table(list(COLUMNS.values()), [[row[name] for name in COLUMNS] for row in found],
-                title=f"Leaderboard: suite {suite}")
+    print_table(
+        list(COLUMNS.values()), [[row[name] for name in COLUMNS] for row in found], title=f"Leaderboard: suite {suite}"
+    )
     judges, engines = {row["judge"] for row in found}, {row["engine"] for row in found}
-    console.print("T2S: text to scene. I2S: image to scene, with its two domains and its Repair F1. "
-                  f"Judge: {', '.join(sorted(judges))} (offline; not ranked with results by a model judge). "
-                  f"Engine: {', '.join(sorted(engines))} (not ranked with Unreal). "
-                  "An agent without a rank only validates the evaluator.", style="dim")
+    console.print(
+        "T2S: text to scene. I2S: image to scene, with its two domains and its Repair F1. "
+        f"Judge: {', '.join(sorted(judges))} (offline; not ranked with results by a model judge). "
+        f"Engine: {', '.join(sorted(engines))} (not ranked with Unreal). "
+        "An agent without a rank only validates the evaluator.",
+        style="dim",
+    )

@@ -13,37 +13,60 @@ from c4s.home import runs_root, suites_root
 from c4s.run.folder import RunFolder
 from c4s.run.records import Plan
 
-app = typer.Typer(help="Published evidence bundles (code4scene.bundle.v1): score one, or pack a trial.",
-                  no_args_is_help=True)
+app = typer.Typer(
+    help="Published evidence bundles (code4scene.bundle.v1): score one, or pack a trial.", no_args_is_help=True
+)
 Json = Annotated[bool, typer.Option("--json")]
-_SHOWN = ("score", "detailed", "overview", "physics", "repair_f1", "repair_precision", "repair_recall",
-          "known_coverage")
+_SHOWN = (
+    "score",
+    "detailed",
+    "overview",
+    "physics",
+    "repair_f1",
+    "repair_precision",
+    "repair_recall",
+    "known_coverage",
+)
 
 
 @app.command()
-def score(folder: Annotated[Path, typer.Argument(help="folder with bundle.json")],
-          minimum_actors: Annotated[int, typer.Option(help="of the case")] = 1, json_output: Json = False) -> None:
+def score(
+    folder: Annotated[Path, typer.Argument(help="folder with bundle.json")],
+    minimum_actors: Annotated[int, typer.Option(help="of the case")] = 1,
+    json_output: Json = False,
+) -> None:
     """The case score of a bundle, from the evidence in it."""
     from c4s.bundle import read_bundle, score_bundle
 
     found = score_bundle(read_bundle(folder), minimum_actors=minimum_actors)
     if json_output:
-        print_json({"score": found.score.plain(),
-                    "verdicts": {name: verdict.plain() for name, verdict in found.verdicts.items()}})
+        print_json(
+            {
+                "score": found.score.plain(),
+                "verdicts": {name: verdict.plain() for name, verdict in found.verdicts.items()},
+            }
+        )
         return
-    print(f"{found.score.case_id} ({found.score.setting}), {found.score.configuration}: {found.score.status}"
-          + (f", {found.score.reason}" if found.score.reason else ""))
-    print_table(["component", "value"], [[name, getattr(found.score, name)] for name in _SHOWN
-                                         if getattr(found.score, name) is not None])
+    print(
+        f"{found.score.case_id} ({found.score.setting}), {found.score.configuration}: {found.score.status}"
+        + (f", {found.score.reason}" if found.score.reason else "")
+    )
+    print_table(
+        ["component", "value"],
+        [[name, getattr(found.score, name)] for name in _SHOWN if getattr(found.score, name) is not None],
+    )
 
 
 @app.command()
-def pack(run: Annotated[str, typer.Argument(help="run id or run folder")],
-         configuration: Annotated[str, typer.Argument(help="agent configuration")],
-         case: Annotated[str, typer.Argument(help="case id")], out: Annotated[Path, typer.Argument(help="new folder")],
-         repeat: Annotated[int, typer.Option(help="counts from 1")] = 1,
-         suite: Annotated[Path | None, typer.Option(help="suite folder (default: the run's suite)")] = None,
-         json_output: Json = False) -> None:
+def pack(
+    run: Annotated[str, typer.Argument(help="run id or run folder")],
+    configuration: Annotated[str, typer.Argument(help="agent configuration")],
+    case: Annotated[str, typer.Argument(help="case id")],
+    out: Annotated[Path, typer.Argument(help="new folder")],
+    repeat: Annotated[int, typer.Option(help="counts from 1")] = 1,
+    suite: Annotated[Path | None, typer.Option(help="suite folder (default: the run's suite)")] = None,
+    json_output: Json = False,
+) -> None:
     """Pack a trial of a run as a bundle. An image-to-scene bundle holds the withheld truth: keep it from agents."""
     from c4s.bundle import pack_trial
 

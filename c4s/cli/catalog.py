@@ -22,45 +22,79 @@ def list_packs(json_output: Annotated[bool, typer.Option("--json")] = False) -> 
     """The packs built here."""
     found = [Pack.read(path) for path in sorted(packs_root().glob("*/pack.json"))]
     if json_output:
-        print_json([{"pack": pack.pack_id, "title": pack.title, "assets": len(pack.assets), "license": pack.license,
-                     "sha256": pack.sha256()} for pack in found])
+        print_json(
+            [
+                {
+                    "pack": pack.pack_id,
+                    "title": pack.title,
+                    "assets": len(pack.assets),
+                    "license": pack.license,
+                    "sha256": pack.sha256(),
+                }
+                for pack in found
+            ]
+        )
     else:
-        print_table(["pack", "title", "assets", "licence"],
-                    [[pack.pack_id, pack.title, len(pack.assets), pack.license] for pack in found])
+        print_table(
+            ["pack", "title", "assets", "licence"],
+            [[pack.pack_id, pack.title, len(pack.assets), pack.license] for pack in found],
+        )
 
 
 @app.command()
-def show(pack_id: Annotated[str, typer.Argument(help="id of a pack")],
-         json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def show(
+    pack_id: Annotated[str, typer.Argument(help="id of a pack")],
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """The assets of a pack."""
     pack = Pack.read(_manifest(pack_id))
     if json_output:
         print_json(pack.plain())
         return
-    print_table(["id", "name", "category", "W x D x H (m)", "path"],
-                [[asset.id, asset.name, asset.category, " x ".join(f"{side:.2f}" for side in asset.size_m), asset.path]
-                 for asset in pack.assets], title=pack.title)
+    print_table(
+        ["id", "name", "category", "W x D x H (m)", "path"],
+        [
+            [asset.id, asset.name, asset.category, " x ".join(f"{side:.2f}" for side in asset.size_m), asset.path]
+            for asset in pack.assets
+        ],
+        title=pack.title,
+    )
 
 
 @app.command()
-def search(query: Annotated[str, typer.Argument(help="words: `red chair`")],
-           pack: Annotated[list[str] | None, typer.Option(help="id of a pack, repeatable; all when left out")] = None,
-           limit: Annotated[int, typer.Option(help="how many assets at most", min=1)] = 10,
-           json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def search(
+    query: Annotated[str, typer.Argument(help="words: `red chair`")],
+    pack: Annotated[list[str] | None, typer.Option(help="id of a pack, repeatable; all when left out")] = None,
+    limit: Annotated[int, typer.Option(help="how many assets at most", min=1)] = 10,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Find assets of the packs built here, as an agent's search tool finds them."""
     from c4s.toolbox.catalog import CaseCatalog, Entry
 
-    folders = [_manifest(name).parent for name in pack] if pack else sorted(
-        path.parent for path in packs_root().glob("*/pack.json"))
+    folders = (
+        [_manifest(name).parent for name in pack]
+        if pack
+        else sorted(path.parent for path in packs_root().glob("*/pack.json"))
+    )
     packs = [(folder, Pack.read(folder / "pack.json")) for folder in folders]
     catalog = CaseCatalog([Entry(asset, one, folder) for folder, one in packs for asset in one.assets])
     found = catalog.search(query, limit=limit)
     if json_output:
         print_json(found)
         return
-    print_table(["name", "category", "W x D x H (m)", "description", "path"],
-                [[row["name"], row["category"], " x ".join(f"{side:.2f}" for side in row["size_m"]),
-                  row["description"], row["spawn_path"]] for row in found])
+    print_table(
+        ["name", "category", "W x D x H (m)", "description", "path"],
+        [
+            [
+                row["name"],
+                row["category"],
+                " x ".join(f"{side:.2f}" for side in row["size_m"]),
+                row["description"],
+                row["spawn_path"],
+            ]
+            for row in found
+        ],
+    )
 
 
 def _manifest(pack_id: str) -> Path:
@@ -71,17 +105,24 @@ def _manifest(pack_id: str) -> Path:
 
 
 @app.command()
-def build(folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ and DAE files")],
-          out: Annotated[str, typer.Option(help="id of the pack to write")],
-          scale: Annotated[float, typer.Option(help="metres per unit of the files")] = 1.0,
-          title: Annotated[str | None, typer.Option(help="title of the pack; the folder's name when left out")] = None,
-          up: Annotated[Literal["y", "z"], typer.Option(help="axis that points up in OBJ files")] = "y",
-          hulls: Annotated[Literal["asset", "node", "piece", "decompose", "none"], typer.Option(
-              help="collision where a file brings none: one convex hull an asset, a node of its file or a connected "
-                   "piece, or convex parts (coacd; slow once)")] = "asset",
-          hulls_of: Annotated[list[str] | None, typer.Option(
-              help="another choice for some files, once for each: 'bench*=decompose'")] = None,
-          json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def build(
+    folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ and DAE files")],
+    out: Annotated[str, typer.Option(help="id of the pack to write")],
+    scale: Annotated[float, typer.Option(help="metres per unit of the files")] = 1.0,
+    title: Annotated[str | None, typer.Option(help="title of the pack; the folder's name when left out")] = None,
+    up: Annotated[Literal["y", "z"], typer.Option(help="axis that points up in OBJ files")] = "y",
+    hulls: Annotated[
+        Literal["asset", "node", "piece", "decompose", "none"],
+        typer.Option(
+            help="collision where a file brings none: one convex hull an asset, a node of its file or a connected "
+            "piece, or convex parts (coacd; slow once)"
+        ),
+    ] = "asset",
+    hulls_of: Annotated[
+        list[str] | None, typer.Option(help="another choice for some files, once for each: 'bench*=decompose'")
+    ] = None,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Turn a folder of mesh files into a pack. Files that cannot be used are named and skipped."""
     from catalog.ingest.folder import ingest
 
@@ -91,14 +132,25 @@ def build(folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ 
         def step(done: int, total: int, name: str) -> None:
             progress.update(task, completed=done, total=total, description=f"reading {name:43.43}")
 
-        report = ingest(folder, out, packs_root(), scale=scale, title=title, up=up, hulls=hulls,
-                        hulls_of=hulls_of or (), progress=step)
+        report = ingest(
+            folder,
+            out,
+            packs_root(),
+            scale=scale,
+            title=title,
+            up=up,
+            hulls=hulls,
+            hulls_of=hulls_of or (),
+            progress=step,
+        )
         progress.update(task, completed=report["files"], total=report["files"], description=f"{'pack written':51}")
     if json_output:
         print_json(report)
         return
-    print(f"{report['pack']}: {report['assets']} assets of {report['files']} files, {report['materials']} materials, "
-          f"licence {report['license']}, in {report['folder']}{' (unchanged)' if report['cached'] else ''}")
+    print(
+        f"{report['pack']}: {report['assets']} assets of {report['files']} files, {report['materials']} materials, "
+        f"licence {report['license']}, in {report['folder']}{' (unchanged)' if report['cached'] else ''}"
+    )
     for word, rows, key in (("skipped", report["skipped"], "reason"), ("note", report["notes"], "note")):
         for text, names in grouped(rows, key, "file").items():
             more = f" and {len(names) - NAMES_SHOWN} more (see --json)" if len(names) > NAMES_SHOWN else ""

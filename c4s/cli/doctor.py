@@ -39,17 +39,31 @@ class Finding:
 def _findings() -> Iterator[Finding]:
     missing = faults()
     usable = [name for name, why in missing.items() if not why]
-    yield Finding("sandbox", bool(usable), True, f"{usable[0]} confines engine processes" if usable else
-                  "; ".join(f"{name}: {why}" for name, why in missing.items()))
+    yield Finding(
+        "sandbox",
+        bool(usable),
+        True,
+        f"{usable[0]} confines engine processes"
+        if usable
+        else "; ".join(f"{name}: {why}" for name, why in missing.items()),
+    )
     flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").is_file() else ""
     yield Finding("AVX2", " avx2" in flags, True, f"pictures are drawn on the CPU ({platform.machine()})")
     free = shutil.disk_usage(home().parent if not home().exists() else home()).free / 1e9
     yield Finding("disk", free > LEAST_FREE_GB, True, f"{free:.0f} GB free for {home()}")
-    yield Finding("starter suite", (suites_root() / "starter/suite.json").is_file(), False,
-                  "built" if (suites_root() / "starter/suite.json").is_file() else "build it: c4s suite build starter")
+    yield Finding(
+        "starter suite",
+        (suites_root() / "starter/suite.json").is_file(),
+        False,
+        "built" if (suites_root() / "starter/suite.json").is_file() else "build it: c4s suite build starter",
+    )
     yield _prefect()
-    yield Finding("Unreal Editor", shutil.which("UnrealEditor-Cmd") is not None, False,
-                  "without it scenes are built on the headless engine, and are never ranked with Unreal results")
+    yield Finding(
+        "Unreal Editor",
+        shutil.which("UnrealEditor-Cmd") is not None,
+        False,
+        "without it scenes are built on the headless engine, and are never ranked with Unreal results",
+    )
     yield from _clients()
 
 
@@ -66,8 +80,12 @@ def _clients() -> Iterator[Finding]:
             yield Finding(f"client {name}", False, False, missing.line())
             continue
         where = f"{program.version or 'unknown version'}, {program.path}"
-        yield Finding(f"client {name}", True, False, where if unusable is None else
-                      f"{where}; it cannot be started without bubblewrap: {unusable}")
+        yield Finding(
+            f"client {name}",
+            True,
+            False,
+            where if unusable is None else f"{where}; it cannot be started without bubblewrap: {unusable}",
+        )
 
 
 def _prefect() -> Finding:
@@ -78,8 +96,9 @@ def _prefect() -> Finding:
     try:
         answer = httpx.get(f"{url.rstrip('/')}/health", timeout=API_TIMEOUT_S)
     except (httpx.HTTPError, httpx.InvalidURL) as error:
-        raise BadInput(f"the Prefect server does not answer: {error}", where=url,
-                       todo="start it, or unset PREFECT_API_URL") from None
+        raise BadInput(
+            f"the Prefect server does not answer: {error}", where=url, todo="start it, or unset PREFECT_API_URL"
+        ) from None
     return Finding("Prefect server", answer.is_success, False, f"{url} answers {answer.status_code}")
 
 

@@ -24,11 +24,15 @@ def engine() -> None:
 
 
 @app.command()
-def export(level: Annotated[Path, typer.Argument(help="level document, of a case or of a saved submission")],
-           glb: Annotated[Path, typer.Option(help="GLB file to write")],
-           pack: Annotated[list[str] | None, typer.Option(help="id or folder of a pack, once for each; default: the "
-                                                          "built packs that the level uses")] = None,
-           json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def export(
+    level: Annotated[Path, typer.Argument(help="level document, of a case or of a saved submission")],
+    glb: Annotated[Path, typer.Option(help="GLB file to write")],
+    pack: Annotated[
+        list[str] | None,
+        typer.Option(help="id or folder of a pack, once for each; default: the built packs that the level uses"),
+    ] = None,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Write a level as one GLB in metres, Y up, that any viewer opens. Hidden actors are left out."""
     if not level.is_file():
         raise BadInput("no such level document", where=str(level))
@@ -40,8 +44,10 @@ def export(level: Annotated[Path, typer.Argument(help="level document, of a case
     if json_output:
         print_json(report)
         return
-    print(f"{glb}: {report['actors']} actors, {report['meshes']} meshes, {report['triangles']} triangles, "
-          f"{report['lights']} lights, {report['cameras']} cameras")
+    print(
+        f"{glb}: {report['actors']} actors, {report['meshes']} meshes, {report['triangles']} triangles, "
+        f"{report['lights']} lights, {report['cameras']} cameras"
+    )
     for label in report["left_out"]:
         print(f"c4s: left out, glTF has no such light or camera: {label}", file=sys.stderr)
     for path in report["unresolved"]:
@@ -56,8 +62,13 @@ def _write(package: str, level: Path, packs: list[Path], glb: Path) -> dict[str,
 
     with tempfile.TemporaryDirectory(prefix="c4s-glb-") as folder:
         content = _content_root(level, package)
-        boot(packs, content or Path(folder), levels=[] if content else [level], start_map=package,
-             scratch=Path(folder) / "Saved")
+        boot(
+            packs,
+            content or Path(folder),
+            levels=[] if content else [level],
+            start_map=package,
+            scratch=Path(folder) / "Saved",
+        )
         unresolved = [path for path in references(read(level)) if world().find(path) is None]
         return {**write_glb(world(), glb), "unresolved": unresolved}
 
@@ -65,7 +76,7 @@ def _write(package: str, level: Path, packs: list[Path], glb: Path) -> dict[str,
 def _content_root(level: Path, package: str) -> Path | None:
     """The writable root that a saved level lies under, with the assets saved beside it; None for a lone document."""
     place, inside = level.resolve(), Path(f"{package[1:]}.level.json")
-    return place.parents[len(inside.parts) - 1] if place.parts[-len(inside.parts):] == inside.parts else None
+    return place.parents[len(inside.parts) - 1] if place.parts[-len(inside.parts) :] == inside.parts else None
 
 
 def _pack(name: str) -> Path:

@@ -18,13 +18,29 @@ from c4s.run.stages import inputs
 from warehouse.ingest import is_stored
 from warehouse.parquet import part_path
 
-QUIET = {"DO_NOT_TRACK": "1", "PREFECT_SERVER_ANALYTICS_ENABLED": "false", "PREFECT_LOGGING_LEVEL": "CRITICAL",
-         "PREFECT_SERVER_LOGGING_LEVEL": "CRITICAL", "PREFECT_LOGGING_TO_API_ENABLED": "false",
-         "PREFECT_SERVER_EPHEMERAL_STARTUP_TIMEOUT_SECONDS": "120",
-         "PREFECT_CLI_PROMPT": "false",
-         **{f"PREFECT_SERVER_SERVICES_{name}_ENABLED": "false" for name in (
-             "CANCELLATION_CLEANUP", "EVENT_PERSISTER", "FOREMAN", "LATE_RUNS", "PAUSE_EXPIRATIONS", "REPOSSESSOR",
-             "SCHEDULER", "TASK_RUN_RECORDER", "TRIGGERS")}}
+QUIET = {
+    "DO_NOT_TRACK": "1",
+    "PREFECT_SERVER_ANALYTICS_ENABLED": "false",
+    "PREFECT_LOGGING_LEVEL": "CRITICAL",
+    "PREFECT_SERVER_LOGGING_LEVEL": "CRITICAL",
+    "PREFECT_LOGGING_TO_API_ENABLED": "false",
+    "PREFECT_SERVER_EPHEMERAL_STARTUP_TIMEOUT_SECONDS": "120",
+    "PREFECT_CLI_PROMPT": "false",
+    **{
+        f"PREFECT_SERVER_SERVICES_{name}_ENABLED": "false"
+        for name in (
+            "CANCELLATION_CLEANUP",
+            "EVENT_PERSISTER",
+            "FOREMAN",
+            "LATE_RUNS",
+            "PAUSE_EXPIRATIONS",
+            "REPOSSESSOR",
+            "SCHEDULER",
+            "TASK_RUN_RECORDER",
+            "TRIGGERS",
+        )
+    },
+}
 """Prefect as a run in one process needs it: its server lives as long as the run, so it schedules nothing, and nobody
 asks it for the task runs that it would write down."""
 
@@ -39,18 +55,30 @@ class Evaluation:
     seconds: float
 
 
-def evaluate_here(suite: str, agents: Sequence[str], *, run_id: str | None, cases: Sequence[str], repeats: int,
-                  slots: int | None) -> Evaluation:
+def evaluate_here(
+    suite: str, agents: Sequence[str], *, run_id: str | None, cases: Sequence[str], repeats: int, slots: int | None
+) -> Evaluation:
     """Evaluate in this process. Raises ``BadInput`` before anything is started where the request cannot be met."""
     started = time.perf_counter()
     folder, run = suites_root() / suite, runs_root() / (run_id or suite)
     if not (folder / "suite.json").is_file():
         built = sorted(path.parent.name for path in suites_root().glob("*/suite.json"))
-        raise BadInput(f"unknown suite {suite!r}", where=str(suites_root()),
-                       todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`")
+        raise BadInput(
+            f"unknown suite {suite!r}",
+            where=str(suites_root()),
+            todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`",
+        )
     names = list(agents or BASELINES)
-    plan = make_plan(SuiteFolder(folder), [configuration(name) for name in names], run_id=run.name,
-                     policy=DEFAULT_POLICY, judge="rule", engine="headless", repeats=repeats, cases=cases)
+    plan = make_plan(
+        SuiteFolder(folder),
+        [configuration(name) for name in names],
+        run_id=run.name,
+        policy=DEFAULT_POLICY,
+        judge="rule",
+        engine="headless",
+        repeats=repeats,
+        cases=cases,
+    )
     scheduled = list(trials(run, folder, plan))
     for trial in {trial.case.case_id: trial for trial in scheduled}.values():
         inputs(trial)
@@ -68,11 +96,10 @@ def evaluate_here(suite: str, agents: Sequence[str], *, run_id: str | None, case
         os.environ.setdefault(name, value)
     from flows.evaluate import evaluate
 
-    stored = [part_path(warehouse_root(), "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial))
-              for trial in scheduled]
+    stored = [
+        part_path(warehouse_root(), "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial))
+        for trial in scheduled
+    ]
     with watch(scheduled, {path for path in stored if path.is_file()}, stored):
-        address = evaluate(suite=suite, agents=names, run_id=run.name, cases=list(cases), repeats=repeats,
-                           slots=slots)
+        address = evaluate(suite=suite, agents=names, run_id=run.name, cases=list(cases), repeats=repeats, slots=slots)
     return Evaluation(address, len(missing), len(scheduled) - len(missing), time.perf_counter() - started)
-
-

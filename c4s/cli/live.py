@@ -34,7 +34,7 @@ class _Follower:
         with self.path.open("rb") as source:
             source.seek(self.offset)
             data = source.read()
-        whole = data[:data.rfind(b"\n") + 1]
+        whole = data[: data.rfind(b"\n") + 1]
         self.offset += len(whole)
         return [json.loads(line) for line in whole.split(b"\n") if line.strip()]
 
@@ -72,8 +72,9 @@ def call_line(line: Mapping[str, Any], cost: str) -> Text:
     """One call: number, tool, arguments, how it ended, and the budget left."""
     event, outcome = line["event"], line["outcome"]
     number = f"{line['call']:4d}" if event == "call" else "   –"
-    shown = ", ".join(f"{key}={json.dumps(value, ensure_ascii=False)}"
-                      for key, value in (line.get("arguments") or {}).items())
+    shown = ", ".join(
+        f"{key}={json.dumps(value, ensure_ascii=False)}" for key, value in (line.get("arguments") or {}).items()
+    )
     shown = " ".join(shown.split())
     text = Text(f"{number}  ")
     text.append(str(line["tool"]), "bold")
@@ -98,7 +99,7 @@ def thumbnail(console: Console, path: Path) -> Text:
     pixels = picture.tobytes()
 
     def colour(x: int, y: int) -> str:
-        r, g, b = pixels[3 * (y * width + x):3 * (y * width + x) + 3]
+        r, g, b = pixels[3 * (y * width + x) : 3 * (y * width + x) + 3]
         return f"#{r:02x}{g:02x}{b:02x}"
 
     text = Text()

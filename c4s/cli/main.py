@@ -8,8 +8,13 @@ import typer
 
 from c4s.cli import agent, boundary, bundle, catalog, demo, doctor, engine, report, run, score, sql, suite, verify
 
-app = typer.Typer(name="c4s", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
-                  help="Run coding agents on 3D scene cases, score the scenes they save, publish leaderboards.")
+app = typer.Typer(
+    name="c4s",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Run coding agents on 3D scene cases, score the scenes they save, publish leaderboards.",
+)
 app.command("demo")(demo.demo)
 app.command("run")(run.run)
 app.add_typer(agent.app, name="agent")

@@ -46,8 +46,9 @@ def print_table(columns: Sequence[str], rows: Sequence[Sequence[Any]], *, title:
         numeric = any(isinstance(row[index], int | float) for row in rows)
         widest = max((len(cell(row[index])) for row in rows), default=0)
         narrowest = widest if numeric else min(widest, NARROW_TEXT)
-        table.add_column(column, justify="right" if numeric else "left", no_wrap=numeric, overflow="fold",
-                         min_width=narrowest)
+        table.add_column(
+            column, justify="right" if numeric else "left", no_wrap=numeric, overflow="fold", min_width=narrowest
+        )
         width += max(narrowest, NARROW_NAME)
     if width > console.width:
         _print_blocks(columns, rows, title)

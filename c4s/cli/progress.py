@@ -20,9 +20,16 @@ SIGN_OF_LIFE_S = 60.0
 
 def bars() -> Progress:
     """A progress display with a count and the time gone by."""
-    return Progress(SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-                    TimeElapsedColumn(), console=progress_console, transient=False,
-                    disable=not progress_console.is_terminal)
+    return Progress(
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        console=progress_console,
+        transient=False,
+        disable=not progress_console.is_terminal,
+    )
 
 
 def step_line(message: str) -> None:
@@ -33,8 +40,12 @@ def step_line(message: str) -> None:
 
 def _newest(trials: list[Trial]) -> str:
     """What the most recently touched unfinished trial is doing."""
-    busy = [(path.stat().st_mtime, trial.name, path.name) for trial in trials if trial.folder.root.is_dir()
-            for path in trial.folder.root.iterdir()]
+    busy = [
+        (path.stat().st_mtime, trial.name, path.name)
+        for trial in trials
+        if trial.folder.root.is_dir()
+        for path in trial.folder.root.iterdir()
+    ]
     return f"{max(busy)[1]}" if busy else "starting the engine slots"
 
 

@@ -14,9 +14,12 @@ from warehouse.database import rebuild
 from warehouse.ingest import rebuild_from_run
 
 
-def report(from_runs: Annotated[bool, typer.Option("--from-runs", help="first write every outcome anew from the run "
-                                                   "folders")] = False,
-           json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def report(
+    from_runs: Annotated[
+        bool, typer.Option("--from-runs", help="first write every outcome anew from the run folders")
+    ] = False,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Rebuild the warehouse's views and render the pages from them."""
     if from_runs:
         for plan in sorted(runs_root().glob("*/plan.json")):

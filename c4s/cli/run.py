@@ -11,22 +11,33 @@ from c4s.cli.evaluation import evaluate_here
 from c4s.cli.output import print_json
 
 
-def run(suite: Annotated[str, typer.Argument(help="id of a built suite")],
-        agent: Annotated[list[str] | None, typer.Option("--agent", "-a", help="configuration name or YAML file; "
-                                                        "repeatable (default: the five baselines)")] = None,
-        case: Annotated[list[str] | None, typer.Option("--case", "-c", help="only this case; repeatable")] = None,
-        run_id: Annotated[str | None, typer.Option(help="folder name of the run (default: the suite's id)")] = None,
-        repeats: Annotated[int, typer.Option(min=1, help="repeats of each case")] = 1,
-        slots: Annotated[int | None, typer.Option(min=1, help="engines at once (default: one a core)")] = None,
-        json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def run(
+    suite: Annotated[str, typer.Argument(help="id of a built suite")],
+    agent: Annotated[
+        list[str] | None,
+        typer.Option("--agent", "-a", help="configuration name or YAML file; repeatable (default: the five baselines)"),
+    ] = None,
+    case: Annotated[list[str] | None, typer.Option("--case", "-c", help="only this case; repeatable")] = None,
+    run_id: Annotated[str | None, typer.Option(help="folder name of the run (default: the suite's id)")] = None,
+    repeats: Annotated[int, typer.Option(min=1, help="repeats of each case")] = 1,
+    slots: Annotated[int | None, typer.Option(min=1, help="engines at once (default: one a core)")] = None,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Run agents on a suite, verify what they save, store the outcomes, render the pages.
 
     The same command again goes on where a run stopped and skips what is done.
     """
     made = evaluate_here(suite, agent or (), run_id=run_id, cases=case or (), repeats=repeats, slots=slots)
     if json_output:
-        print_json({"page": made.page, "ran": made.ran, "skipped": made.skipped, "seconds": round(made.seconds, 2),
-                    "leaderboard": leaderboard(suite)})
+        print_json(
+            {
+                "page": made.page,
+                "ran": made.ran,
+                "skipped": made.skipped,
+                "seconds": round(made.seconds, 2),
+                "leaderboard": leaderboard(suite),
+            }
+        )
         return
     print_leaderboard(suite)
     print(f"{made.ran} trials run, {made.skipped} already done, {made.seconds:.0f} s\n{made.page}")

@@ -18,11 +18,12 @@ from c4s.score.batch import score_batch
 SHOWN = 40
 
 
-def score(run: Annotated[str | None, typer.Argument(help="run id or run folder to score again")] = None,
-          batch: Annotated[Path | None, typer.Option("--batch", help="JSON lines (optionally gzip), one row "
-                                                     "each")] = None,
-          policy: Annotated[str, typer.Option(help="policy id or policy file")] = DEFAULT_POLICY,
-          json_output: Annotated[bool, typer.Option("--json", help="the whole delta report as JSON")] = False) -> None:
+def score(
+    run: Annotated[str | None, typer.Argument(help="run id or run folder to score again")] = None,
+    batch: Annotated[Path | None, typer.Option("--batch", help="JSON lines (optionally gzip), one row each")] = None,
+    policy: Annotated[str, typer.Option(help="policy id or policy file")] = DEFAULT_POLICY,
+    json_output: Annotated[bool, typer.Option("--json", help="the whole delta report as JSON")] = False,
+) -> None:
     """What another policy would change in a run (stored files stay as they are), or scores of a batch of rows."""
     if (run is None) == (batch is None):
         raise BadInput("give either a run or --batch FILE")
@@ -49,16 +50,20 @@ def _rescore(run: str, policy: str, json_output: bool) -> None:
     if json_output:
         print_json(report)
         return
-    print(f"{found.run_id} under {found.policy.policy_id}: {report['changed_trials']} of {report['trials']} trials "
-          f"change" + (f", {len(found.pending)} pending" if found.pending else ""))
+    print(
+        f"{found.run_id} under {found.policy.policy_id}: {report['changed_trials']} of {report['trials']} trials "
+        f"change" + (f", {len(found.pending)} pending" if found.pending else "")
+    )
     if report["means"]:
-        print_table(["configuration", "setting", "trials", "stored mean", "new mean"],
-                    [[row["configuration"], row["setting"], row["trials"], row["from"], row["to"]]
-                     for row in report["means"]])
+        print_table(
+            ["configuration", "setting", "trials", "stored mean", "new mean"],
+            [[row["configuration"], row["setting"], row["trials"], row["from"], row["to"]] for row in report["means"]],
+        )
     deltas = report["deltas"]
     if deltas:
-        print_table(["trial", "component", "stored", "new"],
-                    [[row["trial"], row["component"], _exact(row["from"]), _exact(row["to"])]
-                     for row in deltas[:SHOWN]])
+        print_table(
+            ["trial", "component", "stored", "new"],
+            [[row["trial"], row["component"], _exact(row["from"]), _exact(row["to"])] for row in deltas[:SHOWN]],
+        )
     if len(deltas) > SHOWN:
         print(f"and {len(deltas) - SHOWN} more; --json lists all")

@@ -14,16 +14,20 @@ from warehouse.database import ask, questions
 from warehouse.frames import export
 
 
-def sql(query: Annotated[str | None, typer.Argument(help="SQL, a question's name, or a .sql file")] = None,
-        out: Annotated[Path | None, typer.Option(help="write the rows to a .csv or .parquet file")] = None,
-        json_output: Annotated[bool, typer.Option("--json", help="rows as a JSON array")] = False) -> None:
+def sql(
+    query: Annotated[str | None, typer.Argument(help="SQL, a question's name, or a .sql file")] = None,
+    out: Annotated[Path | None, typer.Option(help="write the rows to a .csv or .parquet file")] = None,
+    json_output: Annotated[bool, typer.Option("--json", help="rows as a JSON array")] = False,
+) -> None:
     """Ask the warehouse in SQL. Without a query, list the named questions."""
     if query is None:
         if json_output:
             print_json(questions())
         else:
-            print("Questions: " + ", ".join(questions()) + "\nTables: schedule, outcomes, attempts, verdicts, "
-                  "findings, pictures\nTry: c4s sql leaderboard")
+            print(
+                "Questions: " + ", ".join(questions()) + "\nTables: schedule, outcomes, attempts, verdicts, "
+                "findings, pictures\nTry: c4s sql leaderboard"
+            )
         return
     if query in questions():
         text = f"SELECT * FROM {query}"

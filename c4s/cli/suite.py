@@ -35,8 +35,9 @@ def build_starter_visibly() -> Suite:
 
 
 @app.command()
-def build(name: Annotated[str, typer.Argument(help="`starter`")],
-          json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def build(
+    name: Annotated[str, typer.Argument(help="`starter`")], json_output: Annotated[bool, typer.Option("--json")] = False
+) -> None:
     """Build a shipped suite with its asset packs."""
     if name != "starter":
         raise BadInput(f"unknown shipped suite {name!r}", todo="the shipped suite is `starter`")
@@ -48,24 +49,34 @@ def list_suites(json_output: Annotated[bool, typer.Option("--json")] = False) ->
     """The suites built here."""
     found = [Suite.read(path) for path in sorted(suites_root().glob("*/suite.json"))]
     if json_output:
-        print_json([{"suite": suite.suite_id, "title": suite.title, "cases": len(suite.cases),
-                     "sha256": suite.sha256()} for suite in found])
+        print_json(
+            [
+                {"suite": suite.suite_id, "title": suite.title, "cases": len(suite.cases), "sha256": suite.sha256()}
+                for suite in found
+            ]
+        )
     else:
-        print_table(["suite", "title", "cases", "digest"],
-                    [[suite.suite_id, suite.title, len(suite.cases), suite.sha256()[:12]] for suite in found])
+        print_table(
+            ["suite", "title", "cases", "digest"],
+            [[suite.suite_id, suite.title, len(suite.cases), suite.sha256()[:12]] for suite in found],
+        )
 
 
 @app.command()
-def show(name: Annotated[str, typer.Argument(help="id of a built suite")],
-         json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def show(
+    name: Annotated[str, typer.Argument(help="id of a built suite")],
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """The cases of a suite."""
     _tell(SuiteFolder(suites_root() / name).suite(), suites_root() / name, json_output)
 
 
 @importing.command()
-def code4scene(folder: Annotated[Path, typer.Argument(help="folder with the published task layout")],
-               out: Annotated[str | None, typer.Option(help="id of the suite to write")] = None,
-               json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+def code4scene(
+    folder: Annotated[Path, typer.Argument(help="folder with the published task layout")],
+    out: Annotated[str | None, typer.Option(help="id of the suite to write")] = None,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes."""
     from cases.code4scene.importer import import_code4scene
 
@@ -80,21 +91,25 @@ def code4scene(folder: Annotated[Path, typer.Argument(help="folder with the publ
     if json_output:
         print_json(report)
         return
-    print_table(["case", "setting", "assets", "runnable", "note"],
-                [[row["case_id"], row["setting"], row["assets"], row["runnable"], row["note"]]
-                 for row in report["cases"]])
+    print_table(
+        ["case", "setting", "assets", "runnable", "note"],
+        [[row["case_id"], row["setting"], row["assets"], row["runnable"], row["note"]] for row in report["cases"]],
+    )
     print(f"{report['runnable']} of {len(report['cases'])} cases are runnable here: c4s run {name} --agent planner")
 
 
 @app.command("import-scene")
 def import_scene_file(
-        file: Annotated[Path, typer.Argument(help="SDF world, glTF/GLB/DAE node tree, or placement table (CSV)")],
-        out: Annotated[str, typer.Option(help="id of the pack and of the folder under the suites")],
-        scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
-        without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
-        replace: Annotated[list[str] | None, typer.Option(
-            help="NAME=FILE#PART: read a mesh that an SDF world names from another file; repeatable")] = None,
-        json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    file: Annotated[Path, typer.Argument(help="SDF world, glTF/GLB/DAE node tree, or placement table (CSV)")],
+    out: Annotated[str, typer.Option(help="id of the pack and of the folder under the suites")],
+    scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
+    without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
+    replace: Annotated[
+        list[str] | None,
+        typer.Option(help="NAME=FILE#PART: read a mesh that an SDF world names from another file; repeatable"),
+    ] = None,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Bring a human-made scene in as a source scene: a pack of its meshes and a level with an actor a placed thing."""
     from cases.importers.run import import_scene
 
@@ -104,19 +119,31 @@ def import_scene_file(
         def step(message: str) -> None:
             progress.update(task, description=f"reading {message:43.43}")
 
-        report = import_scene(file, out, suites=suites_root(), packs=packs_root(), scale=scale,
-                              without=without or [], replace=replace or [], progress=step)
+        report = import_scene(
+            file,
+            out,
+            suites=suites_root(),
+            packs=packs_root(),
+            scale=scale,
+            without=without or [],
+            replace=replace or [],
+            progress=step,
+        )
         progress.update(task, description=f"{'scene written':51}")
     if json_output:
         print_json(report)
         return
-    print(f"{report['actors']} actors, {report['lights']} lights, {report['assets']} assets (pack {report['pack']}, "
-          f"licence {report['license']}): {report['level']}")
+    print(
+        f"{report['actors']} actors, {report['lights']} lights, {report['assets']} assets (pack {report['pack']}, "
+        f"licence {report['license']}): {report['level']}"
+    )
     for reason, names in grouped(report["skipped"], "reason", "name").items():
         print(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
     if any("mesh" in row["reason"] and row["reason"].endswith("is missing") for row in report["skipped"]):
-        print("a missing mesh can be read from a part of another file: see --replace; "
-              f"every name is in {suites_root() / out / 'import.json'}")
+        print(
+            "a missing mesh can be read from a part of another file: see --replace; "
+            f"every name is in {suites_root() / out / 'import.json'}"
+        )
     for text, names in grouped(report["notes"], "note", "name").items():
         print(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
     if report["proposed_scale"]:
@@ -125,13 +152,14 @@ def import_scene_file(
 
 @app.command("make-cases")
 def make_cases(
-        scene: Annotated[str, typer.Argument(help="name of an imported scene")],
-        out: Annotated[str | None, typer.Option(help="id of the suite; else the scene's with `-cases`")] = None,
-        count: Annotated[int, typer.Option(min=1, max=200, help="number of cases")] = 3,
-        changes: Annotated[int, typer.Option(min=1, max=8, help="most changes of a case")] = 3,
-        seed: Annotated[int, typer.Option(help="another seed, other cases")] = 0,
-        outdoor: Annotated[bool, typer.Option(help="cases of the outdoor setting")] = False,
-        json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
+    scene: Annotated[str, typer.Argument(help="name of an imported scene")],
+    out: Annotated[str | None, typer.Option(help="id of the suite; else the scene's with `-cases`")] = None,
+    count: Annotated[int, typer.Option(min=1, max=200, help="number of cases")] = 3,
+    changes: Annotated[int, typer.Option(min=1, max=8, help="most changes of a case")] = 3,
+    seed: Annotated[int, typer.Option(help="another seed, other cases")] = 0,
+    outdoor: Annotated[bool, typer.Option(help="cases of the outdoor setting")] = False,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
     """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original."""
     from dataclasses import replace
 
@@ -152,8 +180,17 @@ def make_cases(
 
         level = Level.read(document)
         things = sound_things(level, [packs_root() / scene])
-        definition = generated(scene, level, things, packs_root(), [scene], count=count, changes=changes,
-                               seed=seed, environment="outdoor" if outdoor else "indoor")
+        definition = generated(
+            scene,
+            level,
+            things,
+            packs_root(),
+            [scene],
+            count=count,
+            changes=changes,
+            seed=seed,
+            environment="outdoor" if outdoor else "indoor",
+        )
         definition = replace(definition, suite_id=out or definition.suite_id)
         if definition.suite_id == scene:
             raise BadInput("the suite cannot have the scene's own name", where=f"--out {scene}")
@@ -166,8 +203,18 @@ def _tell(suite: Suite, root: Path, json_output: bool) -> None:
         print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root)})
         return
     folder = SuiteFolder(root)
-    print_table(["case", "setting", "scene", "operations", "title"],
-                [[case.case_id, case.setting, withheld.scene_id, " ".join(withheld.operations),
-                  folder.agent_case(case.case_id).title]
-                 for case in suite.cases for withheld in [folder.withheld_case(case.case_id)]],
-                title=f"{suite.title} ({suite.suite_id}, {suite.sha256()[:12]})")
+    print_table(
+        ["case", "setting", "scene", "operations", "title"],
+        [
+            [
+                case.case_id,
+                case.setting,
+                withheld.scene_id,
+                " ".join(withheld.operations),
+                folder.agent_case(case.case_id).title,
+            ]
+            for case in suite.cases
+            for withheld in [folder.withheld_case(case.case_id)]
+        ],
+        title=f"{suite.title} ({suite.suite_id}, {suite.sha256()[:12]})",
+    )

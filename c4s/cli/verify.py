@@ -45,10 +45,13 @@ def _given(path: Path | None, option: str) -> Path:
 
 
 @app.command()
-def repair(start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene")] = None,
-           truth: Annotated[Path | None, typer.Option(help="snapshot of the original scene")] = None,
-           candidate: Annotated[Path | None, typer.Option(help="snapshot of the saved scene")] = None,
-           batch: Batch = None, json_output: Json = False) -> None:
+def repair(
+    start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene")] = None,
+    truth: Annotated[Path | None, typer.Option(help="snapshot of the original scene")] = None,
+    candidate: Annotated[Path | None, typer.Option(help="snapshot of the saved scene")] = None,
+    batch: Batch = None,
+    json_output: Json = False,
+) -> None:
     """Actor Repair F1 of a saved scene against the truth."""
     from c4s.verify.batch import repair_batch
     from c4s.verify.repair import verify_repair
@@ -58,16 +61,18 @@ def repair(start: Annotated[Path | None, typer.Option("--input", help="snapshot 
             raise BadInput("give either --batch FILE or the three scenes")
         write_rows(batch, repair_batch)
         return
-    _print(verify_repair(_given(start, "--input"), _given(truth, "--truth"), _given(candidate, "--candidate")),
-           json_output)
+    _print(
+        verify_repair(_given(start, "--input"), _given(truth, "--truth"), _given(candidate, "--candidate")), json_output
+    )
 
 
 @app.command()
-def physics(snapshot: Annotated[Path, typer.Option(help="snapshot of the saved scene")],
-            setting: Annotated[str, typer.Option(help=", ".join(SETTINGS))] = "text-to-scene",
-            start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene "
-                                                       "(image-to-scene)")] = None,
-            json_output: Json = False) -> None:
+def physics(
+    snapshot: Annotated[Path, typer.Option(help="snapshot of the saved scene")],
+    setting: Annotated[str, typer.Option(help=", ".join(SETTINGS))] = "text-to-scene",
+    start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene (image-to-scene)")] = None,
+    json_output: Json = False,
+) -> None:
     """Support and penetration of a saved scene."""
     from c4s.verify.physics import verify_physics
 

@@ -26,15 +26,21 @@ def box_depths(half_a: Array, rotation_a: Array, half_b: Array, rotation_b: Arra
     span = np.abs(turn)
     along_a = np.einsum("nki,nk->ni", rotation_a, offset)
     along_b = np.einsum("nki,nk->ni", rotation_b, offset)
-    depth = np.minimum((half_a + np.einsum("nij,nj->ni", span, half_b) - np.abs(along_a)).min(axis=1),
-                       (half_b + np.einsum("nij,ni->nj", span, half_a) - np.abs(along_b)).min(axis=1))
+    depth = np.minimum(
+        (half_a + np.einsum("nij,nj->ni", span, half_b) - np.abs(along_a)).min(axis=1),
+        (half_b + np.einsum("nij,ni->nj", span, half_a) - np.abs(along_b)).min(axis=1),
+    )
     for i in range(3):
         i1, i2 = (i + 1) % 3, (i + 2) % 3
         for j in range(3):
             j1, j2 = (j + 1) % 3, (j + 2) % 3
             length = np.hypot(turn[:, i1, j], turn[:, i2, j])
-            reach = (half_a[:, i1] * span[:, i2, j] + half_a[:, i2] * span[:, i1, j]
-                     + half_b[:, j1] * span[:, i, j2] + half_b[:, j2] * span[:, i, j1])
+            reach = (
+                half_a[:, i1] * span[:, i2, j]
+                + half_a[:, i2] * span[:, i1, j]
+                + half_b[:, j1] * span[:, i, j2]
+                + half_b[:, j2] * span[:, i, j1]
+            )
             apart = np.abs(along_a[:, i2] * turn[:, i1, j] - along_a[:, i1] * turn[:, i2, j])
             crossing = length > PARALLEL
             depth = np.where(crossing, np.minimum(depth, (reach - apart) / np.where(crossing, length, 1.0)), depth)

@@ -67,15 +67,22 @@ class ContactRule:
         return np.asarray(counts & ((beyond[a] < ENOUGH) | (beyond[b] < ENOUGH)))
 
 
-def contacts(snapshot: Mapping[str, Any], *, minimum_depth_cm: float = 0.0,
-             actors: Collection[str] | None = None) -> list[Contact]:
+def contacts(
+    snapshot: Mapping[str, Any], *, minimum_depth_cm: float = 0.0, actors: Collection[str] | None = None
+) -> list[Contact]:
     """Contacts deeper than ``minimum_depth_cm``, in snapshot order; ``actors``: only those of these object names."""
     chosen = None if actors is None else {i for i, name in enumerate(_names(snapshot)) if name in actors}
     return scene_contacts(snapshot, scene_bodies(snapshot), minimum_depth_cm=minimum_depth_cm, actors=chosen)
 
 
-def scene_contacts(snapshot: Mapping[str, Any], scene: SceneBodies, *, minimum_depth_cm: float = 0.0,
-                   actors: Collection[int] | None = None, rule: ContactRule | None = None) -> list[Contact]:
+def scene_contacts(
+    snapshot: Mapping[str, Any],
+    scene: SceneBodies,
+    *,
+    minimum_depth_cm: float = 0.0,
+    actors: Collection[int] | None = None,
+    rule: ContactRule | None = None,
+) -> list[Contact]:
     """``contacts`` for bodies that are already placed; ``actors``: only those at these positions.
 
     Two actors have one contact, of their deepest trusted pair of bodies; and a second one when a pair that is not
@@ -95,20 +102,27 @@ def scene_contacts(snapshot: Mapping[str, Any], scene: SceneBodies, *, minimum_d
         i, j, push_out = i[wanted], j[wanted], push_out[wanted]
         depth, trusted = table.depths(i, j, push_out, minimum_depth_cm)
         hit = np.flatnonzero(depth > 0)
-        part = _deepest(np.minimum(owners[i[hit]], owners[j[hit]]), np.maximum(owners[i[hit]], owners[j[hit]]),
-                        depth[hit], trusted[hit])
+        part = _deepest(
+            np.minimum(owners[i[hit]], owners[j[hit]]),
+            np.maximum(owners[i[hit]], owners[j[hit]]),
+            depth[hit],
+            trusted[hit],
+        )
         parts.append(part)
         for side in part[:2]:
             beyond += np.bincount(side[part[3] & (part[2] > rule.limits_cm[side])], minlength=len(beyond))
     if not parts:
         return []
     a, b, depth, trusted = _deepest(*(np.concatenate(column) for column in zip(*parts, strict=True)))
-    return [Contact(names[one], names[other], cm, sure, one, other) for one, other, cm, sure in
-            zip(a.tolist(), b.tolist(), depth.tolist(), trusted.tolist(), strict=True)]
+    return [
+        Contact(names[one], names[other], cm, sure, one, other)
+        for one, other, cm, sure in zip(a.tolist(), b.tolist(), depth.tolist(), trusted.tolist(), strict=True)
+    ]
 
 
-def _deepest(a: Pairs, b: Pairs, depth: Array, trusted: NDArray[np.bool_]
-             ) -> tuple[Pairs, Pairs, Array, NDArray[np.bool_]]:
+def _deepest(
+    a: Pairs, b: Pairs, depth: Array, trusted: NDArray[np.bool_]
+) -> tuple[Pairs, Pairs, Array, NDArray[np.bool_]]:
     """Of each pair (a, b): the deepest trusted row, then the deepest other row if that is deeper; sorted by pair."""
     order = np.lexsort((-depth, ~trusted, b, a))
     a, b, depth, trusted = a[order], b[order], depth[order], trusted[order]
@@ -123,12 +137,14 @@ def _deepest(a: Pairs, b: Pairs, depth: Array, trusted: NDArray[np.bool_]
 
 
 def _names(snapshot: Mapping[str, Any]) -> list[str]:
-    return [str(actor.get("name") or actor.get("label") or f"#{i}")
-            for i, actor in enumerate(snapshot.get("actors") or [])]
+    return [
+        str(actor.get("name") or actor.get("label") or f"#{i}") for i, actor in enumerate(snapshot.get("actors") or [])
+    ]
 
 
-def _candidates(table: BodyTable, owners: Pairs, minimum_depth_cm: float, actors: Collection[int] | None
-                ) -> Iterator[tuple[Pairs, Pairs, Array]]:
+def _candidates(
+    table: BodyTable, owners: Pairs, minimum_depth_cm: float, actors: Collection[int] | None
+) -> Iterator[tuple[Pairs, Pairs, Array]]:
     """Body pairs of different actors whose boxes overlap by more than ``minimum_depth_cm``, with that push-out."""
     if len(owners) < 2:
         return
@@ -141,7 +157,7 @@ def _candidates(table: BodyTable, owners: Pairs, minimum_depth_cm: float, actors
         searching = searching[chosen[searching]]
     found: list[tuple[Pairs, Pairs, Array]] = []
     for start in range(0, len(searching), CHUNK):
-        part = searching[start:start + CHUNK]
+        part = searching[start : start + CHUNK]
         hit, j = tree.query(boxes[part])
         i = part[hit]
         keep = owners[i] != owners[j]

@@ -65,8 +65,13 @@ class BodyTable:
         depth, trusted = np.zeros(len(i)), np.ones(len(i), dtype=bool)
         boxes = self._box[first] & self._box[second]
         a, b = first[boxes], second[boxes]
-        depth[boxes] = box_depths(self._half[a], self._rotation[a], self._half[b], self._rotation[b],
-                                  self._translation[b] - self._translation[a])
+        depth[boxes] = box_depths(
+            self._half[a],
+            self._rotation[a],
+            self._half[b],
+            self._rotation[b],
+            self._translation[b] - self._translation[a],
+        )
         others = np.flatnonzero(~boxes)
         depth[others], trusted[others] = self._measured(first[others], second[others], push_out[others], minimum_cm)
         return np.where(depth > max(minimum_cm, NOISE_CM), depth, 0.0), trusted
@@ -133,8 +138,9 @@ class DepthMeter:
         for nudge in (None, *NUDGES_CM):
             other = b if nudge is None else b.moved(nudge)
             self._result.clear()
-            depth = -float(coal.distance(a.form.coal, a.coal_pose, other.form.coal, other.coal_pose,
-                                         self._request, self._result))
+            depth = -float(
+                coal.distance(a.form.coal, a.coal_pose, other.form.coal, other.coal_pose, self._request, self._result)
+            )
             normal = np.array(self._result.normal)
             way_out = float((a.translation - other.translation) @ normal) + a.reach(normal) + other.reach(-normal)
             if _proves(np.array([depth]), np.array([way_out]), np.array([bound]))[0]:

@@ -64,15 +64,21 @@ class Hull:
         factors = np.abs(scale)
         if float(factors.min()) * self.thickness <= STURDY * float(factors.max()):
             return convex_hull((self.corners + self.centre) * scale)
-        return Hull(self.centre * scale, self.corners * scale,
-                    self.faces.mirrored if float(np.prod(np.sign(scale))) < 0 else self.faces, self.thickness)
+        return Hull(
+            self.centre * scale,
+            self.corners * scale,
+            self.faces.mirrored if float(np.prod(np.sign(scale))) < 0 else self.faces,
+            self.thickness,
+        )
 
     def geometries(self) -> tuple[Any, Any]:
         """The hull as coal's and as python-fcl's convex geometry, in the frame of its centre."""
         points = coal.StdVec_Vec3s()
         points.extend(list(self.corners))
-        return (coal.Convex(points, self.faces.for_coal),
-                fcl.Convex(self.corners, len(self.faces.triangles), self.faces.for_fcl))
+        return (
+            coal.Convex(points, self.faces.for_coal),
+            fcl.Convex(self.corners, len(self.faces.triangles), self.faces.for_fcl),
+        )
 
 
 def convex_hull(points: Array) -> Hull | None:

@@ -51,8 +51,12 @@ def triple(values: Any) -> Triple:
     if not isinstance(values, list | tuple) or len(values) != 3:
         raise ValueError("not three numbers")
     x, y, z = values
-    if type(x) is type(y) is type(z) is float and -LARGEST <= x <= LARGEST and -LARGEST <= y <= LARGEST \
-            and -LARGEST <= z <= LARGEST:
+    if (
+        type(x) is type(y) is type(z) is float
+        and -LARGEST <= x <= LARGEST
+        and -LARGEST <= y <= LARGEST
+        and -LARGEST <= z <= LARGEST
+    ):
         return x, y, z
     return number(x), number(y), number(z)
 
@@ -70,8 +74,9 @@ def read_body(record: Any) -> MeshBody:
     rotation = record.get("rotation_deg")
     turned = (0.0, 0.0, 0.0) if rotation is None else triple(rotation)
     if kind == "capsule":
-        return MeshBody("capsule", centre, turned,
-                        (abs(number(record.get("radius"))), abs(number(record.get("length"))), 0.0))
+        return MeshBody(
+            "capsule", centre, turned, (abs(number(record.get("radius"))), abs(number(record.get("length"))), 0.0)
+        )
     if kind == "box":
         x, y, z = triple(record.get("half_extent"))
         return MeshBody("box", centre, turned, (abs(x), abs(y), abs(z)))

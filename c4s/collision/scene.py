@@ -127,9 +127,17 @@ def _quaternion(transform: Mapping[str, Any]) -> tuple[float, float, float, floa
 def _matrices(quaternions: Array) -> Array:
     """Rotation matrices (n, 3, 3) of quaternions (n, 4) of any length but zero."""
     x, y, z, w = (quaternions / np.linalg.norm(quaternions, axis=1)[:, None]).T
-    rows = [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),
-            2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
-            2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]
+    rows = [
+        1 - 2 * (y * y + z * z),
+        2 * (x * y - z * w),
+        2 * (x * z + y * w),
+        2 * (x * y + z * w),
+        1 - 2 * (x * x + z * z),
+        2 * (y * z - x * w),
+        2 * (x * z - y * w),
+        2 * (y * z + x * w),
+        1 - 2 * (x * x + y * y),
+    ]
     return np.stack(rows, axis=1).reshape(-1, 3, 3)
 
 
@@ -161,4 +169,4 @@ def _hull_groups(placed: list[_Placed]) -> Iterator[tuple[list[int], Array]]:
         assert corners is not None
         step = max(1, MOST_CORNERS_AT_ONCE // len(corners))
         for start in range(0, len(members), step):
-            yield members[start:start + step], corners
+            yield members[start : start + step], corners

@@ -69,9 +69,15 @@ class ShapeCache:
         """The body under a scale; None when nothing with an area is left."""
         weight = max(SMALL, len(body.vertices) // 24)
         with self._lock:
-            return self._shapes.get((body, scale), weight, lambda: scaled_shape(
-                body, np.array(scale), self._hulls.get(body, weight, lambda: convex_hull(body.points))
-                if body.kind == "hull" else None))
+            return self._shapes.get(
+                (body, scale),
+                weight,
+                lambda: scaled_shape(
+                    body,
+                    np.array(scale),
+                    self._hulls.get(body, weight, lambda: convex_hull(body.points)) if body.kind == "hull" else None,
+                ),
+            )
 
 
 SHAPES = ShapeCache()

@@ -148,5 +148,11 @@ def _round_shape(frame: Array, centre: Array, radius: float, length: float) -> S
         return None
     if length <= 0:
         return Shape(coal.Sphere(radius), fcl.Sphere(radius), np.eye(3), centre, radius=radius)
-    return Shape(coal.Capsule(radius, length), fcl.Capsule(radius, length), frame, centre,
-                 half=np.array([0.0, 0.0, length / 2]), radius=radius)
+    return Shape(
+        coal.Capsule(radius, length),
+        fcl.Capsule(radius, length),
+        frame,
+        centre,
+        half=np.array([0.0, 0.0, length / 2]),
+        radius=radius,
+    )

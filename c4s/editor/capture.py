@@ -61,8 +61,10 @@ def capture_views(cameras: Sequence[Camera], folder: str, mode: str = "lit", act
     named = _named(cameras)
     files = [Path(folder, f"{camera['name']}.png") for camera in named]
     pictures = _pictures(named, files, mode, actors)
-    return [{**_record(camera, mode), **extra, **_mask(camera, actors)}
-            for camera, extra in zip(named, pictures, strict=True)]
+    return [
+        {**_record(camera, mode), **extra, **_mask(camera, actors)}
+        for camera, extra in zip(named, pictures, strict=True)
+    ]
 
 
 def plan_views(cameras: Sequence[Camera], mode: str = "lit") -> list[Record]:
@@ -76,8 +78,10 @@ def plan_views(cameras: Sequence[Camera], mode: str = "lit") -> list[Record]:
 
 
 def _named(cameras: Sequence[Camera]) -> list[Record]:
-    return [{**camera, **_pose(camera), "name": str(camera.get("name") or f"view-{number}")}
-            for number, camera in enumerate(cameras, 1)]
+    return [
+        {**camera, **_pose(camera), "name": str(camera.get("name") or f"view-{number}")}
+        for number, camera in enumerate(cameras, 1)
+    ]
 
 
 def _record(camera: Camera, mode: str) -> Record:
@@ -95,8 +99,10 @@ def viewport_camera() -> Record:
     if not info:
         raise RuntimeError("the editor has no level viewport")
     location, rotation = info[-2], info[-1]
-    return {"location_cm": [location.x, location.y, location.z],
-            "rotation_deg": [rotation.pitch, rotation.yaw, rotation.roll]}
+    return {
+        "location_cm": [location.x, location.y, location.z],
+        "rotation_deg": [rotation.pitch, rotation.yaw, rotation.roll],
+    }
 
 
 def frame_level() -> Record:
@@ -107,8 +113,9 @@ def frame_level() -> Record:
         size = max(extent.x, extent.y, extent.z)
         if not 0 < size <= _LARGEST_CONTENT_CM / 2:
             continue
-        for axis, (middle, half) in enumerate(zip((origin.x, origin.y, origin.z), (extent.x, extent.y, extent.z),
-                                                  strict=True)):
+        for axis, (middle, half) in enumerate(
+            zip((origin.x, origin.y, origin.z), (extent.x, extent.y, extent.z), strict=True)
+        ):
             low[axis], high[axis] = min(low[axis], middle - half), max(high[axis], middle + half)
     if not math.isfinite(low[0]):
         low, high = [-_EMPTY_CM, -_EMPTY_CM, 0.0], [_EMPTY_CM, _EMPTY_CM, _EMPTY_CM]
@@ -116,9 +123,11 @@ def frame_level() -> Record:
     radius = max(math.dist(low, high) / 2, _EMPTY_CM / 2)
     pitch, yaw = math.radians(_FRAME_PITCH_DEG), math.radians(_FRAME_YAW_DEG)
     distance = radius / math.sin(math.radians(FIELD_OF_VIEW / 2))
-    place = unreal.Vector(centre[0] - distance * math.cos(pitch) * math.cos(yaw),
-                          centre[1] - distance * math.cos(pitch) * math.sin(yaw),
-                          centre[2] - distance * math.sin(pitch))
+    place = unreal.Vector(
+        centre[0] - distance * math.cos(pitch) * math.cos(yaw),
+        centre[1] - distance * math.cos(pitch) * math.sin(yaw),
+        centre[2] - distance * math.sin(pitch),
+    )
     turn = unreal.Rotator(roll=0.0, pitch=_FRAME_PITCH_DEG, yaw=_FRAME_YAW_DEG)
     unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).set_level_viewport_camera_info(place, turn)
     return viewport_camera()
@@ -127,9 +136,12 @@ def frame_level() -> Record:
 def _shot_camera(shot: Mapping[str, Any]) -> Record:
     own = shot.get("camera_location") is not None
     width, height, fov_deg = (SHOT_WIDTH, SHOT_HEIGHT, SHOT_FIELD_OF_VIEW) if own else (WIDTH, HEIGHT, FIELD_OF_VIEW)
-    camera = {"width": int(shot.get("width") or width), "height": int(shot.get("height") or height),
-              "fov_deg": float(shot.get("field_of_view") or fov_deg),
-              "exposure_bias_ev": float(shot.get("exposure_bias_ev") or 0.0)}
+    camera = {
+        "width": int(shot.get("width") or width),
+        "height": int(shot.get("height") or height),
+        "fov_deg": float(shot.get("field_of_view") or fov_deg),
+        "exposure_bias_ev": float(shot.get("exposure_bias_ev") or 0.0),
+    }
     if not own:
         return {**viewport_camera(), **camera}
     roll, pitch, yaw = shot.get("camera_rotation") or (0.0, 0.0, 0.0)
@@ -143,9 +155,12 @@ def _pose(camera: Camera) -> Record:
         x, y, z = (t - e for e, t in zip(camera["location_cm"], camera["target_cm"], strict=True))
         rotation = [math.degrees(math.atan2(z, math.hypot(x, y))), math.degrees(math.atan2(y, x)), 0.0]
     size = camera.get("publish") or {}
-    return {"rotation_deg": list(rotation), "fov_deg": float(camera.get("fov_deg") or FIELD_OF_VIEW),
-            "width": int(camera.get("width") or size.get("width") or WIDTH),
-            "height": int(camera.get("height") or size.get("height") or HEIGHT)}
+    return {
+        "rotation_deg": list(rotation),
+        "fov_deg": float(camera.get("fov_deg") or FIELD_OF_VIEW),
+        "width": int(camera.get("width") or size.get("width") or WIDTH),
+        "height": int(camera.get("height") or size.get("height") or HEIGHT),
+    }
 
 
 def _pictures(cameras: Sequence[Camera], files: Sequence[Path], mode: str, actors: bool) -> list[Record]:
@@ -165,17 +180,23 @@ def _scene_capture(camera: Camera, path: Path, mode: str) -> None:
     world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
     actors = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
     pitch, yaw, roll = camera["rotation_deg"]
-    capture = actors.spawn_actor_from_class(unreal.SceneCapture2D, unreal.Vector(*camera["location_cm"]),
-                                            unreal.Rotator(roll=roll, pitch=pitch, yaw=yaw))
-    target = unreal.RenderingLibrary.create_render_target2d(world, camera["width"], camera["height"],
-                                                            unreal.TextureRenderTargetFormat.RTF_RGBA8)
+    capture = actors.spawn_actor_from_class(
+        unreal.SceneCapture2D, unreal.Vector(*camera["location_cm"]), unreal.Rotator(roll=roll, pitch=pitch, yaw=yaw)
+    )
+    target = unreal.RenderingLibrary.create_render_target2d(
+        world, camera["width"], camera["height"], unreal.TextureRenderTargetFormat.RTF_RGBA8
+    )
     try:
         component = capture.capture_component2d
         component.set_editor_property("capture_every_frame", False)
         component.set_editor_property("capture_on_movement", False)
         component.set_editor_property("fov_angle", camera["fov_deg"])
-        component.set_editor_property("capture_source", unreal.SceneCaptureSource.SCS_BASE_COLOR if mode == "base_color"
-                                      else unreal.SceneCaptureSource.SCS_FINAL_COLOR_LDR)
+        component.set_editor_property(
+            "capture_source",
+            unreal.SceneCaptureSource.SCS_BASE_COLOR
+            if mode == "base_color"
+            else unreal.SceneCaptureSource.SCS_FINAL_COLOR_LDR,
+        )
         component.set_editor_property("texture_target", target)
         for _ in range(_CAPTURES_OF_ONE):
             component.capture_scene()
@@ -191,4 +212,4 @@ def _trim(path: Path) -> None:
     data = path.read_bytes()
     end = data.find(_PNG_END)
     if end >= 0 and end + len(_PNG_END) < len(data):
-        path.write_bytes(data[:end + len(_PNG_END)])
+        path.write_bytes(data[: end + len(_PNG_END)])

@@ -12,8 +12,9 @@ CONTENT_ROOT = "/Game/"
 
 
 def _options() -> Any:
-    return unreal.AssetRegistryDependencyOptions(include_soft_package_references=True,
-                                                 include_hard_package_references=True)
+    return unreal.AssetRegistryDependencyOptions(
+        include_soft_package_references=True, include_hard_package_references=True
+    )
 
 
 def export_dependencies() -> dict[str, Any]:
@@ -46,6 +47,10 @@ def export_dependencies() -> dict[str, Any]:
                     seen.add(name)
                     following.append((name, package))
         level = following
-    return {"root": root, "packages": sorted(resolved - {root}), "unresolved": sorted(missing),
-            "referenced_by": {name: sorted(parents) for name, parents in sorted(missing.items())},
-            "content_root": CONTENT_ROOT}
+    return {
+        "root": root,
+        "packages": sorted(resolved - {root}),
+        "unresolved": sorted(missing),
+        "referenced_by": {name: sorted(parents) for name, parents in sorted(missing.items())},
+        "content_root": CONTENT_ROOT,
+    }

@@ -59,8 +59,12 @@ def angles(rotator: Any) -> list[float]:
 def place(transform: Any) -> dict[str, Any]:
     """A world transform with its quaternion."""
     quat = transform.rotation
-    return {"location_cm": row(transform.translation), "rotation_deg": angles(quat.rotator()),
-            "quaternion_xyzw": [quat.x, quat.y, quat.z, quat.w], "scale": row(transform.scale3d)}
+    return {
+        "location_cm": row(transform.translation),
+        "rotation_deg": angles(quat.rotator()),
+        "quaternion_xyzw": [quat.x, quat.y, quat.z, quat.w],
+        "scale": row(transform.scale3d),
+    }
 
 
 def mesh_of(component: Any) -> Any:
@@ -99,12 +103,19 @@ class Reader:
         mesh = mesh_of(component) if primitive else None
         instances = None
         if isinstance(component, unreal.InstancedStaticMeshComponent):
-            instances = [place(component.get_instance_transform(i, True))
-                         for i in range(component.get_instance_count())]
-        return Part(component.get_name(), self.paths[component.get_class()], primitive,
-                    primitive and component.get_collision_enabled() != unreal.CollisionEnabled.NO_COLLISION, mesh,
-                    self._slots(component) if mesh is not None else [], place(component.get_world_transform()),
-                    instances)
+            instances = [
+                place(component.get_instance_transform(i, True)) for i in range(component.get_instance_count())
+            ]
+        return Part(
+            component.get_name(),
+            self.paths[component.get_class()],
+            primitive,
+            primitive and component.get_collision_enabled() != unreal.CollisionEnabled.NO_COLLISION,
+            mesh,
+            self._slots(component) if mesh is not None else [],
+            place(component.get_world_transform()),
+            instances,
+        )
 
     def _slots(self, component: Any) -> list[tuple[str | None, str | None]]:
         return [self.material(component.get_material(i)) for i in range(component.get_num_materials())]
@@ -120,9 +131,17 @@ class Reader:
         parent = actor.get_attach_parent_actor()
         quat = transform.rotation
         return Stand(
-            actor.get_name(), self.paths[actor.get_class()], actor.get_actor_label(), actor.get_path_name(),
+            actor.get_name(),
+            self.paths[actor.get_class()],
+            actor.get_actor_label(),
+            actor.get_path_name(),
             actor.get_editor_property("actor_guid").to_string(),
             [str(tag) for tag in actor.get_editor_property("tags")],
             (parent.get_path_name(), parent.get_actor_label()) if parent is not None else None,
-            row(transform.translation), angles(actor.get_actor_rotation()), [quat.x, quat.y, quat.z, quat.w],
-            row(transform.scale3d), row(origin), row(extent))
+            row(transform.translation),
+            angles(actor.get_actor_rotation()),
+            [quat.x, quat.y, quat.z, quat.w],
+            row(transform.scale3d),
+            row(origin),
+            row(extent),
+        )

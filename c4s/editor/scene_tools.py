@@ -14,8 +14,13 @@ from typing import Any
 import unreal
 
 ENVIRONMENT_PREFIX = "Arena_Env_"
-SUN_ANGLES = {"morning": (-25.0, -120.0), "noon": (-75.0, -30.0), "afternoon": (-45.0, 30.0), "sunset": (-10.0, 60.0),
-              "night": (10.0, 0.0)}
+SUN_ANGLES = {
+    "morning": (-25.0, -120.0),
+    "noon": (-75.0, -30.0),
+    "afternoon": (-45.0, 30.0),
+    "sunset": (-10.0, 60.0),
+    "night": (10.0, 0.0),
+}
 """Pitch and yaw of the sun in degrees by time of day."""
 GROUND_TOP_CM = -10.0
 GROUND_MESH = "/Engine/BasicShapes/Plane"
@@ -76,14 +81,21 @@ def _mesh_paths(actor: Any) -> list[str]:
 def describe(actor: Any, *, bounds: bool = False) -> dict[str, Any]:
     """What the tools tell of an actor."""
     location, rotation, scale = actor.get_actor_location(), actor.get_actor_rotation(), actor.get_actor_scale3d()
-    told = {"label": actor.get_actor_label(), "name": actor.get_name(), "class": actor.get_class().get_path_name(),
-            "location": _round((location.x, location.y, location.z)),
-            "rotation": _round((rotation.pitch, rotation.yaw, rotation.roll)),
-            "scale": _round((scale.x, scale.y, scale.z)), "static_meshes": _mesh_paths(actor)}
+    told = {
+        "label": actor.get_actor_label(),
+        "name": actor.get_name(),
+        "class": actor.get_class().get_path_name(),
+        "location": _round((location.x, location.y, location.z)),
+        "rotation": _round((rotation.pitch, rotation.yaw, rotation.roll)),
+        "scale": _round((scale.x, scale.y, scale.z)),
+        "static_meshes": _mesh_paths(actor),
+    }
     if bounds:
         origin, extent = actor.get_actor_bounds(False)
-        told["bounds"] = {"origin_cm": _round((origin.x, origin.y, origin.z)),
-                          "half_extent_cm": _round((extent.x, extent.y, extent.z))}
+        told["bounds"] = {
+            "origin_cm": _round((origin.x, origin.y, origin.z)),
+            "half_extent_cm": _round((extent.x, extent.y, extent.z)),
+        }
     return told
 
 
@@ -114,7 +126,7 @@ def current_level() -> str:
 def list_actors(offset: int = 0, limit: int | None = None) -> dict[str, Any]:
     """The actors of the level in its order, ``limit`` of them from ``offset`` on; ``total`` counts all."""
     actors = _actors()
-    return {"actors": [describe(actor) for actor in actors[offset:_end(offset, limit)]], "total": len(actors)}
+    return {"actors": [describe(actor) for actor in actors[offset : _end(offset, limit)]], "total": len(actors)}
 
 
 def _end(offset: int, limit: int | None) -> int | None:
@@ -130,20 +142,34 @@ def find_actors(pattern: str, offset: int = 0, limit: int | None = None) -> dict
     wanted = wanted if any(mark in wanted for mark in "*?[") else f"*{wanted}*"
     found = []
     for actor in _actors():
-        matched = [kind for kind, value in (("label", actor.get_actor_label()), ("name", actor.get_name()))
-                   if fnmatch.fnmatchcase(value.lower(), wanted)]
+        matched = [
+            kind
+            for kind, value in (("label", actor.get_actor_label()), ("name", actor.get_name()))
+            if fnmatch.fnmatchcase(value.lower(), wanted)
+        ]
         if matched:
             found.append((actor, matched))
-    return {"actors": [dict(describe(actor, bounds=True), matched=matched)
-                       for actor, matched in found[offset:_end(offset, limit)]], "total": len(found)}
+    return {
+        "actors": [
+            dict(describe(actor, bounds=True), matched=matched)
+            for actor, matched in found[offset : _end(offset, limit)]
+        ],
+        "total": len(found),
+    }
 
 
 def _labels() -> set[str]:
     return {actor.get_actor_label() for actor in _actors()}
 
 
-def _spawn(what: Any, label: str, location: Sequence[float], rotation: Sequence[float] | None,
-           scale: float | Sequence[float] | None, taken: set[str] | None = None) -> Any:
+def _spawn(
+    what: Any,
+    label: str,
+    location: Sequence[float],
+    rotation: Sequence[float] | None,
+    scale: float | Sequence[float] | None,
+    taken: set[str] | None = None,
+) -> Any:
     """Spawn with a label that must be new; ``taken`` are the labels that are there, when the caller keeps them."""
     if label in (_labels() if taken is None else taken):
         raise SceneRefused(f"an actor labelled {label!r} is already there: choose another name")
@@ -162,8 +188,14 @@ def _spawn(what: Any, label: str, location: Sequence[float], rotation: Sequence[
     return actor
 
 
-def spawn_static_mesh(name: str, static_mesh: str, location: Sequence[float], rotation: Sequence[float] | None = None,
-                      scale: float | Sequence[float] | None = None, taken: set[str] | None = None) -> dict[str, Any]:
+def spawn_static_mesh(
+    name: str,
+    static_mesh: str,
+    location: Sequence[float],
+    rotation: Sequence[float] | None = None,
+    scale: float | Sequence[float] | None = None,
+    taken: set[str] | None = None,
+) -> dict[str, Any]:
     """Spawn an actor with the label ``name`` from a static mesh path."""
     mesh = unreal.EditorAssetLibrary.load_asset(static_mesh)
     if mesh is None or not isinstance(mesh, unreal.StaticMesh):
@@ -171,8 +203,14 @@ def spawn_static_mesh(name: str, static_mesh: str, location: Sequence[float], ro
     return describe(_spawn(mesh, name, location, rotation, scale, taken), bounds=True)
 
 
-def spawn_blueprint(name: str, blueprint: str, location: Sequence[float], rotation: Sequence[float] | None = None,
-                    scale: float | Sequence[float] | None = None, taken: set[str] | None = None) -> dict[str, Any]:
+def spawn_blueprint(
+    name: str,
+    blueprint: str,
+    location: Sequence[float],
+    rotation: Sequence[float] | None = None,
+    scale: float | Sequence[float] | None = None,
+    taken: set[str] | None = None,
+) -> dict[str, Any]:
     """Spawn an actor with the label ``name`` from a Blueprint path (asset, or generated class with ``_C``)."""
     package = blueprint.split(".", 1)[0]
     short = package.rsplit("/", 1)[-1]
@@ -189,8 +227,9 @@ def spawn_many(entries: Sequence[dict[str, Any]]) -> dict[str, Any]:
     for entry in entries:
         try:
             spawn = spawn_blueprint if entry.get("kind") == "blueprint" else spawn_static_mesh
-            told = spawn(entry["name"], entry["asset"], entry["location"], entry.get("rotation"), entry.get("scale"),
-                         taken)
+            told = spawn(
+                entry["name"], entry["asset"], entry["location"], entry.get("rotation"), entry.get("scale"), taken
+            )
             taken.add(told["label"])
             spawned.append({"label": told["label"], "name": told["name"]})
         except (SceneRefused, KeyError, TypeError, ValueError) as error:
@@ -198,8 +237,12 @@ def spawn_many(entries: Sequence[dict[str, Any]]) -> dict[str, Any]:
     return {"spawned": spawned, "failed": failed}
 
 
-def set_transform(name: str, location: Sequence[float] | None = None, rotation: Sequence[float] | None = None,
-                  scale: float | Sequence[float] | None = None) -> dict[str, Any]:
+def set_transform(
+    name: str,
+    location: Sequence[float] | None = None,
+    rotation: Sequence[float] | None = None,
+    scale: float | Sequence[float] | None = None,
+) -> dict[str, Any]:
     """Change position, rotation and/or scale of an actor; what is left out stays."""
     actor = find_one(name)
     at = None if location is None else _vector(location, "location")
@@ -239,8 +282,11 @@ def delete_all_but(ids: Sequence[str]) -> list[str]:
 def _is_ground(actor: Any) -> bool:
     _, extent = actor.get_actor_bounds(False)
     width = 2 * min(extent.x, extent.y)
-    return (4 * extent.x * extent.y >= GROUND_AREA_CM2 and extent.z * 2 <= GROUND_FLATNESS * width
-            and bool(_mesh_paths(actor)))
+    return (
+        4 * extent.x * extent.y >= GROUND_AREA_CM2
+        and extent.z * 2 <= GROUND_FLATNESS * width
+        and bool(_mesh_paths(actor))
+    )
 
 
 def setup_environment(ground_size: float = 100.0, time_of_day: str = "afternoon") -> dict[str, Any]:
@@ -258,8 +304,13 @@ def setup_environment(ground_size: float = 100.0, time_of_day: str = "afternoon"
         (present if there else added).append(label)
         return not there
 
-    def spawn(label: str, what: Any, location: Sequence[float] = (0.0, 0.0, 0.0),
-              rotation: Sequence[float] | None = None, scale: Sequence[float] | None = None) -> Any:
+    def spawn(
+        label: str,
+        what: Any,
+        location: Sequence[float] = (0.0, 0.0, 0.0),
+        rotation: Sequence[float] | None = None,
+        scale: Sequence[float] | None = None,
+    ) -> Any:
         return _spawn(what, label, location, rotation, scale)
 
     label = f"{ENVIRONMENT_PREFIX}Atmosphere"
@@ -284,8 +335,13 @@ def setup_environment(ground_size: float = 100.0, time_of_day: str = "afternoon"
     if any(_is_ground(actor) for actor in actors) or any(actor.get_actor_label() == label for actor in actors):
         present.append(label)
     else:
-        spawn(label, unreal.EditorAssetLibrary.load_asset(GROUND_MESH), (0.0, 0.0, GROUND_TOP_CM), None,
-              (float(ground_size), float(ground_size), 1.0))
+        spawn(
+            label,
+            unreal.EditorAssetLibrary.load_asset(GROUND_MESH),
+            (0.0, 0.0, GROUND_TOP_CM),
+            None,
+            (float(ground_size), float(ground_size), 1.0),
+        )
         added.append(label)
     return {"added": added, "already_there": present}
 

@@ -59,16 +59,25 @@ class Confinement:
     @staticmethod
     def from_json(value: Mapping[str, Any]) -> Confinement:
         """From ``dataclasses.asdict`` read back from JSON."""
-        return Confinement(value["backend"], value["parent"], tuple(value["read_only"]), tuple(value["read_write"]),
-                           Limits(**value["limits"]))
+        return Confinement(
+            value["backend"],
+            value["parent"],
+            tuple(value["read_only"]),
+            tuple(value["read_write"]),
+            Limits(**value["limits"]),
+        )
 
 
 def confine(rules: Confinement) -> None:
     """Confine this process for good. ``OSError`` when any part is refused: the caller must then end the process."""
     limits = rules.limits
-    for name, value in ((resource.RLIMIT_AS, limits.address_space), (resource.RLIMIT_CPU, limits.cpu_s),
-                        (resource.RLIMIT_FSIZE, limits.file_size), (resource.RLIMIT_NOFILE, limits.open_files),
-                        (resource.RLIMIT_CORE, 0)):
+    for name, value in (
+        (resource.RLIMIT_AS, limits.address_space),
+        (resource.RLIMIT_CPU, limits.cpu_s),
+        (resource.RLIMIT_FSIZE, limits.file_size),
+        (resource.RLIMIT_NOFILE, limits.open_files),
+        (resource.RLIMIT_CORE, 0),
+    ):
         _limit(name, value)
     _prctl(_SET_NO_NEW_PRIVS, 1)
     if rules.backend != "bubblewrap":

@@ -23,8 +23,15 @@ CAPTURES_VERSION = "c4s.captures.v1"
 _EXPORT_TIMEOUT_S = 1800.0
 
 
-def collect(*, packs: Sequence[Path], submission_content: Path, package: str, out: Path,
-            cameras: Cameras | None = None, keep_pictures: bool = False) -> None:
+def collect(
+    *,
+    packs: Sequence[Path],
+    submission_content: Path,
+    package: str,
+    out: Path,
+    cameras: Cameras | None = None,
+    keep_pictures: bool = False,
+) -> None:
     """Export the submitted level ``package`` from ``submission_content`` into ``out``.
 
     Writes ``snapshot.json``, ``dependencies.json``, ``captures/<view>.png`` and ``.actors.npz`` for each camera,
@@ -38,8 +45,9 @@ def collect(*, packs: Sequence[Path], submission_content: Path, package: str, ou
     with tempfile.TemporaryDirectory(prefix="c4s-evidence-") as folder:
         scratch, made = Path(folder) / "engine", Path(folder) / "evidence"
         made.mkdir()
-        with EngineSession.start(packs=packs, content=submission_content, scratch=scratch, start_map=package,
-                                 content_read_only=True) as engine:
+        with EngineSession.start(
+            packs=packs, content=submission_content, scratch=scratch, start_map=package, content_read_only=True
+        ) as engine:
             snapshot, dependencies = _export(engine, package)
             write_json(made / "snapshot.json", snapshot)
             write_json(made / "dependencies.json", dependencies)
@@ -48,10 +56,18 @@ def collect(*, packs: Sequence[Path], submission_content: Path, package: str, ou
             records = take_pictures(engine, views, pictures, keep=keep_pictures)
         pictures.mkdir(exist_ok=True)
         shutil.copytree(pictures, made / "captures")
-        write_json(made / "captures" / "captures.json",
-                   {"schema_version": CAPTURES_VERSION, "engine": "headless", "package": package, "views": records})
-        write_json(made / "digests.json", {path.relative_to(made).as_posix(): digest_file(path)
-                                           for path in sorted(made.rglob("*")) if path.is_file()})
+        write_json(
+            made / "captures" / "captures.json",
+            {"schema_version": CAPTURES_VERSION, "engine": "headless", "package": package, "views": records},
+        )
+        write_json(
+            made / "digests.json",
+            {
+                path.relative_to(made).as_posix(): digest_file(path)
+                for path in sorted(made.rglob("*"))
+                if path.is_file()
+            },
+        )
         _replace(made, out)
 
 
@@ -66,15 +82,22 @@ def export_level(*, packs: Sequence[Path], level: Path, out: Path) -> None:
     with tempfile.TemporaryDirectory(prefix="c4s-export-") as folder:
         copy = Path(folder) / "given.level.json"
         shutil.copyfile(level, copy)
-        with EngineSession.start(packs=packs, content=Path(folder) / "content", scratch=Path(folder) / "engine",
-                                 levels=[copy], start_map=package) as engine:
+        with EngineSession.start(
+            packs=packs,
+            content=Path(folder) / "content",
+            scratch=Path(folder) / "engine",
+            levels=[copy],
+            start_map=package,
+        ) as engine:
             write_json(out, _export(engine, package)[0])
 
 
 def _export(engine: EngineSession, package: str) -> tuple[dict[str, Any], dict[str, Any]]:
     try:
-        return (engine.call("snapshot.export_snapshot", timeout_s=_EXPORT_TIMEOUT_S),
-                engine.call("dependencies.export_dependencies", timeout_s=_EXPORT_TIMEOUT_S))
+        return (
+            engine.call("snapshot.export_snapshot", timeout_s=_EXPORT_TIMEOUT_S),
+            engine.call("dependencies.export_dependencies", timeout_s=_EXPORT_TIMEOUT_S),
+        )
     except EngineCallError as error:
         raise BadInput(f"the level cannot be exported: {error.what}", where=package) from error
 

@@ -54,13 +54,22 @@ def _noted(note: Path) -> Path | None:
 
 
 def _compile() -> Path:
-    done = subprocess.run([sys.executable, "-c", _WARM], cwd=_PACKAGE.parent, capture_output=True, text=True,
-                          env={**os.environ, "C4S_HOME": str(home())},
-                          timeout=_TIMEOUT_S, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", _WARM],
+        cwd=_PACKAGE.parent,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "C4S_HOME": str(home())},
+        timeout=_TIMEOUT_S,
+        check=False,
+    )
     folder = Path(done.stdout.strip() or "none")
     if done.returncode or not folder.is_dir():
-        raise MachineryFault(f"cannot compile the render kernels: {done.stderr.strip()[-1500:]}",
-                             where=str(_SOURCES), todo="they need a folder to lie in: this one, or C4S_HOME")
+        raise MachineryFault(
+            f"cannot compile the render kernels: {done.stderr.strip()[-1500:]}",
+            where=str(_SOURCES),
+            todo="they need a folder to lie in: this one, or C4S_HOME",
+        )
     return folder
 
 

@@ -20,8 +20,9 @@ Record = dict[str, Any]
 TIMEOUT_S = 1800.0
 
 
-def take_pictures(engine: EngineSession, cameras: Sequence[Mapping[str, Any]], folder: Path, *,
-                  keep: bool = False) -> list[Record]:
+def take_pictures(
+    engine: EngineSession, cameras: Sequence[Mapping[str, Any]], folder: Path, *, keep: bool = False
+) -> list[Record]:
     """Write ``folder/<name>.png`` and ``<name>.actors.npz`` of each camera; the records of ``capture.capture_views``.
 
     Args:
@@ -36,8 +37,11 @@ def take_pictures(engine: EngineSession, cameras: Sequence[Mapping[str, Any]], f
     planned: list[Record] = engine.call("capture.plan_views", cameras=given)
     keys: list[str | None] = [record.pop("key", None) for record in planned]
     missing = [camera for camera, key in zip(given, keys, strict=True) if key is None or not _is_kept(key)]
-    made = engine.call("capture.capture_views", cameras=missing, folder=str(folder),
-                       timeout_s=TIMEOUT_S) if missing else []
+    made = (
+        engine.call("capture.capture_views", cameras=missing, folder=str(folder), timeout_s=TIMEOUT_S)
+        if missing
+        else []
+    )
     rendered: dict[str, Record] = {record["name"]: record for record in made}
     folder.mkdir(parents=True, exist_ok=True)
     records = []

@@ -55,10 +55,12 @@ def backend() -> Backend:
     for name, fault in missing.items():
         if fault is None and wanted in ("", name):
             return name
-    raise MachineryFault("no sandbox for the engine, so it will not start: "
-                         + "; ".join(f"{name}: {fault}" for name, fault in missing.items() if wanted in ("", name)),
-                         todo="install bubblewrap, or use Linux 6.7 or newer with Landlock enabled, or set "
-                              f"{CHOICE}=none to accept that agent code can do whatever you can")
+    raise MachineryFault(
+        "no sandbox for the engine, so it will not start: "
+        + "; ".join(f"{name}: {fault}" for name, fault in missing.items() if wanted in ("", name)),
+        todo="install bubblewrap, or use Linux 6.7 or newer with Landlock enabled, or set "
+        f"{CHOICE}=none to accept that agent code can do whatever you can",
+    )
 
 
 @functools.cache
@@ -75,8 +77,21 @@ def _bubblewrap_fault() -> str | None:
     if program is None:
         return "not installed (Debian and Ubuntu: the package bubblewrap)"
     mounts = [argument for path in _system_paths() for argument in _mount(path, writable=False)]
-    trial = subprocess.run([program, *_NAMESPACES, *mounts, *_mount(Path("/usr/bin/true"), writable=False), *_SEALED,
-                            "--", "/usr/bin/true"], capture_output=True, text=True, env={}, check=False)
+    trial = subprocess.run(
+        [
+            program,
+            *_NAMESPACES,
+            *mounts,
+            *_mount(Path("/usr/bin/true"), writable=False),
+            *_SEALED,
+            "--",
+            "/usr/bin/true",
+        ],
+        capture_output=True,
+        text=True,
+        env={},
+        check=False,
+    )
     return None if trial.returncode == 0 else f"cannot create namespaces ({trial.stderr.strip()})"
 
 
@@ -87,15 +102,39 @@ def _landlock_fault() -> str | None:
     return f"the kernel offers Landlock ABI {version}, {landlock.REQUIRED_ABI} is needed"
 
 
-_NAMESPACES = ("--unshare-all", "--unshare-user", "--disable-userns", "--uid", "65534", "--gid", "65534",
-               "--die-with-parent", "--new-session", "--as-pid-1", "--cap-drop", "ALL", "--hostname", "engine",
-               "--clearenv", "--dev", "/dev")
+_NAMESPACES = (
+    "--unshare-all",
+    "--unshare-user",
+    "--disable-userns",
+    "--uid",
+    "65534",
+    "--gid",
+    "65534",
+    "--die-with-parent",
+    "--new-session",
+    "--as-pid-1",
+    "--cap-drop",
+    "ALL",
+    "--hostname",
+    "engine",
+    "--clearenv",
+    "--dev",
+    "/dev",
+)
 _SEALED = ("--remount-ro", "/dev", "--remount-ro", "/")
 
 
-def start(module: str, arguments: Mapping[str, Any], *, paths: Paths, output: int, keep_open: Sequence[int] = (),
-          limits: Limits | None = None, environment: Mapping[str, str] | None = None,
-          use: Backend | None = None) -> subprocess.Popen[bytes]:
+def start(
+    module: str,
+    arguments: Mapping[str, Any],
+    *,
+    paths: Paths,
+    output: int,
+    keep_open: Sequence[int] = (),
+    limits: Limits | None = None,
+    environment: Mapping[str, str] | None = None,
+    use: Backend | None = None,
+) -> subprocess.Popen[bytes]:
     """Start ``module.main`` with ``{"confinement", **arguments}`` as JSON in ``sys.argv[1]``; it must confine itself.
 
     Its standard output and error go to the descriptor ``output``. The whole process tree (one process: it can start
@@ -103,18 +142,53 @@ def start(module: str, arguments: Mapping[str, Any], *, paths: Paths, output: in
     """
     name = use or backend()
     runtime = _runtime_paths()
-    rules = Confinement(name, os.getpid(), tuple(map(str, (*_system_paths(), *runtime, *paths.read_only))),
-                        tuple(map(str, paths.read_write)), limits or Limits())
-    program = [sys.executable, "-s", "-P", "-B", "-X", "faulthandler", "-c", _BOOTSTRAP.format(module=module),
-               str(_PACKAGE.parent), json.dumps({"confinement": asdict(rules), **arguments})]
-    variables = {"PATH": "/usr/bin", "HOME": str(paths.work), "TMPDIR": str(paths.work), "LANG": "C.UTF-8",
-                 "PYTHONHASHSEED": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", **(environment or {})}
+    rules = Confinement(
+        name,
+        os.getpid(),
+        tuple(map(str, (*_system_paths(), *runtime, *paths.read_only))),
+        tuple(map(str, paths.read_write)),
+        limits or Limits(),
+    )
+    program = [
+        sys.executable,
+        "-s",
+        "-P",
+        "-B",
+        "-X",
+        "faulthandler",
+        "-c",
+        _BOOTSTRAP.format(module=module),
+        str(_PACKAGE.parent),
+        json.dumps({"confinement": asdict(rules), **arguments}),
+    ]
+    variables = {
+        "PATH": "/usr/bin",
+        "HOME": str(paths.work),
+        "TMPDIR": str(paths.work),
+        "LANG": "C.UTF-8",
+        "PYTHONHASHSEED": "0",
+        "OPENBLAS_NUM_THREADS": "1",
+        "OMP_NUM_THREADS": "1",
+        **(environment or {}),
+    }
     if name == "bubblewrap":
         program = _bubblewrap(program, (*_system_paths(), *runtime, *paths.read_only), paths, variables)
         variables = {"PATH": "/usr/bin:/bin"}
-    return _spawner(os.getpid()).submit(
-        subprocess.Popen, program, stdin=subprocess.DEVNULL, stdout=output, stderr=output, env=variables,
-        cwd=str(paths.work), pass_fds=tuple(keep_open), start_new_session=True).result()
+    return (
+        _spawner(os.getpid())
+        .submit(
+            subprocess.Popen,
+            program,
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=output,
+            env=variables,
+            cwd=str(paths.work),
+            pass_fds=tuple(keep_open),
+            start_new_session=True,
+        )
+        .result()
+    )
 
 
 @functools.cache
@@ -124,8 +198,9 @@ def _spawner(process: int) -> ThreadPoolExecutor:
     return ThreadPoolExecutor(1, thread_name_prefix=f"engine-spawner-{process}")
 
 
-def _bubblewrap(program: Sequence[str], visible: Iterable[Path], paths: Paths,
-                variables: Mapping[str, str]) -> list[str]:
+def _bubblewrap(
+    program: Sequence[str], visible: Iterable[Path], paths: Paths, variables: Mapping[str, str]
+) -> list[str]:
     command = [shutil.which("bwrap") or "bwrap", *_NAMESPACES]
     for path in visible:
         command += _mount(path, writable=False)

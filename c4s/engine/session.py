@@ -53,19 +53,37 @@ class EngineDied(MachineryFault):
 class EngineSession:
     """One engine process. Use it as a context manager, or call ``close``."""
 
-    def __init__(self, process: subprocess.Popen[bytes], listener: socket.socket, connection: socket.socket,
-                 output: int, paths: sandbox.Paths, folders: tuple[Path, Path], limits: Limits) -> None:
+    def __init__(
+        self,
+        process: subprocess.Popen[bytes],
+        listener: socket.socket,
+        connection: socket.socket,
+        output: int,
+        paths: sandbox.Paths,
+        folders: tuple[Path, Path],
+        limits: Limits,
+    ) -> None:
         self._process, self._socket_folder, self.logs = process, *folders
         """``logs`` holds ``engine.log`` and ``job-<n>.log``; the engine cannot reach it."""
         self.bridge = SocketBridge(self._socket_folder / _SOCKET)
-        self._board = JobBoard(connection, output, self.logs, Watch(process.pid, paths.read_write, limits).breach,
-                               self._end)
+        self._board = JobBoard(
+            connection, output, self.logs, Watch(process.pid, paths.read_write, limits).breach, self._end
+        )
         self._server = BridgeServer(listener, self._board, paths.work)
 
     @classmethod
-    def start(cls, *, packs: Sequence[Path], content: Path, scratch: Path, levels: Sequence[Path] = (),
-              start_map: str | None = None, content_read_only: bool = False, limits: Limits | None = None,
-              use: Backend | None = None) -> EngineSession:
+    def start(
+        cls,
+        *,
+        packs: Sequence[Path],
+        content: Path,
+        scratch: Path,
+        levels: Sequence[Path] = (),
+        start_map: str | None = None,
+        content_read_only: bool = False,
+        limits: Limits | None = None,
+        use: Backend | None = None,
+    ) -> EngineSession:
         """Start an engine and wait until it serves.
 
         The engine sees the pack folders and the level files (read-only), ``content`` and ``scratch`` (writable unless
@@ -95,10 +113,21 @@ class EngineSession:
             try:
                 process = sandbox.start(
                     "c4s.engine.headless.process",
-                    {"channel": far.fileno(), "packs": [str(path) for path in packs], "content": str(content),
-                     "levels": [str(path) for path in levels], "start_map": start_map, "scratch": str(scratch)},
-                    paths=paths, output=writing, keep_open=[far.fileno()], limits=limits, use=chosen,
-                    environment=kernels.linked(compiled, scratch))
+                    {
+                        "channel": far.fileno(),
+                        "packs": [str(path) for path in packs],
+                        "content": str(content),
+                        "levels": [str(path) for path in levels],
+                        "start_map": start_map,
+                        "scratch": str(scratch),
+                    },
+                    paths=paths,
+                    output=writing,
+                    keep_open=[far.fileno()],
+                    limits=limits,
+                    use=chosen,
+                    environment=kernels.linked(compiled, scratch),
+                )
             finally:
                 far.close()
                 os.close(writing)
@@ -139,8 +168,12 @@ class EngineSession:
                 raise
             raise EngineDied(self._board.gone, during=kind, where=str(self.logs)) from fault
         if reply.get("engine_ended") or reply.get("state") == "dead":
-            raise EngineDied(str(reply["error"]), during=kind, where=str(self.logs),
-                             lines=reply.get("result", {}).get("python_logs", ()))
+            raise EngineDied(
+                str(reply["error"]),
+                during=kind,
+                where=str(self.logs),
+                lines=reply.get("result", {}).get("python_logs", ()),
+            )
         return reply
 
     def execute(self, script: str, timeout_s: float = 600.0) -> dict[str, Any]:
@@ -173,8 +206,9 @@ class EngineSession:
             if not page["more"] and (reply["status"] != "running" or late):
                 break
             wait_s = 0.0 if page["more"] or late else min(_POLL_S, deadline - time.monotonic())
-            reply = self.request("read_job_log", {"job_id": reply["job_id"], "offset": page["next_offset"],
-                                                  "wait_s": max(0.0, wait_s)})
+            reply = self.request(
+                "read_job_log", {"job_id": reply["job_id"], "offset": page["next_offset"], "wait_s": max(0.0, wait_s)}
+            )
         if reply.get("status") == "running":
             self.request("abandon_job", {"job_id": reply["job_id"]})
         if "result" in reply:
@@ -210,8 +244,9 @@ class EngineSession:
     def __enter__(self) -> EngineSession:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
-                 trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         self.close()
 
 

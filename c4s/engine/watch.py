@@ -37,8 +37,7 @@ class Watch:
                 memory += int((folder / "statm").read_text().split()[1]) * _PAGE
                 tasks = list((folder / "task").iterdir())
                 threads += len(tasks)
-                waiting += [int(child) for task in tasks[:4] for child in
-                            (task / "children").read_text().split()]
+                waiting += [int(child) for task in tasks[:4] for child in (task / "children").read_text().split()]
             except (FileNotFoundError, ProcessLookupError):
                 continue  # it has just ended
         return memory, threads

@@ -54,8 +54,9 @@ class Thing:
         if self.facts is None:
             return self.named and names_object(leaf(self.asset), wanted)
         exact = phrases_of([str(self.facts.get("category") or ""), *map(str, self.facts.get("tags") or [])])
-        return names_object(str(self.facts.get("name") or leaf(self.asset)), wanted) \
-            or any(phrase in exact for phrase in wanted)
+        return names_object(str(self.facts.get("name") or leaf(self.asset)), wanted) or any(
+            phrase in exact for phrase in wanted
+        )
 
     def says(self, phrase: tuple[str, ...]) -> bool:
         """Whether the asset's own text (name, tags, description) holds the phrase."""
@@ -132,12 +133,23 @@ def _whole(actor: Mapping[str, Any], class_path: str, catalog: Mapping[str, Fact
     if not asset or origin is None or extent is None:
         return []
     scale = _vector(actor.get("transform"), "scale")
-    return [Thing(_name(actor), asset, _facts(asset, catalog), origin - extent, origin + extent,
-                  np.ones(3) if scale is None else scale, _materials(actor), trusted(asset, catalog))]
+    return [
+        Thing(
+            _name(actor),
+            asset,
+            _facts(asset, catalog),
+            origin - extent,
+            origin + extent,
+            np.ones(3) if scale is None else scale,
+            _materials(actor),
+            trusted(asset, catalog),
+        )
+    ]
 
 
-def _parts(actor: Mapping[str, Any], component: Mapping[str, Any], meshes: Mapping[str, Any],
-           catalog: Mapping[str, Facts]) -> list[Thing]:
+def _parts(
+    actor: Mapping[str, Any], component: Mapping[str, Any], meshes: Mapping[str, Any], catalog: Mapping[str, Facts]
+) -> list[Thing]:
     """The things of one mesh component: one, or one an instance."""
     asset = component.get("mesh")
     if not asset:
@@ -153,6 +165,16 @@ def _parts(actor: Mapping[str, Any], component: Mapping[str, Any], meshes: Mappi
             continue
         location, rotation, scale = (member.tolist() for member in place if member is not None)
         centre, half = transformed_box(affine(location, rotation, scale), low.tolist(), high.tolist())
-        parts.append(Thing(_name(actor), str(asset), _facts(str(asset), catalog), centre - half, centre + half,
-                           np.array(scale), _materials(actor), trusted(str(asset), catalog)))
+        parts.append(
+            Thing(
+                _name(actor),
+                str(asset),
+                _facts(str(asset), catalog),
+                centre - half,
+                centre + half,
+                np.array(scale),
+                _materials(actor),
+                trusted(str(asset), catalog),
+            )
+        )
     return parts

@@ -13,11 +13,16 @@ MATERIAL_WORDS: dict[str, frozenset[str]] = {
     "wood": word_set("wood wooden timber oak pine plank walnut birch bamboo log"),
     "metal": word_set("metal metallic steel iron aluminium aluminum chrome brass copper bronze tin zinc"),
     "stone": word_set("stone rock granite marble slate sandstone limestone cobble cobblestone flagstone"),
-    "brick": word_set("brick masonry"), "concrete": word_set("concrete cement"),
-    "glass": word_set("glass pane"), "plastic": word_set("plastic rubber"),
+    "brick": word_set("brick masonry"),
+    "concrete": word_set("concrete cement"),
+    "glass": word_set("glass pane"),
+    "plastic": word_set("plastic rubber"),
     "fabric": word_set("fabric cloth canvas textile cotton linen wool upholstery carpet"),
-    "leather": frozenset({"leather"}), "paper": word_set("paper cardboard"),
-    "plaster": word_set("plaster stucco"), "ceramic": word_set("ceramic porcelain terracotta clay")}
+    "leather": frozenset({"leather"}),
+    "paper": word_set("paper cardboard"),
+    "plaster": word_set("plaster stucco"),
+    "ceramic": word_set("ceramic porcelain terracotta clay"),
+}
 GENERIC = frozenset(MATERIAL_WORDS) | {"wooden", "timber", "metallic", "rock", "cloth", "textile"}
 """Words that any member of their family satisfies; other words (oak, sandstone) must be named themselves."""
 COLORS = word_set("red orange yellow green blue purple violet pink brown black white grey gray beige")
@@ -38,8 +43,12 @@ def _shown_materials(thing: Thing, catalog_materials: Mapping[str, Facts]) -> li
 
 def material_index(catalog: Mapping[str, Facts]) -> dict[str, Facts]:
     """Every material record of the catalog, by path."""
-    return {str(material["path"]): material for facts in catalog.values() for material in facts.get("materials") or []
-            if isinstance(material, Mapping) and "path" in material}
+    return {
+        str(material["path"]): material
+        for facts in catalog.values()
+        for material in facts.get("materials") or []
+        if isinstance(material, Mapping) and "path" in material
+    }
 
 
 def is_made_of(thing: Thing, wanted: str, materials: Mapping[str, Facts]) -> bool | None:

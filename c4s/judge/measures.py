@@ -45,8 +45,11 @@ def on(subject: Thing, references: Sequence[Thing]) -> bool:
     for other in references:
         inside = np.all((subject.centre[:2] >= other.low[:2]) & (subject.centre[:2] <= other.high[:2]))
         step = subject.low[2] - other.high[2]
-        if inside and -0.5 * (other.high[2] - other.low[2]) - CONTACT_CM <= step <= CONTACT_CM \
-                and subject.high[2] > other.high[2]:
+        if (
+            inside
+            and -0.5 * (other.high[2] - other.low[2]) - CONTACT_CM <= step <= CONTACT_CM
+            and subject.high[2] > other.high[2]
+        ):
             return True
     return False
 
@@ -58,8 +61,12 @@ def above(subject: Thing, references: Sequence[Thing]) -> bool:
 
 def below(subject: Thing, references: Sequence[Thing]) -> bool:
     """Its centre is under a reference's top, it reaches the reference's plan, and it starts lower."""
-    return any(plan_gap(subject, other) == 0 and subject.low[2] < other.low[2] + CONTACT_CM
-               and subject.centre[2] < other.high[2] for other in references)
+    return any(
+        plan_gap(subject, other) == 0
+        and subject.low[2] < other.low[2] + CONTACT_CM
+        and subject.centre[2] < other.high[2]
+        for other in references
+    )
 
 
 def inside(subject: Thing, references: Sequence[Thing]) -> bool:
@@ -96,7 +103,7 @@ def along(subject: Thing, references: Sequence[Thing]) -> bool:
 def between(subject: Thing, references: Sequence[Thing]) -> bool:
     """Its plan centre is near the middle part of a line between two references (a quarter of its length aside)."""
     for i, first in enumerate(references):
-        for second in references[i + 1:]:
+        for second in references[i + 1 :]:
             way = second.centre[:2] - first.centre[:2]
             length = float(np.hypot(*way))
             if length == 0:
@@ -186,18 +193,64 @@ def is_scattered(points: Array) -> tuple[bool, float]:
 
 
 RELATIONS: dict[str, Test] = {
-    "on": on, "above": above, "below": below, "inside": inside, "near": near, "against": against, "apart": apart,
-    "along": along, "between": between}
+    "on": on,
+    "above": above,
+    "below": below,
+    "inside": inside,
+    "near": near,
+    "against": against,
+    "apart": apart,
+    "along": along,
+    "between": between,
+}
 
 SYNONYMS: dict[str, str] = {
-    "on": "on", "on_top_of": "on", "atop": "on", "resting_on": "on", "standing_on": "on", "placed_on": "on",
-    "sits_on": "on", "above": "above", "over": "above", "hanging_over": "above", "below": "below", "under": "below",
-    "beneath": "below", "underneath": "below", "in": "inside", "inside": "inside", "within": "inside",
-    "near": "near", "next_to": "near", "beside": "near", "by": "near", "close_to": "near", "adjacent_to": "near",
-    "alongside": "near", "at": "near", "against": "against", "leaning_against": "against", "apart_from": "apart",
-    "away_from": "apart", "far_from": "apart", "along": "along", "lining": "along", "lines": "along",
-    "between": "between", "around": "around", "surrounds": "around", "surround": "around", "surrounding": "around",
-    "encloses": "around", "encircles": "around", "rings": "around", "clustered_around": "around",
-    "surrounded_by": "around_inverse", "enclosed_by": "around_inverse", "supports": "on_inverse",
-    "contains": "inside_inverse", "flanked_by": "between_references"}
+    "on": "on",
+    "on_top_of": "on",
+    "atop": "on",
+    "resting_on": "on",
+    "standing_on": "on",
+    "placed_on": "on",
+    "sits_on": "on",
+    "above": "above",
+    "over": "above",
+    "hanging_over": "above",
+    "below": "below",
+    "under": "below",
+    "beneath": "below",
+    "underneath": "below",
+    "in": "inside",
+    "inside": "inside",
+    "within": "inside",
+    "near": "near",
+    "next_to": "near",
+    "beside": "near",
+    "by": "near",
+    "close_to": "near",
+    "adjacent_to": "near",
+    "alongside": "near",
+    "at": "near",
+    "against": "against",
+    "leaning_against": "against",
+    "apart_from": "apart",
+    "away_from": "apart",
+    "far_from": "apart",
+    "along": "along",
+    "lining": "along",
+    "lines": "along",
+    "between": "between",
+    "around": "around",
+    "surrounds": "around",
+    "surround": "around",
+    "surrounding": "around",
+    "encloses": "around",
+    "encircles": "around",
+    "rings": "around",
+    "clustered_around": "around",
+    "surrounded_by": "around_inverse",
+    "enclosed_by": "around_inverse",
+    "supports": "on_inverse",
+    "contains": "inside_inverse",
+    "flanked_by": "between_references",
+}
 """Relation words of a bundle to the tests here. A word that is not listed is not decidable."""

@@ -44,31 +44,44 @@ def dimensions(judge: RuleJudge, views: Views) -> dict[str, list[Part]]:
     objects = [entity for entity in judge.requirements.entities.values() if entity.is_object]
     return {
         "global_prompt_alignment": [_named_objects(judge, views, objects)],
-        "composition_and_layout": [_requirements("spatial_requirements", judge, SPATIAL_TYPES, bool(seen)),
-                                   _occupancy(seen), _unswallowed(seen)],
+        "composition_and_layout": [
+            _requirements("spatial_requirements", judge, SPATIAL_TYPES, bool(seen)),
+            _occupancy(seen),
+            _unswallowed(seen),
+        ],
         "style_atmosphere_coherence": [_requirements("style_requirements", judge, STYLE_TYPES, bool(seen))],
-        "completeness_and_polish": [_counts(judge, views, objects), _visible(judge.things, seen)]}
+        "completeness_and_polish": [_counts(judge, views, objects), _visible(judge.things, seen)],
+    }
 
 
 def structural_integrity(things: Sequence[Thing]) -> Part:
     """Share of things that are finite, not flattened to nothing and not stretched; 0 in an empty scene."""
     sound = [thing for thing in things if _sound(thing)]
-    return Part("undistorted", len(sound) / len(things) if things else 0.0, bool(things),
-                {"things": len(things), "distorted": [t.actor for t in things if not _sound(t)][:50]})
+    return Part(
+        "undistorted",
+        len(sound) / len(things) if things else 0.0,
+        bool(things),
+        {"things": len(things), "distorted": [t.actor for t in things if not _sound(t)][:50]},
+    )
 
 
 def _sound(thing: Thing) -> bool:
     scale = np.abs(thing.scale)
     size = thing.high - thing.low
-    return bool(np.isfinite(size).all() and np.sort(size)[1] > 0.1 and scale.min() > 0
-                and scale.max() / scale.min() <= STRETCH)
+    return bool(
+        np.isfinite(size).all() and np.sort(size)[1] > 0.1 and scale.min() > 0 and scale.max() / scale.min() <= STRETCH
+    )
 
 
 def _named_objects(judge: RuleJudge, views: Views, objects: Sequence[Entity]) -> Part:
     """Share of the prompt's named objects of which at least one is placed and clearly visible."""
     shown = {entity.id: any(views.sees(thing.actor) for thing in judge.ground(entity.id)) for entity in objects}
-    return Part("visible_named_objects", sum(shown.values()) / len(objects) if objects else 0.0, bool(objects),
-                {"objects": len(objects), "missing": [key for key, found in shown.items() if not found]})
+    return Part(
+        "visible_named_objects",
+        sum(shown.values()) / len(objects) if objects else 0.0,
+        bool(objects),
+        {"objects": len(objects), "missing": [key for key, found in shown.items() if not found]},
+    )
 
 
 def _requirements(name: str, judge: RuleJudge, types: frozenset[str], anything: bool) -> Part:
@@ -76,8 +89,12 @@ def _requirements(name: str, judge: RuleJudge, types: frozenset[str], anything: 
     nodes = [node for node in judge.requirements.scored if judge.requirements.predicates[node].type in types]
     decisions = [judge.decide(node) for node in nodes]
     value = mean(d.score for d in decisions) if nodes and anything else 0.0
-    return Part(name, value, any(d.status != "UNKNOWN" for d in decisions),
-                {"requirements": len(nodes), "unknown": sum(d.status == "UNKNOWN" for d in decisions)})
+    return Part(
+        name,
+        value,
+        any(d.status != "UNKNOWN" for d in decisions),
+        {"requirements": len(nodes), "unknown": sum(d.status == "UNKNOWN" for d in decisions)},
+    )
 
 
 def _occupancy(things: Sequence[Thing]) -> Part:
@@ -110,17 +127,29 @@ def _unswallowed(things: Sequence[Thing]) -> Part:
 
 def _counts(judge: RuleJudge, views: Views, objects: Sequence[Entity]) -> Part:
     """Mean over the named objects of visible count / needed count, at most 1 each."""
-    quantities = {subject: predicate.quantity for predicate in judge.requirements.predicates.values()
-                  if predicate.quantity for subject in predicate.subjects}
+    quantities = {
+        subject: predicate.quantity
+        for predicate in judge.requirements.predicates.values()
+        if predicate.quantity
+        for subject in predicate.subjects
+    }
     ratios = {}
     for entity in objects:
         count = sum(views.sees(thing.actor) for thing in judge.ground(entity.id))
         ratios[entity.id] = min(1.0, count / needed(quantities.get(entity.id), collection=entity.collection))
-    return Part("object_counts", mean(ratios.values()) if ratios else 0.0, bool(ratios),
-                {"short": [key for key, ratio in ratios.items() if ratio < 1]})
+    return Part(
+        "object_counts",
+        mean(ratios.values()) if ratios else 0.0,
+        bool(ratios),
+        {"short": [key for key, ratio in ratios.items() if ratio < 1]},
+    )
 
 
 def _visible(things: Sequence[Thing], seen: Sequence[Thing]) -> Part:
     """Share of the placed things that are clearly visible in a view."""
-    return Part("visible_things", len(seen) / len(things) if things else 0.0, bool(things),
-                {"things": len(things), "seen": len(seen)})
+    return Part(
+        "visible_things",
+        len(seen) / len(things) if things else 0.0,
+        bool(things),
+        {"things": len(things), "seen": len(seen)},
+    )

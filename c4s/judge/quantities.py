@@ -9,10 +9,27 @@ from typing import Any
 APPROXIMATE_SHARE = 0.25
 """``approximately N`` accepts N plus or minus a quarter, and at least one more or less."""
 WORDS: dict[str, tuple[float, float]] = {
-    "one": (1, 1), "single": (1, 1), "a": (1, math.inf), "an": (1, math.inf), "some": (1, math.inf),
-    "pair": (2, 2), "a pair": (2, 2), "couple": (2, 2), "a couple": (2, 2), "two": (2, 2), "three": (3, 3),
-    "few": (2, 5), "a few": (2, 5), "multiple": (2, math.inf), "several": (3, math.inf), "many": (6, math.inf),
-    "numerous": (6, math.inf), "a dozen": (12, 12), "dozen": (12, 12), "dozens": (24, math.inf)}
+    "one": (1, 1),
+    "single": (1, 1),
+    "a": (1, math.inf),
+    "an": (1, math.inf),
+    "some": (1, math.inf),
+    "pair": (2, 2),
+    "a pair": (2, 2),
+    "couple": (2, 2),
+    "a couple": (2, 2),
+    "two": (2, 2),
+    "three": (3, 3),
+    "few": (2, 5),
+    "a few": (2, 5),
+    "multiple": (2, math.inf),
+    "several": (3, math.inf),
+    "many": (6, math.inf),
+    "numerous": (6, math.inf),
+    "a dozen": (12, 12),
+    "dozen": (12, 12),
+    "dozens": (24, math.inf),
+}
 """Inclusive limits of number words. Other words (dense, sparse) are no count."""
 
 

@@ -81,9 +81,13 @@ def read_requirements(bundle: Mapping[str, Any]) -> Requirements:
         for edge in graph["edges"]:
             if edge["edge_type"] == "argument":
                 arguments.setdefault(edge["source_id"], []).append(
-                    (int(edge.get("ordinal") or 0), str(edge.get("role") or ""), edge["target_id"]))
-        predicates = {node["id"]: _predicate(node, sorted(arguments.get(node["id"], []), key=lambda a: a[0]))
-                      for node in graph["nodes"] if node["node_type"] == "predicate"}
+                    (int(edge.get("ordinal") or 0), str(edge.get("role") or ""), edge["target_id"])
+                )
+        predicates = {
+            node["id"]: _predicate(node, sorted(arguments.get(node["id"], []), key=lambda a: a[0]))
+            for node in graph["nodes"]
+            if node["node_type"] == "predicate"
+        }
         scored = tuple(requirement["node_id"] for requirement in bundle["requirements"])
         unknown = [node for node in scored if node not in predicates]
         prompt = str(graph["prompt"])
@@ -96,8 +100,13 @@ def read_requirements(bundle: Mapping[str, Any]) -> Requirements:
 
 def _entity(node: Mapping[str, Any]) -> Entity:
     names = [str(node["name"]), *map(str, node.get("aliases") or [])]
-    return Entity(node["id"], tuple(phrases_of(names)), str(node.get("entity_type") or "object"),
-                  str(node.get("grounding_mode") or "actor"), node.get("referent_kind") == "collection")
+    return Entity(
+        node["id"],
+        tuple(phrases_of(names)),
+        str(node.get("entity_type") or "object"),
+        str(node.get("grounding_mode") or "actor"),
+        node.get("referent_kind") == "collection",
+    )
 
 
 def _predicate(node: Mapping[str, Any], arguments: list[tuple[int, str, str]]) -> Predicate:
@@ -105,9 +114,15 @@ def _predicate(node: Mapping[str, Any], arguments: list[tuple[int, str, str]]) -
     logic = parameters.get("logic") or {}
     span = node["source_span"]
     return Predicate(
-        id=node["id"], text=str(node.get("text") or ""), span=(int(span["start"]), int(span["end"])),
-        type=str(node["predicate_type"]), negative=node.get("polarity") == "negative",
-        relation=parameters.get("relation"), quantity=parameters.get("quantity"),
+        id=node["id"],
+        text=str(node.get("text") or ""),
+        span=(int(span["start"]), int(span["end"])),
+        type=str(node["predicate_type"]),
+        negative=node.get("polarity") == "negative",
+        relation=parameters.get("relation"),
+        quantity=parameters.get("quantity"),
         qualifiers=tuple((str(q["kind"]), str(q["name"])) for q in parameters.get("qualifiers") or []),
-        operator=logic.get("operator"), operands=tuple(logic.get("requirement_ids") or ()),
-        arguments=tuple((role, entity) for _, role, entity in arguments))
+        operator=logic.get("operator"),
+        operands=tuple(logic.get("requirement_ids") or ()),
+        arguments=tuple((role, entity) for _, role, entity in arguments),
+    )

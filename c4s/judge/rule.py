@@ -14,15 +14,7 @@ import numpy as np
 
 from c4s.judge.inventory import Facts, Thing, inventory
 from c4s.judge.looks import has_color, is_made_of, material_index
-from c4s.judge.measures import (
-    RELATIONS,
-    SYNONYMS,
-    encircles,
-    is_cluster,
-    is_ring,
-    is_row,
-    is_scattered,
-)
+from c4s.judge.measures import RELATIONS, SYNONYMS, encircles, is_cluster, is_ring, is_row, is_scattered
 from c4s.judge.quantities import limits
 from c4s.judge.requirements import Entity, Predicate, Requirements
 from c4s.judge.words import tokens
@@ -57,8 +49,13 @@ def shared(things: Sequence[Thing], holding: Sequence[Thing], reason: str, *, an
     """A yes or no from the share of things that satisfy a test, with that share as the score."""
     share = len(holding) / len(things)
     score = float(share > 0) if any_suffices else share
-    return Decision("MATCH" if score >= SHARE else "MISMATCH", score, reason, actor_names(holding),
-                    {"satisfying": len(holding), "of": len(things)})
+    return Decision(
+        "MATCH" if score >= SHARE else "MISMATCH",
+        score,
+        reason,
+        actor_names(holding),
+        {"satisfying": len(holding), "of": len(things)},
+    )
 
 
 def actor_names(things: Sequence[Thing], most: int = 50) -> list[str]:
@@ -88,8 +85,13 @@ def negation(decision: Decision) -> Decision:
     """The opposite of a decision."""
     if decision.status == "UNKNOWN":
         return decision
-    return Decision("MISMATCH" if decision.status == "MATCH" else "MATCH", 1.0 - decision.score,
-                    f"not: {decision.reason}", decision.actors, decision.measures)
+    return Decision(
+        "MISMATCH" if decision.status == "MATCH" else "MATCH",
+        1.0 - decision.score,
+        f"not: {decision.reason}",
+        decision.actors,
+        decision.measures,
+    )
 
 
 class RuleJudge:
@@ -125,9 +127,16 @@ class RuleJudge:
         if predicate.type in ("logic", "set") and predicate.operands:
             return self._logic(predicate)
         deciders: dict[str, Callable[[Predicate], Decision]] = {
-            "existence": self._existence, "presence": self._existence, "quantity": self._quantity,
-            "count": self._quantity, "set": self._existence, "attribute": self._looks, "material": self._looks,
-            "spatial_relation": self._relation, "distribution": self._distribution}
+            "existence": self._existence,
+            "presence": self._existence,
+            "quantity": self._quantity,
+            "count": self._quantity,
+            "set": self._existence,
+            "attribute": self._looks,
+            "material": self._looks,
+            "spatial_relation": self._relation,
+            "distribution": self._distribution,
+        }
         decide = deciders.get(predicate.type)
         return decide(predicate) if decide else unknown(f"a {predicate.type} requirement has to be seen")
 
@@ -185,8 +194,14 @@ class RuleJudge:
         if wanted is None:
             return unknown(f"{quantity.get('qualitative') or quantity.get('mode')} is no count", actor_names(things))
         low, high = wanted
-        return decided(low <= len(things) <= high, "counted", things, count=len(things), at_least=low,
-                       **({} if high == float("inf") else {"at_most": high}))
+        return decided(
+            low <= len(things) <= high,
+            "counted",
+            things,
+            count=len(things),
+            at_least=low,
+            **({} if high == float("inf") else {"at_most": high}),
+        )
 
     def _looks(self, predicate: Predicate) -> Decision:
         things, absent = self._presence(predicate.subjects)
@@ -244,8 +259,11 @@ class RuleJudge:
 
     def _around(self, subjects: Sequence[Thing], references: Sequence[Thing]) -> Decision:
         if len(subjects) < 3:
-            holding = [thing for thing in subjects if any(
-                np.all(thing.low[:2] <= o.low[:2]) and np.all(thing.high[:2] >= o.high[:2]) for o in references)]
+            holding = [
+                thing
+                for thing in subjects
+                if any(np.all(thing.low[:2] <= o.low[:2]) and np.all(thing.high[:2] >= o.high[:2]) for o in references)
+            ]
             return decided(bool(holding), "one box holds the references' plan", holding)
         holds, gap = encircles(subjects, references)
         return decided(holds, "stand around the references", subjects, largest_gap_deg=round(gap, 1))
@@ -254,8 +272,11 @@ class RuleJudge:
         things, absent = self._presence(predicate.subjects)
         if absent:
             return absent
-        words = {word for text in (predicate.relation or "", *(name for _, name in predicate.qualifiers),
-                                   predicate.text) for word in tokens(text)}
+        words = {
+            word
+            for text in (predicate.relation or "", *(name for _, name in predicate.qualifiers), predicate.text)
+            for word in tokens(text)
+        }
         points = np.array([thing.centre[:2] for thing in things])
         if len(things) < 3:
             return unknown("fewer than three objects have no distribution", actor_names(things))

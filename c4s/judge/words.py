@@ -12,9 +12,23 @@ def word_set(text: str) -> frozenset[str]:
 
 
 _TOKEN = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
-_IRREGULAR = {"people": "person", "men": "man", "women": "woman", "children": "child", "leaves": "leaf",
-              "shelves": "shelf", "knives": "knife", "loaves": "loaf", "wolves": "wolf", "geese": "goose",
-              "mice": "mouse", "feet": "foot", "benches": "bench", "axes": "axe", "movies": "movie"}
+_IRREGULAR = {
+    "people": "person",
+    "men": "man",
+    "women": "woman",
+    "children": "child",
+    "leaves": "leaf",
+    "shelves": "shelf",
+    "knives": "knife",
+    "loaves": "loaf",
+    "wolves": "wolf",
+    "geese": "goose",
+    "mice": "mouse",
+    "feet": "foot",
+    "benches": "bench",
+    "axes": "axe",
+    "movies": "movie",
+}
 _UNCHANGED = ("ss", "us", "is")
 CUTS = frozenset({"with", "of", "on", "for", "in", "and", "at"})
 """A name's head noun stands before the first of these."""
@@ -60,7 +74,7 @@ def head(text: str) -> tuple[str, ...]:
 def names_object(name: str, phrases: Iterable[tuple[str, ...]]) -> bool:
     """Whether a name's head noun phrase ends with one of the phrases: a ``table lamp`` is a lamp and no table."""
     noun = head(name)
-    return any(phrase and noun[-len(phrase):] == phrase for phrase in phrases)
+    return any(phrase and noun[-len(phrase) :] == phrase for phrase in phrases)
 
 
 def phrases_of(names: Iterable[str]) -> list[tuple[str, ...]]:
@@ -76,4 +90,4 @@ def phrases_of(names: Iterable[str]) -> list[tuple[str, ...]]:
 def has_phrase(text: str, phrase: tuple[str, ...]) -> bool:
     """Whether the phrase occurs in the text as whole words in a row."""
     words = tokens(text)
-    return any(words[i:i + len(phrase)] == phrase for i in range(len(words) - len(phrase) + 1))
+    return any(words[i : i + len(phrase)] == phrase for i in range(len(words) - len(phrase) + 1))

@@ -43,15 +43,19 @@ class EndpointFile(Record):
 
 
 KNOWN = {
-    "openai": ModelEndpoint(url="https://api.openai.com/v1", formats=["openai-chat", "openai-responses"],
-                            key_env="OPENAI_API_KEY"),
+    "openai": ModelEndpoint(
+        url="https://api.openai.com/v1", formats=["openai-chat", "openai-responses"], key_env="OPENAI_API_KEY"
+    ),
     "anthropic": ModelEndpoint(url="https://api.anthropic.com", formats=["anthropic"], key_env="ANTHROPIC_API_KEY"),
-    "gemini": ModelEndpoint(url="https://generativelanguage.googleapis.com", formats=["gemini"],
-                            key_env="GEMINI_API_KEY"),
-    "openrouter": ModelEndpoint(url="https://openrouter.ai/api/v1", formats=["openai-chat", "openai-responses"],
-                                key_env="OPENROUTER_API_KEY"),
-    "openrouter-anthropic": ModelEndpoint(url="https://openrouter.ai/api", formats=["anthropic"],
-                                          key_env="OPENROUTER_API_KEY", key_header="authorization"),
+    "gemini": ModelEndpoint(
+        url="https://generativelanguage.googleapis.com", formats=["gemini"], key_env="GEMINI_API_KEY"
+    ),
+    "openrouter": ModelEndpoint(
+        url="https://openrouter.ai/api/v1", formats=["openai-chat", "openai-responses"], key_env="OPENROUTER_API_KEY"
+    ),
+    "openrouter-anthropic": ModelEndpoint(
+        url="https://openrouter.ai/api", formats=["anthropic"], key_env="OPENROUTER_API_KEY", key_header="authorization"
+    ),
 }
 LIMIT_VARIABLE = "C4S_SPENDING_LIMIT_USD"
 
@@ -78,8 +82,11 @@ def model_endpoint(name: str) -> ModelEndpoint:
     own = endpoint_file().endpoints
     found = own.get(name) or KNOWN.get(name)
     if found is None:
-        raise BadInput(f"unknown model endpoint {name!r}", where=str(endpoint_path()),
-                       todo=f"describe it there, or use one of {', '.join(sorted({**KNOWN, **own}))}")
+        raise BadInput(
+            f"unknown model endpoint {name!r}",
+            where=str(endpoint_path()),
+            todo=f"describe it there, or use one of {', '.join(sorted({**KNOWN, **own}))}",
+        )
     address = urlsplit(found.url)
     if address.scheme not in ("http", "https") or not address.hostname:
         raise BadInput(f"model endpoint {name!r} has no http address: {found.url!r}")

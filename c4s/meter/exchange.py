@@ -22,10 +22,32 @@ from c4s.meter.wire import BY_NAME, nearest_wire
 from c4s.meter.wire.base import Reading, Wire
 
 MOST_REQUEST_BYTES = 256 << 20
-_HOP = frozenset({"connection", "keep-alive", "proxy-authenticate", "proxy-authorization", "te", "trailer",
-                  "transfer-encoding", "upgrade", "host", "content-length", "content-encoding", "accept-encoding",
-                  "authorization", "x-api-key", "x-goog-api-key", "cookie", "set-cookie", "expect", "forwarded",
-                  "x-forwarded-for", "x-forwarded-host", "x-forwarded-proto"})
+_HOP = frozenset(
+    {
+        "connection",
+        "keep-alive",
+        "proxy-authenticate",
+        "proxy-authorization",
+        "te",
+        "trailer",
+        "transfer-encoding",
+        "upgrade",
+        "host",
+        "content-length",
+        "content-encoding",
+        "accept-encoding",
+        "authorization",
+        "x-api-key",
+        "x-goog-api-key",
+        "cookie",
+        "set-cookie",
+        "expect",
+        "forwarded",
+        "x-forwarded-for",
+        "x-forwarded-host",
+        "x-forwarded-proto",
+    }
+)
 """Headers that belong to one hop or carry a credential; lengths and encodings are made anew."""
 
 
@@ -49,8 +71,15 @@ class _ClientGone(Exception):
 class Exchange:
     """A request and its answer."""
 
-    def __init__(self, client: httpx.AsyncClient, scope: Scope, receive: Receive, send: Send, wire: Wire | None,
-                 run: MeterRun | None) -> None:
+    def __init__(
+        self,
+        client: httpx.AsyncClient,
+        scope: Scope,
+        receive: Receive,
+        send: Send,
+        wire: Wire | None,
+        run: MeterRun | None,
+    ) -> None:
         self._client, self._scope, self._receive, self._send = client, scope, receive, send
         self.wire, self.run = wire, run
         self._path: str = scope["path"]
@@ -86,8 +115,11 @@ class Exchange:
             self._body = parsed
             model = self.wire.model(self._path, parsed)
             if self.run.models and model not in self.run.models:
-                await self.refuse(403, "model_not_allowed", f"this run may not use model {model!r}; it uses "
-                                  + ", ".join(sorted(self.run.models)))
+                await self.refuse(
+                    403,
+                    "model_not_allowed",
+                    f"this run may not use model {model!r}; it uses " + ", ".join(sorted(self.run.models)),
+                )
                 return
             self._entry, refusal = self.run.admit(self.wire, model, parsed)
             if refusal:
@@ -123,18 +155,28 @@ class Exchange:
     def _request(self, raw: bytes) -> httpx.Request:
         assert self.run is not None
         upstream, key = self.run.upstream, self.run.key
-        headers = [(name, value) for name, value in self._scope["headers"]
-                   if name.decode("latin-1").lower() not in _HOP]
+        headers = [
+            (name, value) for name, value in self._scope["headers"] if name.decode("latin-1").lower() not in _HOP
+        ]
         headers += [(name.lower().encode(), value.encode()) for name, value in upstream.headers.items()]
         headers.append((b"accept-encoding", b"identity"))
         if key is not None:
             name = upstream.header_of(self.wire)
             headers.append((name.encode(), (f"Bearer {key}" if name == "authorization" else key).encode()))
-        query = urlencode([(name, value) for name, value in parse_qsl(self._scope["query_string"].decode("latin-1"),
-                                                                     keep_blank_values=True) if name != "key"])
+        query = urlencode(
+            [
+                (name, value)
+                for name, value in parse_qsl(self._scope["query_string"].decode("latin-1"), keep_blank_values=True)
+                if name != "key"
+            ]
+        )
         address = upstream.url.rstrip("/") + _below(upstream.url, self._path) + (f"?{query}" if query else "")
-        return self._client.build_request(self._scope["method"], address, headers=headers,
-                                          content=raw if raw or self._scope["method"] == "POST" else None)
+        return self._client.build_request(
+            self._scope["method"],
+            address,
+            headers=headers,
+            content=raw if raw or self._scope["method"] == "POST" else None,
+        )
 
     async def _forward(self, raw: bytes) -> None:
         gone = asyncio.ensure_future(self._disconnect())
@@ -187,9 +229,17 @@ class Exchange:
             return self._failed("cut", error)
         try:
             self._first_byte, self._status = time.perf_counter() - sent, response.status_code
-            await self._send({"type": "http.response.start", "status": response.status_code, "headers": [
-                (name.lower(), value) for name, value in response.headers.raw
-                if name.decode("latin-1").lower() not in _HOP]})
+            await self._send(
+                {
+                    "type": "http.response.start",
+                    "status": response.status_code,
+                    "headers": [
+                        (name.lower(), value)
+                        for name, value in response.headers.raw
+                        if name.decode("latin-1").lower() not in _HOP
+                    ],
+                }
+            )
             events = "event-stream" in response.headers.get("content-type", "")
             reader: EventReader | BodyReader = EventReader() if events else BodyReader()
             keep = _UsageFilter() if events and not self._usage_wanted else None
@@ -266,22 +316,36 @@ class Exchange:
         self.run.settle(self._entry, cost.usd)
         if ending == "ok" and self.wire is not None and self._reading.usage is None and not self._problem:
             self._problem = "the answer told no usage"
-        self.run.record(RequestRecord(
-            seq=self.run.next_number(), time=round(self._time, 4), wire=self.wire.name if self.wire else None,
-            path=self._path, model=model, served_model=self._reading.model, response_id=self._reading.response_id,
-            stream=self.wire is not None and self.wire.streams(self._path, self._body), ending=ending,
-            status=self._status, first_byte_s=None if self._first_byte is None else round(self._first_byte, 4),
-            duration_s=round(time.perf_counter() - self._clock, 4), request_bytes=self._sent_bytes,
-            response_bytes=self._got_bytes, cost_usd=cost.usd, cost_note=cost.reason,
-            price_from=price.valid_from.isoformat() if price is not None and usage is not ZERO else None,
-            reported_cost_usd=self._reading.reported_cost_usd, problem=" ".join(self._problem.split())[:500],
-            **usage.plain()))
+        self.run.record(
+            RequestRecord(
+                seq=self.run.next_number(),
+                time=round(self._time, 4),
+                wire=self.wire.name if self.wire else None,
+                path=self._path,
+                model=model,
+                served_model=self._reading.model,
+                response_id=self._reading.response_id,
+                stream=self.wire is not None and self.wire.streams(self._path, self._body),
+                ending=ending,
+                status=self._status,
+                first_byte_s=None if self._first_byte is None else round(self._first_byte, 4),
+                duration_s=round(time.perf_counter() - self._clock, 4),
+                request_bytes=self._sent_bytes,
+                response_bytes=self._got_bytes,
+                cost_usd=cost.usd,
+                cost_note=cost.reason,
+                price_from=price.valid_from.isoformat() if price is not None and usage is not ZERO else None,
+                reported_cost_usd=self._reading.reported_cost_usd,
+                problem=" ".join(self._problem.split())[:500],
+                **usage.plain(),
+            )
+        )
 
 
 def _below(base: str, path: str) -> str:
     """The path below the upstream's base: a version that both the base and the client name is named once."""
     first = "/" + path.lstrip("/").split("/", 1)[0]
-    return path[len(first):] if base.rstrip("/").endswith(first) else path
+    return path[len(first) :] if base.rstrip("/").endswith(first) else path
 
 
 class _UsageFilter:

@@ -48,17 +48,26 @@ class Meter:
         listener.bind(("127.0.0.1", 0))
         listener.listen(128)
         self.port = listener.getsockname()[1]
-        self._server = uvicorn.Server(uvicorn.Config(
-            self._app, log_level="critical", lifespan="off", interface="asgi3", proxy_headers=False, access_log=False,
-            timeout_graceful_shutdown=1))
+        self._server = uvicorn.Server(
+            uvicorn.Config(
+                self._app,
+                log_level="critical",
+                lifespan="off",
+                interface="asgi3",
+                proxy_headers=False,
+                access_log=False,
+                timeout_graceful_shutdown=1,
+            )
+        )
         self._thread = threading.Thread(target=self._serve, args=(listener,), name="meter", daemon=True)
         self._thread.start()
         if not self._ready.wait(START_TIMEOUT_S):
             raise MachineryFault("the model meter did not start", where=f"127.0.0.1:{self.port}")
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
-                 trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         assert self._server is not None and self._thread is not None
         self._runs.clear()
         self._server.should_exit = True
@@ -72,6 +81,7 @@ class Meter:
                 self._client = client
                 self._ready.set()
                 await self._server.serve([listener])
+
         asyncio.run(main())
 
     @property
@@ -108,8 +118,18 @@ class Meter:
         """The run of a request's token, wherever the client's format puts it."""
         headers = {name.decode("latin-1").lower(): value.decode("latin-1") for name, value in scope["headers"]}
         query = dict(parse_qsl(scope["query_string"].decode("latin-1")))
-        given = [headers.get("authorization", "").partition(" ")[2], headers.get("x-api-key", ""),
-                 headers.get("x-goog-api-key", ""), query.get("key", "")]
+        given = [
+            headers.get("authorization", "").partition(" ")[2],
+            headers.get("x-api-key", ""),
+            headers.get("x-goog-api-key", ""),
+            query.get("key", ""),
+        ]
         tokens = [token.strip().encode() for token in given if token.strip()]
-        return next((run for run in list(self._runs.values())
-                     if any(hmac.compare_digest(run.token.encode(), token) for token in tokens)), None)
+        return next(
+            (
+                run
+                for run in list(self._runs.values())
+                if any(hmac.compare_digest(run.token.encode(), token) for token in tokens)
+            ),
+            None,
+        )

@@ -25,9 +25,18 @@ ASSUMED_OUTPUT_TOKENS = 8192
 class MeterRun:
     """One run. ``token`` is all that its client is given; it is worth nothing outside this meter."""
 
-    def __init__(self, run_id: str, upstream: ModelEndpoint, key: str | None, usage: Path, *, prices: PriceTable,
-                 ledger: Ledger | None = None, models: Iterable[str] = (),
-                 at_limit: Callable[[], None] | None = None) -> None:
+    def __init__(
+        self,
+        run_id: str,
+        upstream: ModelEndpoint,
+        key: str | None,
+        usage: Path,
+        *,
+        prices: PriceTable,
+        ledger: Ledger | None = None,
+        models: Iterable[str] = (),
+        at_limit: Callable[[], None] | None = None,
+    ) -> None:
         """
         Args:
             run_id: for messages.
@@ -68,11 +77,15 @@ class MeterRun:
         if entry is not None:
             return entry, ""
         if price is None:
-            message = (f"the spending limit of {self.ledger.limit_usd:.2f} USD cannot be kept: no price for model "
-                       f"{model!r} (add it to prices.yaml)")
+            message = (
+                f"the spending limit of {self.ledger.limit_usd:.2f} USD cannot be kept: no price for model "
+                f"{model!r} (add it to prices.yaml)"
+            )
         else:
-            message = (f"the spending limit of this run is reached: {self.ledger.spent().total_usd:.4f} of "
-                       f"{self.ledger.limit_usd:.4f} USD")
+            message = (
+                f"the spending limit of this run is reached: {self.ledger.spent().total_usd:.4f} of "
+                f"{self.ledger.limit_usd:.4f} USD"
+            )
         with self._lock:
             first, self.limit_message = not self.limit_message, message
         if first and self._at_limit is not None:

@@ -33,8 +33,15 @@ class Usage(Record):
     reasoning_tokens: int | None = Count
 
 
-ZERO = Usage(input_tokens=0, fresh_input_tokens=0, cache_read_tokens=0, cache_write_tokens=0, cache_write_1h_tokens=0,
-             output_tokens=0, reasoning_tokens=0)
+ZERO = Usage(
+    input_tokens=0,
+    fresh_input_tokens=0,
+    cache_read_tokens=0,
+    cache_write_tokens=0,
+    cache_write_1h_tokens=0,
+    output_tokens=0,
+    reasoning_tokens=0,
+)
 UNKNOWN = Usage()
 
 

@@ -41,8 +41,13 @@ def _revolved(profile: _Ring, smooth: bool) -> Mesh:
     corners = points[triangles].astype(np.float64)
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     triangles = triangles[area > 1e-9]
-    return Mesh(points, triangles, directions / np.maximum(np.linalg.norm(directions, axis=1, keepdims=True), 1e-9),
-                np.array(uvs, np.float32), np.zeros(len(triangles), np.int32))
+    return Mesh(
+        points,
+        triangles,
+        directions / np.maximum(np.linalg.norm(directions, axis=1, keepdims=True), 1e-9),
+        np.array(uvs, np.float32),
+        np.zeros(len(triangles), np.int32),
+    )
 
 
 def _quads(sides: list[tuple[int, int]], half: float) -> Mesh:
@@ -57,8 +62,13 @@ def _quads(sides: list[tuple[int, int]], half: float) -> Mesh:
             normals.append(normal)
     faces = [(4 * i + a, 4 * i + b, 4 * i + c) for i in range(len(sides)) for a, b, c in ((0, 1, 2), (0, 2, 3))]
     uvs = np.tile(np.array([(0, 1), (1, 1), (1, 0), (0, 0)], np.float32), (len(sides), 1))
-    return Mesh(np.array(vertices, np.float32), np.array(faces, np.int32), np.array(normals, np.float32), uvs,
-                np.zeros(len(faces), np.int32))
+    return Mesh(
+        np.array(vertices, np.float32),
+        np.array(faces, np.int32),
+        np.array(normals, np.float32),
+        uvs,
+        np.zeros(len(faces), np.int32),
+    )
 
 
 def _disc_points(z: float) -> list[tuple[float, float, float]]:
@@ -69,9 +79,13 @@ def _disc_points(z: float) -> list[tuple[float, float, float]]:
 def meshes() -> dict[str, Mesh]:
     """Mesh of each shape by its path."""
     arc = [(50 * math.cos(a), 50 * math.sin(a)) for a in np.linspace(-math.pi / 2, math.pi / 2, 17)]
-    shapes = {"Cube": _quads([(a, s) for a in range(3) for s in (-1, 1)], 50.0), "Sphere": _revolved(arc, True),
-              "Cylinder": _revolved([(0, -50), (50, -50), (50, 50), (0, 50)], False),
-              "Cone": _revolved([(0, -50), (50, -50), (0, 50)], False), "Plane": _quads([(2, 1)], 0.0)}
+    shapes = {
+        "Cube": _quads([(a, s) for a in range(3) for s in (-1, 1)], 50.0),
+        "Sphere": _revolved(arc, True),
+        "Cylinder": _revolved([(0, -50), (50, -50), (50, 50), (0, 50)], False),
+        "Cone": _revolved([(0, -50), (50, -50), (0, 50)], False),
+        "Plane": _quads([(2, 1)], 0.0),
+    }
     return {f"{FOLDER}/{name}.{name}": mesh for name, mesh in shapes.items()}
 
 
@@ -79,16 +93,26 @@ def meshes() -> dict[str, Mesh]:
 def assets() -> dict[str, Asset]:
     """Asset of each shape by its path."""
     bodies: dict[str, CollisionBody] = {
-        "Cube": BoxBody(center=(0, 0, 0), half_extent=(50, 50, 50)), "Sphere": SphereBody(center=(0, 0, 0), radius=50),
+        "Cube": BoxBody(center=(0, 0, 0), half_extent=(50, 50, 50)),
+        "Sphere": SphereBody(center=(0, 0, 0), radius=50),
         "Cylinder": HullBody(vertices=_disc_points(-50) + _disc_points(50)),
         "Cone": HullBody(vertices=[*_disc_points(-50), (0.0, 0.0, 50.0)]),
-        "Plane": BoxBody(center=(0, 0, -0.5), half_extent=(50, 50, 0.5))}
+        "Plane": BoxBody(center=(0, 0, -0.5), half_extent=(50, 50, 0.5)),
+    }
     found = {}
     for name, body in bodies.items():
         path = f"{FOLDER}/{name}.{name}"
         half = 0.0 if name == "Plane" else 50.0
-        found[path] = Asset(id=f"basic_{name.lower()}", name=name, path=path, category="basicshapes",
-                            description=f"Engine basic shape, {name.lower()}, 1 m across, pivot at the centre.",
-                            tags=["basic", "shape"], bounds_min_cm=(-50, -50, -half), bounds_max_cm=(50, 50, half),
-                            slots=[MaterialSlot(name="BasicShapeMaterial", material=MATERIAL.path)], collision=[body])
+        found[path] = Asset(
+            id=f"basic_{name.lower()}",
+            name=name,
+            path=path,
+            category="basicshapes",
+            description=f"Engine basic shape, {name.lower()}, 1 m across, pivot at the centre.",
+            tags=["basic", "shape"],
+            bounds_min_cm=(-50, -50, -half),
+            bounds_max_cm=(50, 50, half),
+            slots=[MaterialSlot(name="BasicShapeMaterial", material=MATERIAL.path)],
+            collision=[body],
+        )
     return found

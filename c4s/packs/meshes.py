@@ -81,27 +81,50 @@ def _part(geometry: Any, matrix: NDArray[np.float64], scale: float, where: str) 
     normals = np.asarray(geometry.vertex_normals, dtype=np.float64) @ np.linalg.inv(matrix[:3, :3])
     raw = getattr(geometry.visual, "uv", None)
     uvs = np.zeros((len(points), 2)) if raw is None or len(raw) != len(points) else np.asarray(raw) * [1, -1] + [0, 1]
-    return _converted(_material_name(geometry), points, normals, uvs, np.asarray(geometry.faces), _colors(geometry),
-                      scale, where)
+    return _converted(
+        _material_name(geometry), points, normals, uvs, np.asarray(geometry.faces), _colors(geometry), scale, where
+    )
 
 
 def _plain_part(part: PlainPart, scale: float, where: str) -> MeshPart:
     flipped = None if part.uvs is None else np.stack([part.uvs[:, 0], np.float32(1) - part.uvs[:, 1]], axis=1)
     uvs = np.zeros((len(part.points), 2)) if flipped is None else flipped * [1, -1] + [0, 1]
-    return _converted(part.material or "slot", part.points.astype(np.float64), part.normals.astype(np.float64), uvs,
-                      part.faces, None, scale, where)
+    return _converted(
+        part.material or "slot",
+        part.points.astype(np.float64),
+        part.normals.astype(np.float64),
+        uvs,
+        part.faces,
+        None,
+        scale,
+        where,
+    )
 
 
-def _converted(slot: str, points: NDArray[np.float64], normals: NDArray[np.float64], uvs: NDArray[np.float64],
-               faces: NDArray[Any], colors: F32 | None, scale: float, where: str) -> MeshPart:
+def _converted(
+    slot: str,
+    points: NDArray[np.float64],
+    normals: NDArray[np.float64],
+    uvs: NDArray[np.float64],
+    faces: NDArray[Any],
+    colors: F32 | None,
+    scale: float,
+    where: str,
+) -> MeshPart:
     """A part in Unreal's axes and cm, from metres with Y up."""
     if not np.isfinite(points).all():
         raise BadInput("the mesh has coordinates that are not finite numbers", where=where)
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     normals = np.divide(normals, length, out=np.tile([0.0, 1.0, 0.0], (len(normals), 1)), where=length > 0)
     swap = [0, 2, 1]
-    return MeshPart(slot, (points[:, swap] * (100.0 * scale)).astype(np.float32), faces[:, ::-1].astype(np.int32),
-                    normals[:, swap].astype(np.float32), uvs.astype(np.float32), colors)
+    return MeshPart(
+        slot,
+        (points[:, swap] * (100.0 * scale)).astype(np.float32),
+        faces[:, ::-1].astype(np.int32),
+        normals[:, swap].astype(np.float32),
+        uvs.astype(np.float32),
+        colors,
+    )
 
 
 def read_parts(path: Path, *, scale: float = 1.0) -> list[MeshPart]:
@@ -145,13 +168,17 @@ def join_parts(parts: list[MeshPart], slots: list[str], where: str) -> Mesh:
     offsets = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
     colors = None
     if any(part.colors is not None for part in parts):
-        colors = np.concatenate([np.ones((len(p.vertices), 3), np.float32) if p.colors is None else p.colors
-                                 for p in parts])
-    return Mesh(vertices=np.concatenate([p.vertices for p in parts]),
-                faces=np.concatenate([p.faces + np.int32(o) for p, o in zip(parts, offsets, strict=True)]),
-                normals=np.concatenate([p.normals for p in parts]), uvs=np.concatenate([p.uvs for p in parts]),
-                face_slots=np.concatenate([np.full(len(p.faces), index[p.slot], np.int32) for p in parts]),
-                colors=colors)
+        colors = np.concatenate(
+            [np.ones((len(p.vertices), 3), np.float32) if p.colors is None else p.colors for p in parts]
+        )
+    return Mesh(
+        vertices=np.concatenate([p.vertices for p in parts]),
+        faces=np.concatenate([p.faces + np.int32(o) for p, o in zip(parts, offsets, strict=True)]),
+        normals=np.concatenate([p.normals for p in parts]),
+        uvs=np.concatenate([p.uvs for p in parts]),
+        face_slots=np.concatenate([np.full(len(p.faces), index[p.slot], np.int32) for p in parts]),
+        colors=colors,
+    )
 
 
 def load_mesh(pack_dir: Path, asset: Asset) -> Mesh:

@@ -46,11 +46,11 @@ def read_plain(path: Path) -> list[PlainPart] | None:
         if data[:4] != _MAGIC or struct.unpack_from("<I", data, 4) != (2,):
             return None
         size, kind = struct.unpack_from("<I4s", data, 12)
-        tree = json.loads(data[20:20 + size])
+        tree = json.loads(data[20 : 20 + size])
         length, binary = struct.unpack_from("<I4s", data, 20 + size)
         if kind != _JSON or binary != _BIN or "extensionsRequired" in tree or "uri" in tree["buffers"][0]:
             return None
-        return _parts(tree, data[28 + size:28 + size + length])
+        return _parts(tree, data[28 + size : 28 + size + length])
     except (_Other, ValueError, KeyError, IndexError, TypeError, struct.error):
         return None
 
@@ -66,8 +66,12 @@ def _parts(tree: dict[str, Any], data: bytes) -> list[PlainPart]:
 def _part(tree: dict[str, Any], mesh: dict[str, Any], data: bytes) -> PlainPart:
     (primitive,) = mesh["primitives"]
     attributes = primitive["attributes"]
-    if (primitive.get("mode", _TRIANGLES) != _TRIANGLES or set(attributes) - _ATTRIBUTES
-            or "targets" in primitive or "extensions" in primitive):
+    if (
+        primitive.get("mode", _TRIANGLES) != _TRIANGLES
+        or set(attributes) - _ATTRIBUTES
+        or "targets" in primitive
+        or "extensions" in primitive
+    ):
         raise _Other
     points, normals = (_floats(tree, attributes[name], data, 3) for name in ("POSITION", "NORMAL"))
     uvs = _floats(tree, attributes["TEXCOORD_0"], data, 2) if "TEXCOORD_0" in attributes else None
@@ -91,8 +95,13 @@ def _floats(tree: dict[str, Any], number: int, data: bytes, width: int) -> NDArr
 def _accessor(tree: dict[str, Any], number: int, data: bytes, kind: str) -> NDArray[Any]:
     accessor = tree["accessors"][number]
     view = tree["bufferViews"][accessor["bufferView"]]
-    if accessor["type"] != kind or "sparse" in accessor or accessor.get("normalized") or view.get("byteStride") \
-            or view.get("buffer", 0) != 0:
+    if (
+        accessor["type"] != kind
+        or "sparse" in accessor
+        or accessor.get("normalized")
+        or view.get("byteStride")
+        or view.get("buffer", 0) != 0
+    ):
         raise _Other
     start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
     return np.frombuffer(data, _TYPES[accessor["componentType"]], accessor["count"] * _WIDTHS[kind], start)

@@ -110,8 +110,9 @@ def _read_node(name: str, raw: Any, assets: Mapping[str, Asset], seen: set[str])
         raise ValueError("this id is used twice")
     asset = assets.get(str(raw.get("asset", "")).lower())
     if asset is None:
-        raise ValueError(f"asset {str(raw.get('asset'))[:LONGEST_ID]!r} is not in the catalog: "
-                         "find ids with search_assets")
+        raise ValueError(
+            f"asset {str(raw.get('asset'))[:LONGEST_ID]!r} is not in the catalog: find ids with search_assets"
+        )
     count = _number(raw.get("count", 1), "count")
     if count != int(count) or not 1 <= count <= MAX_COPIES:
         raise ValueError(f"count must be a whole number from 1 to {MAX_COPIES}")
@@ -122,9 +123,17 @@ def _read_node(name: str, raw: Any, assets: Mapping[str, Asset], seen: set[str])
     factors = _vector(scale, "scale", 3) if isinstance(scale, list | tuple) else (_number(scale, "scale"),) * 3
     if any(factor == 0 for factor in factors):
         raise ValueError("scale must not be zero")
-    return Node(id=name, asset=asset, at_m=_place(raw.get("at")), yaw_deg=_number(raw.get("yaw_deg", 0.0), "yaw_deg"),
-                scale=(factors[0], factors[1], factors[2]), count=int(count), layout=_layout(raw.get("layout")),
-                on=raw.get("on"), relation=_relation(raw.get("relation"), seen)), notes
+    return Node(
+        id=name,
+        asset=asset,
+        at_m=_place(raw.get("at")),
+        yaw_deg=_number(raw.get("yaw_deg", 0.0), "yaw_deg"),
+        scale=(factors[0], factors[1], factors[2]),
+        count=int(count),
+        layout=_layout(raw.get("layout")),
+        on=raw.get("on"),
+        relation=_relation(raw.get("relation"), seen),
+    ), notes
 
 
 def _layout(raw: Any) -> Layout:
@@ -132,10 +141,13 @@ def _layout(raw: Any) -> Layout:
         return Layout()
     if not isinstance(raw, Mapping) or raw.get("kind", "row") not in LAYOUTS:
         raise ValueError(f"layout kind must be one of {', '.join(LAYOUTS)}")
-    return Layout(kind=raw.get("kind", "row"), spacing_m=_number(raw.get("spacing_m", 0.0), "layout.spacing_m"),
-                  radius_m=_number(raw.get("radius_m", 0.0), "layout.radius_m"),
-                  yaw_deg=_number(raw.get("yaw_deg", 0.0), "layout.yaw_deg"),
-                  facing="centre" if raw.get("facing") in ("centre", "center") else "same")
+    return Layout(
+        kind=raw.get("kind", "row"),
+        spacing_m=_number(raw.get("spacing_m", 0.0), "layout.spacing_m"),
+        radius_m=_number(raw.get("radius_m", 0.0), "layout.radius_m"),
+        yaw_deg=_number(raw.get("yaw_deg", 0.0), "layout.yaw_deg"),
+        facing="centre" if raw.get("facing") in ("centre", "center") else "same",
+    )
 
 
 def _relation(raw: Any, seen: set[str]) -> tuple[str, str, float] | None:

@@ -9,8 +9,24 @@ from typing import Any
 
 from c4s.packs.manifest import Asset
 
-WORDS = ("ground", "floor", "road", "tile", "plaza", "paving", "cobble", "grass", "field", "street", "pavement", "dock",
-         "carpet", "plane", "parquet", "terrain")
+WORDS = (
+    "ground",
+    "floor",
+    "road",
+    "tile",
+    "plaza",
+    "paving",
+    "cobble",
+    "grass",
+    "field",
+    "street",
+    "pavement",
+    "dock",
+    "carpet",
+    "plane",
+    "parquet",
+    "terrain",
+)
 MIN_SIDE_CM, MAX_HEIGHT_CM = 150.0, 60.0
 MAX_TILES = 700
 PREFERRED_M = 8.0
@@ -52,8 +68,20 @@ def ground_tiles(scene_text: str, catalog: Sequence[Asset], half_extent_m: float
     width, depth, factor = width * factor, depth * factor, round(factor, 6)
     columns, lines = (max(1, math.ceil(side_cm / side - 1e-9)) for side in (width, depth))
     centre = (factor * (low[0] + high[0]) / 2, factor * (low[1] + high[1]) / 2)
-    return [{"name": f"GroundTile_{i}_{j}", "asset": tile.path, "kind": tile.kind, "rotation": [0.0, 0.0, 0.0],
-             "scale": [factor, factor, 1.0], "tier": 0,
-             "location": [round((i - (columns - 1) / 2) * width - centre[0], 3),
-                          round((j - (lines - 1) / 2) * depth - centre[1], 3), round(-high[2], 3)]}
-            for i in range(columns) for j in range(lines)]
+    return [
+        {
+            "name": f"GroundTile_{i}_{j}",
+            "asset": tile.path,
+            "kind": tile.kind,
+            "rotation": [0.0, 0.0, 0.0],
+            "scale": [factor, factor, 1.0],
+            "tier": 0,
+            "location": [
+                round((i - (columns - 1) / 2) * width - centre[0], 3),
+                round((j - (lines - 1) / 2) * depth - centre[1], 3),
+                round(-high[2], 3),
+            ],
+        }
+        for i in range(columns)
+        for j in range(lines)
+    ]

@@ -30,13 +30,20 @@ def render_plan(solved: dict[str, Any]) -> bytes:
     for entry in sorted(entries, key=lambda found: (found["tier"], found["name"])):
         x0, y0, x1, y1 = entry["footprint_cm"]
         draw.rectangle([at(x0, y0), at(x1, y1)], fill=COLOURS[entry["tier"]], outline=(70, 70, 70))
-    large = sorted(entries, key=lambda e: (e["footprint_cm"][0] - e["footprint_cm"][2])
-                   * (e["footprint_cm"][3] - e["footprint_cm"][1]))
+    large = sorted(
+        entries,
+        key=lambda e: (e["footprint_cm"][0] - e["footprint_cm"][2]) * (e["footprint_cm"][3] - e["footprint_cm"][1]),
+    )
     for entry in [found for found in large if found["tier"]][:40]:
         x0, y0, x1, y1 = entry["footprint_cm"]
         draw.text(at((x0 + x1) / 2, (y0 + y1) / 2), entry["name"], fill=(20, 20, 20), font=font, anchor="mm")
-    draw.text((MARGIN_PX, SIZE_PX - MARGIN_PX / 2), f"{2 * reach / 100:.0f} m across, {len(entries)} entries; "
-              "X right, Y down", fill=(90, 90, 90), font=font, anchor="lm")
+    draw.text(
+        (MARGIN_PX, SIZE_PX - MARGIN_PX / 2),
+        f"{2 * reach / 100:.0f} m across, {len(entries)} entries; X right, Y down",
+        fill=(90, 90, 90),
+        font=font,
+        anchor="lm",
+    )
     buffer = io.BytesIO()
     image.save(buffer, "PNG")
     return buffer.getvalue()

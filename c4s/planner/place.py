@@ -44,11 +44,21 @@ class Entry:
 
 def make_entry(node: Node, name: str, x: float, y: float, bottom: float, yaw_deg: float) -> Entry:
     """An entry whose world box stands with the middle of its bottom at (x, y, bottom)."""
-    origin, half = transformed_box(affine((0, 0, 0), (0, yaw_deg, 0), node.scale), node.asset.bounds_min_cm,
-                                   node.asset.bounds_max_cm)
-    return Entry(name=name, node=node, x=x, y=y, bottom=bottom, yaw_deg=yaw_deg, half_x=float(half[0]),
-                 half_y=float(half[1]), height=2 * float(half[2]),
-                 offset=(-float(origin[0]), -float(origin[1]), float(half[2] - origin[2])))
+    origin, half = transformed_box(
+        affine((0, 0, 0), (0, yaw_deg, 0), node.scale), node.asset.bounds_min_cm, node.asset.bounds_max_cm
+    )
+    return Entry(
+        name=name,
+        node=node,
+        x=x,
+        y=y,
+        bottom=bottom,
+        yaw_deg=yaw_deg,
+        half_x=float(half[0]),
+        half_y=float(half[1]),
+        height=2 * float(half[2]),
+        offset=(-float(origin[0]), -float(origin[1]), float(half[2] - origin[2])),
+    )
 
 
 def place(nodes: Sequence[Node], half_extent_cm: float) -> list[Entry]:
@@ -59,8 +69,9 @@ def place(nodes: Sequence[Node], half_extent_cm: float) -> list[Entry]:
         base = make_entry(node, node.id, 0.0, 0.0, 0.0, node.yaw_deg)
         x, y, bottom = _anchor(node, base, first)
         for index, (dx, dy, yaw) in enumerate(_offsets(node, base, half_extent_cm)):
-            entry = make_entry(node, node.id if node.count == 1 else f"{node.id}_{index + 1}", x + dx, y + dy, bottom,
-                               yaw)
+            entry = make_entry(
+                node, node.id if node.count == 1 else f"{node.id}_{index + 1}", x + dx, y + dy, bottom, yaw
+            )
             entry.on = node.on
             entry.fixed = node.at_m is not None and node.count == 1
             entries.append(entry)
@@ -79,8 +90,14 @@ def _anchor(node: Node, base: Entry, first: dict[str, Entry]) -> tuple[float, fl
         kind, of, distance = node.relation
         other = first[of]
         gap_x, gap_y = other.half_x + base.half_x + 100 * distance, other.half_y + base.half_y + 100 * distance
-        step = {"next_to": (0.0, gap_y), "right_of": (0.0, gap_y), "left_of": (0.0, -gap_y),
-                "in_front_of": (gap_x, 0.0), "behind": (-gap_x, 0.0), "around": (0.0, 0.0)}[kind]
+        step = {
+            "next_to": (0.0, gap_y),
+            "right_of": (0.0, gap_y),
+            "left_of": (0.0, -gap_y),
+            "in_front_of": (gap_x, 0.0),
+            "behind": (-gap_x, 0.0),
+            "around": (0.0, 0.0),
+        }[kind]
         x, y = other.x + step[0], other.y + step[1]
         bottom = other.bottom
     if node.at_m is not None:
@@ -121,5 +138,8 @@ def _offsets(node: Node, base: Entry, half_extent_cm: float) -> Iterator[tuple[f
         random = np.random.default_rng(int.from_bytes(hashlib.sha256(node.id.encode()).digest()[:8], "big"))
         for _ in range(count):
             distance, angle = radius * math.sqrt(random.random()), 2 * math.pi * random.random()
-            yield (distance * math.cos(angle), distance * math.sin(angle),
-                   node.yaw_deg + float(random.integers(0, 4)) * 90.0)
+            yield (
+                distance * math.cos(angle),
+                distance * math.sin(angle),
+                node.yaw_deg + float(random.integers(0, 4)) * 90.0,
+            )

@@ -68,8 +68,9 @@ def separate(entries: Sequence[Entry], half_extent_cm: float) -> tuple[list[str]
 
 def _overlapping(centre: Array, half: Array, spans: Array) -> NDArray[np.intp]:
     """Pairs (n, 2) of overlapping boxes, each once, sorted."""
-    boxes = box(centre[:, 0] - half[:, 0], centre[:, 1] - half[:, 1], centre[:, 0] + half[:, 0],
-                centre[:, 1] + half[:, 1])
+    boxes = box(
+        centre[:, 0] - half[:, 0], centre[:, 1] - half[:, 1], centre[:, 0] + half[:, 0], centre[:, 1] + half[:, 1]
+    )
     pairs = STRtree(boxes).query(boxes).T
     pairs = pairs[pairs[:, 0] < pairs[:, 1]]
     a, b = pairs[:, 0], pairs[:, 1]

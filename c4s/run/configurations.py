@@ -25,8 +25,9 @@ def configuration(name: str) -> Configuration:
         except yaml.YAMLError as error:
             raise BadInput(f"this configuration is not YAML: {error}", where=name) from None
         return Configuration.parse(value, where=name)
-    raise BadInput(f"unknown agent {name!r}",
-                   todo=f"use one of {', '.join(BASELINES)}, or a configuration file (docs/agents.md)")
+    raise BadInput(
+        f"unknown agent {name!r}", todo=f"use one of {', '.join(BASELINES)}, or a configuration file (docs/agents.md)"
+    )
 
 
 def is_ranked(chosen: Configuration) -> bool:

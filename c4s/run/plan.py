@@ -41,8 +41,17 @@ class Trial:
 
 def trial_id(plan: Plan, trial: Trial) -> str:
     """Identity of a trial (16 hex) by content only: suite, case, configuration, repeat, policy, judge, engine."""
-    return digest([plan.suite_digest, trial.case.plain(), trial.configuration.plain(), trial.repeat, plan.policy,
-                   plan.judge, plan.engine])[:16]
+    return digest(
+        [
+            plan.suite_digest,
+            trial.case.plain(),
+            trial.configuration.plain(),
+            trial.repeat,
+            plan.policy,
+            plan.judge,
+            plan.engine,
+        ]
+    )[:16]
 
 
 def versions() -> dict[str, str]:
@@ -56,8 +65,17 @@ def versions() -> dict[str, str]:
     return found
 
 
-def make_plan(suite: SuiteFolder, configurations: Sequence[Configuration], *, run_id: str, policy: str, judge: str,
-              engine: str, repeats: int = 1, cases: Sequence[str] = ()) -> Plan:
+def make_plan(
+    suite: SuiteFolder,
+    configurations: Sequence[Configuration],
+    *,
+    run_id: str,
+    policy: str,
+    judge: str,
+    engine: str,
+    repeats: int = 1,
+    cases: Sequence[str] = (),
+) -> Plan:
     """A plan over the suite's cases (all, or those named). Raises ``BadInput`` for an unknown case."""
     record = suite.suite()
     known = {case.case_id for case in record.cases}
@@ -65,12 +83,28 @@ def make_plan(suite: SuiteFolder, configurations: Sequence[Configuration], *, ru
         if case_id not in known:
             raise BadInput(f"no case {case_id!r} in suite {record.suite_id!r}", todo="see `c4s suite show`")
     chosen = [case for case in record.cases if not cases or case.case_id in cases]
-    planned = [PlannedCase(case_id=case.case_id, setting=case.setting, agent_digest=case.agent_digest,
-                           withheld_digest=case.withheld_digest,
-                           scene_id=suite.withheld_case(case.case_id).scene_id) for case in chosen]
-    return Plan(run_id=run_id, suite_id=record.suite_id, suite_digest=record.sha256(),
-                configurations=list(configurations), cases=planned, repeats=repeats, policy=policy, judge=judge,
-                engine=engine, versions=versions())
+    planned = [
+        PlannedCase(
+            case_id=case.case_id,
+            setting=case.setting,
+            agent_digest=case.agent_digest,
+            withheld_digest=case.withheld_digest,
+            scene_id=suite.withheld_case(case.case_id).scene_id,
+        )
+        for case in chosen
+    ]
+    return Plan(
+        run_id=run_id,
+        suite_id=record.suite_id,
+        suite_digest=record.sha256(),
+        configurations=list(configurations),
+        cases=planned,
+        repeats=repeats,
+        policy=policy,
+        judge=judge,
+        engine=engine,
+        versions=versions(),
+    )
 
 
 def open_run(root: Path, plan: Plan) -> Plan:
@@ -84,8 +118,11 @@ def open_run(root: Path, plan: Plan) -> Plan:
         return plan
     frozen = Plan.read(path)
     if frozen.model_copy(update={"versions": plan.versions}) != plan:
-        raise BadInput("this run was started with another plan (suite, agents, policy, judge or engine)",
-                       where=str(path), todo="choose another --run-id")
+        raise BadInput(
+            "this run was started with another plan (suite, agents, policy, judge or engine)",
+            where=str(path),
+            todo="choose another --run-id",
+        )
     return frozen
 
 

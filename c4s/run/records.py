@@ -70,8 +70,14 @@ class AttemptOutcome(Record):
     message: str = ""
 
 
-CaseStatus = Literal["measured", "measured_with_missing_zero", "zero_invalid_candidate", "zero_missing_submission",
-                     "zero_missing_result", "pending"]
+CaseStatus = Literal[
+    "measured",
+    "measured_with_missing_zero",
+    "zero_invalid_candidate",
+    "zero_missing_submission",
+    "zero_missing_result",
+    "pending",
+]
 
 
 class TrialScore(Record):

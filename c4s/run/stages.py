@@ -46,11 +46,17 @@ def inputs(trial: Trial) -> TrialInputs:
     for reference in case.packs:
         folder = packs_root() / reference.pack_id
         if not (folder / "pack.json").is_file():
-            raise BadInput(f"pack {reference.pack_id!r} is missing", where=trial.case.case_id,
-                           todo=f"build it into {packs_root()}")
+            raise BadInput(
+                f"pack {reference.pack_id!r} is missing", where=trial.case.case_id, todo=f"build it into {packs_root()}"
+            )
         folders.append(folder)
-    return TrialInputs(case=case, withheld=suite.withheld_case(case.case_id), packs=folders,
-                       agent_folder=suite.agent(case.case_id), withheld_folder=suite.withheld(case.case_id))
+    return TrialInputs(
+        case=case,
+        withheld=suite.withheld_case(case.case_id),
+        packs=folders,
+        agent_folder=suite.agent(case.case_id),
+        withheld_folder=suite.withheld(case.case_id),
+    )
 
 
 def record_time(trial: Trial, stage: str, seconds: float) -> None:
@@ -78,9 +84,16 @@ def attempt(trial: Trial, number: int) -> AttemptOutcome:
     if (folder / "outcome.json").is_file():
         return AttemptOutcome.read(folder / "outcome.json")
     started, given = time.perf_counter(), inputs(trial)
-    outcome = run_attempt(given.case, given.agent_folder, trial.configuration, number, folder, given.packs,
-                          given.withheld_folder if trial.configuration.client == "oracle" else None,
-                          trial.run / "spending.jsonl")
+    outcome = run_attempt(
+        given.case,
+        given.agent_folder,
+        trial.configuration,
+        number,
+        folder,
+        given.packs,
+        given.withheld_folder if trial.configuration.client == "oracle" else None,
+        trial.run / "spending.jsonl",
+    )
     _timed(trial, f"attempt-{number}", started)
     return outcome
 
@@ -100,8 +113,9 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         return Verdict.read(path).status == "valid"
     outcome = AttemptOutcome.read(attempt_folder / "outcome.json")
     if outcome.submission is None:
-        Verdict(verifier="integrity", status="invalid", policy=plan.policy,
-                reason="no submission was saved").write(path)
+        Verdict(verifier="integrity", status="invalid", policy=plan.policy, reason="no submission was saved").write(
+            path
+        )
         return False
     started, given = time.perf_counter(), inputs(trial)
     evidence = trial.folder.evidence
@@ -116,8 +130,13 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         return authored or overview_cameras(snapshot)
 
     try:
-        collect(packs=given.packs, submission_content=attempt_folder / "submission", package=outcome.submission,
-                out=evidence, cameras=cameras)
+        collect(
+            packs=given.packs,
+            submission_content=attempt_folder / "submission",
+            package=outcome.submission,
+            out=evidence,
+            cameras=cameras,
+        )
     except BadInput as error:
         verdict = unloadable(error.line())
         verdict.write(trial.folder.verdict("integrity"))
@@ -125,10 +144,12 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         return False
     frozen = {reference.pack_id: reference.digest for reference in given.case.packs}
     scorer = {folder.name: Pack.read(folder / "pack.json").sha256() for folder in given.packs}
-    verdict = verify_integrity(read_json(evidence / "snapshot.json"), read_json(evidence / "dependencies.json"),
-                               given.withheld.minimum_actors,
-                               ManifestDigests(frozen=frozen, scorer=scorer,
-                                               submission=_submission_packs(attempt_folder)))
+    verdict = verify_integrity(
+        read_json(evidence / "snapshot.json"),
+        read_json(evidence / "dependencies.json"),
+        given.withheld.minimum_actors,
+        ManifestDigests(frozen=frozen, scorer=scorer, submission=_submission_packs(attempt_folder)),
+    )
     if verdict.status == "error":
         raise MachineryFault(verdict.reason, where=trial.name, todo="run the same command again")
     verdict = verdict.model_copy(update={"inputs": _digests(evidence, "snapshot.json", "dependencies.json")})
@@ -175,8 +196,11 @@ def repair(trial: Trial, plan: Plan) -> Verdict:
     from c4s.verify.repair import verify_repair
 
     def verify(given: TrialInputs, evidence: Path) -> Verdict:
-        return verify_repair(given.withheld_folder / "input.snapshot.json",
-                             given.withheld_folder / "truth.snapshot.json", evidence / "snapshot.json")
+        return verify_repair(
+            given.withheld_folder / "input.snapshot.json",
+            given.withheld_folder / "truth.snapshot.json",
+            evidence / "snapshot.json",
+        )
 
     return _verdict(trial, "repair", verify)
 
@@ -197,8 +221,12 @@ def semantic(trial: Trial, plan: Plan, verifier: str) -> Verdict:
         if verifier == "overview":
             return verify_overview(bundle or given.case.prompt, snapshot, facts, captures)
         if bundle is None:
-            return Verdict(verifier=verifier, status="not_evaluated", policy=plan.policy,
-                           reason="the case has no requirement bundle")
+            return Verdict(
+                verifier=verifier,
+                status="not_evaluated",
+                policy=plan.policy,
+                reason="the case has no requirement bundle",
+            )
         return verify_detailed(bundle, snapshot, facts, captures)
 
     return _verdict(trial, verifier, verify)
@@ -211,10 +239,14 @@ def catalog_facts(packs: list[Path]) -> dict[str, dict[str, Any]]:
         pack = Pack.read(folder / "pack.json")
         materials = {material.path: material.plain() for material in pack.materials}
         for asset in pack.assets:
-            facts[asset.path] = {"name": asset.name, "category": asset.category, "tags": asset.tags,
-                                 "description": asset.description, "size_m": list(asset.size_m),
-                                 "materials": [materials[slot.material] for slot in asset.slots
-                                               if slot.material in materials]}
+            facts[asset.path] = {
+                "name": asset.name,
+                "category": asset.category,
+                "tags": asset.tags,
+                "description": asset.description,
+                "size_m": list(asset.size_m),
+                "materials": [materials[slot.material] for slot in asset.slots if slot.material in materials],
+            }
     return facts
 
 
@@ -242,14 +274,22 @@ def score(trial: Trial, plan: Plan) -> TrialScore:
     if path.is_file():
         return TrialScore.read(path)
     started, kept = time.perf_counter(), retained(trial)
-    verdicts = {"integrity": [Verdict.read(p)
-                              for p in sorted(trial.folder.root.glob("attempt-*/integrity.json"))][-1]}
+    verdicts = {"integrity": [Verdict.read(p) for p in sorted(trial.folder.root.glob("attempt-*/integrity.json"))][-1]}
     if kept is not None:
         verdicts |= {name: Verdict.read(trial.folder.verdict(name)) for name in needed(trial)}
     submitted = any(AttemptOutcome.read(p).submission for p in trial.folder.root.glob("attempt-*/outcome.json"))
-    made = case_score(case_id=trial.case.case_id, setting=trial.case.setting, repeat=trial.repeat,
-                      configuration=trial.configuration.name, policy=plan.policy, judge=plan.judge,
-                      engine=plan.engine, retained_attempt=kept, submitted=submitted, verdicts=verdicts)
+    made = case_score(
+        case_id=trial.case.case_id,
+        setting=trial.case.setting,
+        repeat=trial.repeat,
+        configuration=trial.configuration.name,
+        policy=plan.policy,
+        judge=plan.judge,
+        engine=plan.engine,
+        retained_attempt=kept,
+        submitted=submitted,
+        verdicts=verdicts,
+    )
     if made.status == "pending":
         raise MachineryFault(made.reason, where=trial.name, todo="run the same command again")
     made.write(path)

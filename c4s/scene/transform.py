@@ -20,10 +20,20 @@ Vec3: TypeAlias = Sequence[float]
 def quat_from_rotator(rotation_deg: Vec3) -> tuple[float, float, float, float]:
     """Quaternion (x, y, z, w) of ``[pitch, yaw, roll]`` degrees."""
     pitch, yaw, roll = (math.radians(math.fmod(a, 360.0)) / 2 for a in rotation_deg)
-    sp, cp, sy, cy, sr, cr = (math.sin(pitch), math.cos(pitch), math.sin(yaw), math.cos(yaw),
-                              math.sin(roll), math.cos(roll))
-    return (cr * sp * sy - sr * cp * cy, -cr * sp * cy - sr * cp * sy,
-            cr * cp * sy - sr * sp * cy, cr * cp * cy + sr * sp * sy)
+    sp, cp, sy, cy, sr, cr = (
+        math.sin(pitch),
+        math.cos(pitch),
+        math.sin(yaw),
+        math.cos(yaw),
+        math.sin(roll),
+        math.cos(roll),
+    )
+    return (
+        cr * sp * sy - sr * cp * cy,
+        -cr * sp * cy - sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    )
 
 
 def normalize_axis(angle_deg: float) -> float:
@@ -51,8 +61,12 @@ def quat_multiply(a: Sequence[float], b: Sequence[float]) -> tuple[float, float,
     """Product ``a * b``: the rotation ``b`` first, then ``a``."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
-    return (aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
-            aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz)
+    return (
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+        aw * bw - ax * bx - ay * by - az * bz,
+    )
 
 
 def quat_angle_deg(a: Sequence[float], b: Sequence[float]) -> float:
@@ -64,9 +78,13 @@ def quat_angle_deg(a: Sequence[float], b: Sequence[float]) -> float:
 def rotation_matrix(rotation_deg: Vec3) -> Array:
     """3x3 matrix R with ``world = R @ local`` (columns are the images of the local axes)."""
     x, y, z, w = quat_from_rotator(rotation_deg)
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                     [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                     [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
 
 
 def affine(location_cm: Vec3, rotation_deg: Vec3, scale: Vec3) -> Array:

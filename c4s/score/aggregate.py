@@ -17,10 +17,17 @@ ZERO_STATUSES = frozenset({"zero_invalid_candidate", "zero_missing_submission", 
 MEASURED_STATUSES = frozenset({"measured", "measured_with_missing_zero"})
 _T2S, _INDOOR, _OUTDOOR = SETTINGS
 _ALIASES: dict[str, Setting] = {
-    "text-to-scene": _T2S, "t2s": _T2S,
-    "image-to-scene/indoor": _INDOOR, "indoor": _INDOOR, "i2s-indoor": _INDOOR, "image-to-scene-indoor": _INDOOR,
-    "image-to-scene/outdoor": _OUTDOOR, "outdoor": _OUTDOOR, "i2s-outdoor": _OUTDOOR,
-    "image-to-scene-outdoor": _OUTDOOR}
+    "text-to-scene": _T2S,
+    "t2s": _T2S,
+    "image-to-scene/indoor": _INDOOR,
+    "indoor": _INDOOR,
+    "i2s-indoor": _INDOOR,
+    "image-to-scene-indoor": _INDOOR,
+    "image-to-scene/outdoor": _OUTDOOR,
+    "outdoor": _OUTDOOR,
+    "i2s-outdoor": _OUTDOOR,
+    "image-to-scene-outdoor": _OUTDOOR,
+}
 _RATES = {"f1": "repair_f1", "precision": "precision", "recall": "recall", "physics": "physics"}
 
 
@@ -75,8 +82,9 @@ def _case_row(row: Any) -> tuple[str, CaseRow]:
     missing = [name for name in ("model", "case_id", "setting") if row.get(name) in (None, "")]
     if missing:
         raise BadInput(f"a case row needs {', '.join(missing)}")
-    return str(row["model"]), CaseRow(setting_of(row["setting"]), str(row["case_id"]),
-                                      str(row.get("status") or "measured"), row)
+    return str(row["model"]), CaseRow(
+        setting_of(row["setting"]), str(row["case_id"]), str(row.get("status") or "measured"), row
+    )
 
 
 def _schedule(given: Mapping[str, Sequence[str]] | None, rows: Iterable[CaseRow]) -> dict[Setting, list[str]]:
@@ -124,20 +132,29 @@ def _values(rows: Sequence[CaseRow], model: str) -> dict[str, list[float] | None
     scores = [row.number("score", f"{model}/{row.case_id}") for row in rows]
     if not rows or not all(row.resolved for row in rows):
         return dict.fromkeys(("score", *_RATES.values()))
-    rates = {name: _complete(row.number(name, f"{model}/{row.case_id}") for row in rows)
-             for name in _RATES.values()} if rows[0].setting != _T2S else {}
+    rates = (
+        {name: _complete(row.number(name, f"{model}/{row.case_id}") for row in rows) for name in _RATES.values()}
+        if rows[0].setting != _T2S
+        else {}
+    )
     return dict.fromkeys(_RATES.values()) | rates | {"score": _complete(scores)}
 
 
-def _model_row(model: str, schedule: Mapping[Setting, Sequence[str]], rows: Mapping[tuple[Setting, str], CaseRow],
-               missing_as_zero: bool) -> dict[str, Any]:
+def _model_row(
+    model: str,
+    schedule: Mapping[Setting, Sequence[str]],
+    rows: Mapping[tuple[Setting, str], CaseRow],
+    missing_as_zero: bool,
+) -> dict[str, Any]:
     absent = "zero_missing_result" if missing_as_zero else "unresolved"
     contributions: dict[Setting, list[CaseRow]] = {setting: [] for setting in SETTINGS}
     for setting, cases in schedule.items():
-        contributions[setting] = [rows.get((setting, case_id)) or CaseRow(setting, case_id, absent, {"score": 0.0})
-                                  for case_id in cases]
-    unresolved = [f"{setting}:{row.case_id}" for setting in schedule for row in contributions[setting]
-                  if not row.resolved]
+        contributions[setting] = [
+            rows.get((setting, case_id)) or CaseRow(setting, case_id, absent, {"score": 0.0}) for case_id in cases
+        ]
+    unresolved = [
+        f"{setting}:{row.case_id}" for setting in schedule for row in contributions[setting] if not row.resolved
+    ]
     values = {setting: _values(contributions[setting], model) for setting in SETTINGS}
 
     def rate(name: str, *settings: Setting) -> float | None:
@@ -146,17 +163,31 @@ def _model_row(model: str, schedule: Mapping[Setting, Sequence[str]], rows: Mapp
     t2s, i2s = rate("score", _T2S), rate("score", _INDOOR, _OUTDOOR)
     total = None if t2s is None or i2s is None else MODEL_WEIGHTS["t2s"] * t2s + MODEL_WEIGHTS["i2s"] * i2s
     return {
-        "model": model, "model_score": total, "model_score_100": _percent(total), "t2s_score": t2s, "i2s_score": i2s,
-        "i2s_score_100": _percent(i2s), "indoor_i2s_score": rate("score", _INDOOR),
+        "model": model,
+        "model_score": total,
+        "model_score_100": _percent(total),
+        "t2s_score": t2s,
+        "i2s_score": i2s,
+        "i2s_score_100": _percent(i2s),
+        "indoor_i2s_score": rate("score", _INDOOR),
         "outdoor_i2s_score": rate("score", _OUTDOOR),
-        "indoor_f1_case_macro": rate("repair_f1", _INDOOR), "outdoor_f1_case_macro": rate("repair_f1", _OUTDOOR),
+        "indoor_f1_case_macro": rate("repair_f1", _INDOOR),
+        "outdoor_f1_case_macro": rate("repair_f1", _OUTDOOR),
         **{f"i2s_{short}_case_macro": rate(name, _INDOOR, _OUTDOOR) for short, name in _RATES.items()},
-        "indoor_physics_case_macro": rate("physics", _INDOOR), "outdoor_physics_case_macro": rate("physics", _OUTDOOR),
-        **{f"{short}_cases": len(contributions[setting])
-           for short, setting in (("t2s", _T2S), ("indoor", _INDOOR), ("outdoor", _OUTDOOR))},
-        **{f"{short}_zero_cases": sum(row.zero for row in contributions[setting])
-           for short, setting in (("t2s", _T2S), ("indoor", _INDOOR), ("outdoor", _OUTDOOR))},
-        "unresolved_cases": unresolved, "i2s_policy": I2S_POLICY, "model_policy": MODEL_POLICY}
+        "indoor_physics_case_macro": rate("physics", _INDOOR),
+        "outdoor_physics_case_macro": rate("physics", _OUTDOOR),
+        **{
+            f"{short}_cases": len(contributions[setting])
+            for short, setting in (("t2s", _T2S), ("indoor", _INDOOR), ("outdoor", _OUTDOOR))
+        },
+        **{
+            f"{short}_zero_cases": sum(row.zero for row in contributions[setting])
+            for short, setting in (("t2s", _T2S), ("indoor", _INDOOR), ("outdoor", _OUTDOOR))
+        },
+        "unresolved_cases": unresolved,
+        "i2s_policy": I2S_POLICY,
+        "model_policy": MODEL_POLICY,
+    }
 
 
 def ranks(values: Sequence[float | None]) -> list[int | None]:
@@ -165,8 +196,9 @@ def ranks(values: Sequence[float | None]) -> list[int | None]:
     return [None if value is None else 1 + sum(other > value for other in known) for value in values]
 
 
-def aggregate(rows: Sequence[Mapping[str, Any]], schedule: Mapping[str, Sequence[str]] | None = None,
-              missing_as_zero: bool = True) -> list[dict[str, Any]]:
+def aggregate(
+    rows: Sequence[Mapping[str, Any]], schedule: Mapping[str, Sequence[str]] | None = None, missing_as_zero: bool = True
+) -> list[dict[str, Any]]:
     """Model scores of case rows, best first.
 
     A setting with an unresolved case has no mean, and what needs it has none either: missing results are never

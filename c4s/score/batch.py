@@ -19,8 +19,12 @@ Answer = dict[str, Any] | list[dict[str, Any]]
 
 
 def _t2s_case(row: Mapping[str, Any]) -> Answer:
-    return t2s_case(valid=bool(row.get("valid")), detailed=row.get("detailed"), overview=row.get("overview"),
-                    physics=row.get("physics"))
+    return t2s_case(
+        valid=bool(row.get("valid")),
+        detailed=row.get("detailed"),
+        overview=row.get("overview"),
+        physics=row.get("physics"),
+    )
 
 
 def _i2s_case(row: Mapping[str, Any]) -> Answer:
@@ -45,14 +49,17 @@ def _graph(row: Mapping[str, Any]) -> Answer:
 
 
 KINDS: dict[str, Callable[[Mapping[str, Any]], Answer]] = {
-    "t2s_case": _t2s_case, "i2s_case": _i2s_case,
+    "t2s_case": _t2s_case,
+    "i2s_case": _i2s_case,
     "physics_report": lambda row: physics_from_report(row.get("report")),
-    "overview_judgement": _overview, "overview_report": lambda row: overview_from_report(row.get("report")),
+    "overview_judgement": _overview,
+    "overview_report": lambda row: overview_from_report(row.get("report")),
     "detailed_decisions": lambda row: detailed_score(row.get("decisions") or []),
     "detailed_report": lambda row: detailed_from_report(row.get("report")),
-    "semantic_case": _semantic, "semantic_graph": _graph,
-    "model": lambda row: aggregate(row.get("rows") or [], row.get("schedule"),
-                                   bool(row.get("missing_as_zero", True)))}
+    "semantic_case": _semantic,
+    "semantic_graph": _graph,
+    "model": lambda row: aggregate(row.get("rows") or [], row.get("schedule"), bool(row.get("missing_as_zero", True))),
+}
 """What each kind of row asks for."""
 
 

@@ -13,13 +13,13 @@ from c4s.score.policy import CASE_POLICY, I2S_DIGITS, I2S_POLICY, I2S_WEIGHTS, T
 from c4s.verify.verdict import Verdict
 
 
-def t2s_case(*, valid: bool, detailed: Any, overview: Any, physics: Any,
-             weights: Mapping[str, float] = T2S_WEIGHTS) -> dict[str, Any]:
+def t2s_case(
+    *, valid: bool, detailed: Any, overview: Any, physics: Any, weights: Mapping[str, float] = T2S_WEIGHTS
+) -> dict[str, Any]:
     """Text-to-scene case score. A component that is no number in [0, 1] keeps its weight and is worth zero."""
     given = {"detailed": detailed, "overview": overview, "physics": physics}
     if not valid:
-        return {"policy": T2S_POLICY, "status": "zero_invalid_candidate", "score": 0.0,
-                **dict.fromkeys(given, 0.0)}
+        return {"policy": T2S_POLICY, "status": "zero_invalid_candidate", "score": 0.0, **dict.fromkeys(given, 0.0)}
     values = {name: unit_number(value) for name, value in given.items()}
     missing = [name for name, value in values.items() if value is None]
     used = {name: value or 0.0 for name, value in values.items()}
@@ -27,26 +27,50 @@ def t2s_case(*, valid: bool, detailed: Any, overview: Any, physics: Any,
     for name, weight in weights.items():
         total += weight * used[name]
     score = round(total, T2S_DIGITS)
-    return {"policy": T2S_POLICY, "status": "measured_with_missing_zero" if missing else "measured",
-            "missing_components": missing, "score": score, **used}
+    return {
+        "policy": T2S_POLICY,
+        "status": "measured_with_missing_zero" if missing else "measured",
+        "missing_components": missing,
+        "score": score,
+        **used,
+    }
 
 
-def i2s_case(*, valid: bool, repair_f1: Any, physics: Any,
-             weights: Mapping[str, float] = I2S_WEIGHTS) -> dict[str, Any]:
+def i2s_case(
+    *, valid: bool, repair_f1: Any, physics: Any, weights: Mapping[str, float] = I2S_WEIGHTS
+) -> dict[str, Any]:
     """Image-to-scene case score. Raises ``BadInput`` when a component of a valid case is no number in [0, 1]."""
     if not valid:
-        return {"policy": I2S_POLICY, "status": "zero_invalid_candidate", "score": 0.0, "repair_f1": 0.0,
-                "physics": 0.0}
-    used = {"repair_f1": required_unit_number(repair_f1, "repair_f1"),
-            "physics": required_unit_number(physics, "physics")}
+        return {
+            "policy": I2S_POLICY,
+            "status": "zero_invalid_candidate",
+            "score": 0.0,
+            "repair_f1": 0.0,
+            "physics": 0.0,
+        }
+    used = {
+        "repair_f1": required_unit_number(repair_f1, "repair_f1"),
+        "physics": required_unit_number(physics, "physics"),
+    }
     score = round(math.fsum(weight * used[name] for name, weight in weights.items()), I2S_DIGITS)
     return {"policy": I2S_POLICY, "status": "measured", "score": score, **used}
 
 
-def case_score(*, case_id: str, setting: Setting, configuration: str, repeat: int, judge: str, engine: str,
-               submitted: bool, verdicts: Mapping[str, Verdict], retained_attempt: int | None = None,
-               missing_result: bool = False, policy: str | None = None,
-               weights: Mapping[str, float] | None = None) -> TrialScore:
+def case_score(
+    *,
+    case_id: str,
+    setting: Setting,
+    configuration: str,
+    repeat: int,
+    judge: str,
+    engine: str,
+    submitted: bool,
+    verdicts: Mapping[str, Verdict],
+    retained_attempt: int | None = None,
+    missing_result: bool = False,
+    policy: str | None = None,
+    weights: Mapping[str, float] | None = None,
+) -> TrialScore:
     """Score of a trial.
 
     The zeros are kept apart by ``status``: no submission, an invalid one (with the integrity reason), or a result
@@ -60,9 +84,16 @@ def case_score(*, case_id: str, setting: Setting, configuration: str, repeat: in
         policy: id to record; the setting's published policy when None.
         weights: of the setting's components; the published ones when None.
     """
-    base: dict[str, Any] = {"case_id": case_id, "setting": setting, "configuration": configuration, "repeat": repeat,
-                            "policy": policy or CASE_POLICY[setting], "judge": judge, "engine": engine,
-                            "retained_attempt": retained_attempt}
+    base: dict[str, Any] = {
+        "case_id": case_id,
+        "setting": setting,
+        "configuration": configuration,
+        "repeat": repeat,
+        "policy": policy or CASE_POLICY[setting],
+        "judge": judge,
+        "engine": engine,
+        "retained_attempt": retained_attempt,
+    }
     parts = ("detailed", "overview") if setting == "text-to-scene" else ("repair",)
     if missing_result:
         return _zero(base, setting, "zero_missing_result", "the result is missing")
@@ -77,8 +108,7 @@ def case_score(*, case_id: str, setting: Setting, configuration: str, repeat: in
         verdict = verdicts.get(name)
         if verdict is None or verdict.status in ("error", "valid", "invalid"):
             return _pending(base, name, verdict)
-    return _measured(base, setting, verdicts,
-                     weights or (T2S_WEIGHTS if setting == "text-to-scene" else I2S_WEIGHTS))
+    return _measured(base, setting, verdicts, weights or (T2S_WEIGHTS if setting == "text-to-scene" else I2S_WEIGHTS))
 
 
 def _pending(base: dict[str, Any], verifier: str, verdict: Verdict | None) -> TrialScore:
@@ -87,8 +117,11 @@ def _pending(base: dict[str, Any], verifier: str, verdict: Verdict | None) -> Tr
 
 
 def _zero(base: dict[str, Any], setting: Setting, status: CaseStatus, reason: str) -> TrialScore:
-    names = (("detailed", "overview", "known_coverage") if setting == "text-to-scene"
-             else ("repair_precision", "repair_recall", "repair_f1"))
+    names = (
+        ("detailed", "overview", "known_coverage")
+        if setting == "text-to-scene"
+        else ("repair_precision", "repair_recall", "repair_f1")
+    )
     return TrialScore(**base, status=status, score=0.0, reason=reason, physics=0.0, **dict.fromkeys(names, 0.0))
 
 
@@ -96,27 +129,48 @@ def _value(verdict: Verdict) -> float | None:
     return unit_number(verdict.score) if verdict.status == "measured" else None
 
 
-def _measured(base: dict[str, Any], setting: Setting, verdicts: Mapping[str, Verdict],
-              weights: Mapping[str, float]) -> TrialScore:
+def _measured(
+    base: dict[str, Any], setting: Setting, verdicts: Mapping[str, Verdict], weights: Mapping[str, float]
+) -> TrialScore:
     physics = _value(verdicts["physics"])
     if setting == "text-to-scene":
-        row = t2s_case(valid=True, detailed=_value(verdicts["detailed"]), overview=_value(verdicts["overview"]),
-                       physics=physics, weights=weights)
+        row = t2s_case(
+            valid=True,
+            detailed=_value(verdicts["detailed"]),
+            overview=_value(verdicts["overview"]),
+            physics=physics,
+            weights=weights,
+        )
         coverage = unit_number(verdicts["detailed"].measurements.get("known_coverage"))
-        return TrialScore(**base, status=row["status"], score=row["score"], detailed=row["detailed"],
-                          overview=row["overview"], physics=row["physics"], known_coverage=coverage,
-                          reason=_missing(row["missing_components"]))
+        return TrialScore(
+            **base,
+            status=row["status"],
+            score=row["score"],
+            detailed=row["detailed"],
+            overview=row["overview"],
+            physics=row["physics"],
+            known_coverage=coverage,
+            reason=_missing(row["missing_components"]),
+        )
     repair = verdicts["repair"]
     f1 = _value(repair)
     missing = [name for name, value in (("repair", f1), ("physics", physics)) if value is None]
     row = i2s_case(valid=True, repair_f1=f1 or 0.0, physics=physics or 0.0, weights=weights)
-    rates = {name: (unit_number(repair.measurements.get(name)) if f1 is not None else 0.0)
-             for name in ("precision", "recall")}
-    return TrialScore(**base, status="measured_with_missing_zero" if missing else "measured", score=row["score"],
-                      physics=row["physics"], repair_f1=row["repair_f1"], repair_precision=rates["precision"],
-                      repair_recall=rates["recall"], reason=_missing(missing))
+    rates = {
+        name: (unit_number(repair.measurements.get(name)) if f1 is not None else 0.0)
+        for name in ("precision", "recall")
+    }
+    return TrialScore(
+        **base,
+        status="measured_with_missing_zero" if missing else "measured",
+        score=row["score"],
+        physics=row["physics"],
+        repair_f1=row["repair_f1"],
+        repair_precision=rates["precision"],
+        repair_recall=rates["recall"],
+        reason=_missing(missing),
+    )
 
 
 def _missing(names: list[str]) -> str:
     return f"worth zero, not evaluated: {', '.join(names)}" if names else ""
-

@@ -60,17 +60,26 @@ def _known(row: Mapping[str, Any]) -> float:
 def _family(rows: list[Mapping[str, Any]]) -> dict[str, Any]:
     clauses = clauses_of(rows)
     weights = [max(_weight(row) for row in clause) for clause in clauses]
-    score = weighted_mean((w, weighted_mean((_weight(row), row_score(row)) for row in clause))
-                          for w, clause in zip(weights, clauses, strict=True))
-    known = weighted_mean((w, weighted_mean((_weight(row), _known(row)) for row in clause))
-                          for w, clause in zip(weights, clauses, strict=True))
-    return {"score": round(score, DETAILED_DIGITS), "unrounded_score": score,
-            "known_coverage": round(known, DETAILED_DIGITS), "clause_count": len(clauses),
-            "active_requirement_count": len(rows)}
+    score = weighted_mean(
+        (w, weighted_mean((_weight(row), row_score(row)) for row in clause))
+        for w, clause in zip(weights, clauses, strict=True)
+    )
+    known = weighted_mean(
+        (w, weighted_mean((_weight(row), _known(row)) for row in clause))
+        for w, clause in zip(weights, clauses, strict=True)
+    )
+    return {
+        "score": round(score, DETAILED_DIGITS),
+        "unrounded_score": score,
+        "known_coverage": round(known, DETAILED_DIGITS),
+        "clause_count": len(clauses),
+        "active_requirement_count": len(rows),
+    }
 
 
-def detailed_score(rows: Sequence[Mapping[str, Any]],
-                   family_weights: Mapping[Family, float] = FAMILY_WEIGHTS) -> dict[str, Any]:
+def detailed_score(
+    rows: Sequence[Mapping[str, Any]], family_weights: Mapping[Family, float] = FAMILY_WEIGHTS
+) -> dict[str, Any]:
     """Detailed Alignment of decided rows.
 
     Rows have ``semantic_family``, ``clause_index``, ``effective_score``, and optionally ``included`` (default true),
@@ -104,8 +113,13 @@ def detailed_score(rows: Sequence[Mapping[str, Any]],
     for family, row in measured.items():
         score += families[family]["effective_weight"] * row["score"]
         known += families[family]["effective_weight"] * row["known_coverage"]
-    return {"status": "measured", "score": round(score, DETAILED_DIGITS), "unrounded_score": score,
-            "known_coverage": round(known, DETAILED_DIGITS), "families": families}
+    return {
+        "status": "measured",
+        "score": round(score, DETAILED_DIGITS),
+        "unrounded_score": score,
+        "known_coverage": round(known, DETAILED_DIGITS),
+        "families": families,
+    }
 
 
 def detailed_from_report(report: Any) -> dict[str, Any]:

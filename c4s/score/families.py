@@ -48,8 +48,12 @@ def family_of(requirement: Mapping[str, Any]) -> Family | None:
 
 def node_name(requirement: Mapping[str, Any], number: int) -> str:
     """Name of a requirement: its node, else its own id, else its place in the list."""
-    return str(requirement.get("node_id") or requirement.get("requirement_id") or requirement.get("id")
-               or f"requirement_{number}")
+    return str(
+        requirement.get("node_id")
+        or requirement.get("requirement_id")
+        or requirement.get("id")
+        or f"requirement_{number}"
+    )
 
 
 def _list(graph: Mapping[str, Any], name: str) -> Sequence[Any]:
@@ -62,8 +66,11 @@ def _list(graph: Mapping[str, Any], name: str) -> Sequence[Any]:
 def _scope_edges(graph: Mapping[str, Any]) -> list[tuple[str, Any]]:
     """Scope edges as (parent, child); without those that name no parent."""
     edges = (edge for edge in _list(graph, "edges") if isinstance(edge, Mapping))
-    return [(str(edge["source_id"]), edge.get("target_id")) for edge in edges
-            if word(edge.get("edge_type", "")) == "scope" and edge.get("source_id") is not None]
+    return [
+        (str(edge["source_id"]), edge.get("target_id"))
+        for edge in edges
+        if word(edge.get("edge_type", "")) == "scope" and edge.get("source_id") is not None
+    ]
 
 
 def families_from_graph(graph: Mapping[str, Any]) -> dict[str, Family]:
@@ -71,8 +78,11 @@ def families_from_graph(graph: Mapping[str, Any]) -> dict[str, Family]:
 
     The scope is followed through logic nodes only; nodes of a type without a family say nothing.
     """
-    types = {str(node["id"]): word(node["predicate_type"]) for node in _list(graph, "nodes")
-             if isinstance(node, Mapping) and node.get("id") is not None and node.get("predicate_type") is not None}
+    types = {
+        str(node["id"]): word(node["predicate_type"])
+        for node in _list(graph, "nodes")
+        if isinstance(node, Mapping) and node.get("id") is not None and node.get("predicate_type") is not None
+    }
     scoped: dict[str, list[str]] = defaultdict(list)
     for parent, child in _scope_edges(graph):
         if child is not None:

@@ -20,8 +20,12 @@ from c4s.score.policy import (
 )
 
 
-def overview_score(dimension_scores: Mapping[str, Any], structural_score: Any,
-                   severe_cap_eligible: bool, weights: Mapping[str, float] = OVERVIEW_WEIGHTS) -> dict[str, Any]:
+def overview_score(
+    dimension_scores: Mapping[str, Any],
+    structural_score: Any,
+    severe_cap_eligible: bool,
+    weights: Mapping[str, float] = OVERVIEW_WEIGHTS,
+) -> dict[str, Any]:
     """Score of one overview judgement, four decimals, with its parts.
 
     Args:
@@ -44,19 +48,31 @@ def overview_score(dimension_scores: Mapping[str, Any], structural_score: Any,
     multiplier = STRUCTURE_FLOOR + STRUCTURE_SHARE * structure
     before = alignment * multiplier
     score = min(before, SEVERE_CAP) if severe_cap_eligible else before
-    return {"status": "measured", "score": round(score, 4), "prompt_alignment_score": round(alignment, 4),
-            "structural_integrity_score": round(structure, 4), "structural_multiplier": round(multiplier, 4),
-            "score_before_severe_cap": round(before, 4), "severe_cap_eligible": bool(severe_cap_eligible),
-            "severe_cap_applied": bool(severe_cap_eligible and before > SEVERE_CAP)}
+    return {
+        "status": "measured",
+        "score": round(score, 4),
+        "prompt_alignment_score": round(alignment, 4),
+        "structural_integrity_score": round(structure, 4),
+        "structural_multiplier": round(multiplier, 4),
+        "score_before_severe_cap": round(before, 4),
+        "severe_cap_eligible": bool(severe_cap_eligible),
+        "severe_cap_applied": bool(severe_cap_eligible and before > SEVERE_CAP),
+    }
 
 
-def severe_cap_eligible(*, severe: bool, confidence: float, views: list[int], categories: list[str],
-                        issues: list[str]) -> bool:
+def severe_cap_eligible(
+    *, severe: bool, confidence: float, views: list[int], categories: list[str], issues: list[str]
+) -> bool:
     """Whether a judge's severe defect may cap the score: sure enough, seen in two views, and named."""
     shown = {view - 1 for view in views} if views and min(views) >= 1 and max(views) == OVERVIEW_VIEWS else set(views)
     seen = {view for view in shown if 0 <= view < OVERVIEW_VIEWS}
-    return bool(severe and confidence >= SEVERE_CONFIDENCE and len(seen) >= SEVERE_VIEWS and any(categories)
-                and any(issue.strip() for issue in issues))
+    return bool(
+        severe
+        and confidence >= SEVERE_CONFIDENCE
+        and len(seen) >= SEVERE_VIEWS
+        and any(categories)
+        and any(issue.strip() for issue in issues)
+    )
 
 
 def overview_from_report(report: Any) -> dict[str, Any]:
@@ -67,6 +83,8 @@ def overview_from_report(report: Any) -> dict[str, Any]:
     status = report.get("status")
     if str(status or "").casefold() in UNUSABLE_STATUSES or not dimensions:
         return {"status": str(status or "missing"), "score": None}
-    return overview_score({name: record(row, name).get("score") for name, row in dimensions.items()},
-                          metrics.get("structural_integrity_score"),
-                          bool(metrics.get("severe_structural_cap_eligible")))
+    return overview_score(
+        {name: record(row, name).get("score") for name, row in dimensions.items()},
+        metrics.get("structural_integrity_score"),
+        bool(metrics.get("severe_structural_cap_eligible")),
+    )

@@ -19,19 +19,16 @@ from c4s.case.package import Setting
 from c4s.errors import BadInput
 from c4s.model import Record
 from c4s.run.plan import DEFAULT_POLICY
-from c4s.score.policy import (
-    FAMILY_WEIGHTS,
-    I2S_WEIGHTS,
-    OVERVIEW_WEIGHTS,
-    PHYSICS_LEAF_WEIGHTS,
-    T2S_WEIGHTS,
-    Family,
-)
+from c4s.score.policy import FAMILY_WEIGHTS, I2S_WEIGHTS, OVERVIEW_WEIGHTS, PHYSICS_LEAF_WEIGHTS, T2S_WEIGHTS, Family
 from c4s.verify.repair.policy import NOMINAL, ProfileName
 
-_NAMES: dict[str, Mapping[str, float]] = {"text_to_scene": T2S_WEIGHTS, "image_to_scene": I2S_WEIGHTS,
-                                          "overview": OVERVIEW_WEIGHTS, "physics_leaves": PHYSICS_LEAF_WEIGHTS,
-                                          "text_physics_leaves": PHYSICS_LEAF_WEIGHTS}
+_NAMES: dict[str, Mapping[str, float]] = {
+    "text_to_scene": T2S_WEIGHTS,
+    "image_to_scene": I2S_WEIGHTS,
+    "overview": OVERVIEW_WEIGHTS,
+    "physics_leaves": PHYSICS_LEAF_WEIGHTS,
+    "text_physics_leaves": PHYSICS_LEAF_WEIGHTS,
+}
 _SUM_GUARD = 1e-9
 
 
@@ -87,31 +84,51 @@ class ScorePolicy(Record):
         return own or self.physics_leaves
 
 
-def _fitted(policy_id: str, labels: str, families: tuple[float, ...], overview: tuple[float, ...],
-            detailed: float) -> ScorePolicy:
+def _fitted(
+    policy_id: str, labels: str, families: tuple[float, ...], overview: tuple[float, ...], detailed: float
+) -> ScorePolicy:
     """Weights that the paper's human study fits; for comparison, and for text-to-scene only."""
     return ScorePolicy(
-        policy_id=policy_id, description=f"Text-to-scene weights fitted to {labels} (paper, human alignment).",
+        policy_id=policy_id,
+        description=f"Text-to-scene weights fitted to {labels} (paper, human alignment).",
         text_to_scene={"detailed": detailed, "physics": 0.20, "overview": 0.80 - detailed},
         families=dict(zip(FAMILY_WEIGHTS, families, strict=True)),
         overview=dict(zip(OVERVIEW_WEIGHTS, overview, strict=True)),
-        text_physics_leaves={"floating": 0.0, "solid_penetration": 1.0})
+        text_physics_leaves={"floating": 0.0, "solid_penetration": 1.0},
+    )
 
 
 PUBLISHED = ScorePolicy(policy_id=DEFAULT_POLICY, description="The benchmark's published protocol.")
-POLICIES: dict[str, ScorePolicy] = {policy.policy_id: policy for policy in (
-    PUBLISHED,
-    ScorePolicy(policy_id="strict-tolerance", repair_tolerances="strict",
-                description="Published weights; repairs accepted within 2.5 cm, 2.5 degrees and 2.5 %."),
-    ScorePolicy(policy_id="relaxed-tolerance", repair_tolerances="relaxed",
-                description="Published weights; repairs accepted within 10 cm, 10 degrees and 10 %."),
-    ScorePolicy(policy_id="repair-only", image_to_scene={"repair_f1": 1.0, "physics": 0.0},
-                description="Image-to-scene is Repair F1 alone; text-to-scene as published."),
-    ScorePolicy(policy_id="equal-families", families=dict.fromkeys(FAMILY_WEIGHTS, 0.25),
-                description="Published weights; the four requirement families count the same."),
-    _fitted("human-fit-individual", "individual preferences", (0.18, 0.30, 0.13, 0.39), (0.0, 0.0, 1.0, 0.0), 0.25),
-    _fitted("human-fit-consensus", "the Plackett-Luce consensus", (0.08, 0.20, 0.17, 0.55), (0.10, 0.0, 0.90, 0.0),
-            0.30))}
+POLICIES: dict[str, ScorePolicy] = {
+    policy.policy_id: policy
+    for policy in (
+        PUBLISHED,
+        ScorePolicy(
+            policy_id="strict-tolerance",
+            repair_tolerances="strict",
+            description="Published weights; repairs accepted within 2.5 cm, 2.5 degrees and 2.5 %.",
+        ),
+        ScorePolicy(
+            policy_id="relaxed-tolerance",
+            repair_tolerances="relaxed",
+            description="Published weights; repairs accepted within 10 cm, 10 degrees and 10 %.",
+        ),
+        ScorePolicy(
+            policy_id="repair-only",
+            image_to_scene={"repair_f1": 1.0, "physics": 0.0},
+            description="Image-to-scene is Repair F1 alone; text-to-scene as published.",
+        ),
+        ScorePolicy(
+            policy_id="equal-families",
+            families=dict.fromkeys(FAMILY_WEIGHTS, 0.25),
+            description="Published weights; the four requirement families count the same.",
+        ),
+        _fitted("human-fit-individual", "individual preferences", (0.18, 0.30, 0.13, 0.39), (0.0, 0.0, 1.0, 0.0), 0.25),
+        _fitted(
+            "human-fit-consensus", "the Plackett-Luce consensus", (0.08, 0.20, 0.17, 0.55), (0.10, 0.0, 0.90, 0.0), 0.30
+        ),
+    )
+}
 """Policies that ship, by id."""
 
 

@@ -20,8 +20,11 @@ SEMANTIC_CASE_POLICY: Final = "case-family-clause-macro-missing-zero.v4"
 SEMANTIC_FAMILY_POLICY: Final = "family-clause-macro-equal-atomic"
 SEMANTIC_CASE_SCHEMA: Final = "scenebenchmark-semantic-case-score.v4"
 
-CASE_POLICY: Final[dict[Setting, str]] = {"text-to-scene": T2S_POLICY, "image-to-scene/indoor": I2S_POLICY,
-                                          "image-to-scene/outdoor": I2S_POLICY}
+CASE_POLICY: Final[dict[Setting, str]] = {
+    "text-to-scene": T2S_POLICY,
+    "image-to-scene/indoor": I2S_POLICY,
+    "image-to-scene/outdoor": I2S_POLICY,
+}
 
 T2S_WEIGHTS: Final = {"detailed": 0.20, "physics": 0.20, "overview": 0.60}
 """Summed in this order; the case score is rounded to four decimals."""
@@ -31,8 +34,12 @@ I2S_DIGITS: Final = 6
 MODEL_WEIGHTS: Final = {"t2s": 0.5, "i2s": 0.5}
 
 Family: TypeAlias = Literal["identity_environment", "content_quantity", "attributes_materials", "spatial_composition"]
-FAMILY_WEIGHTS: Final[dict[Family, float]] = {"identity_environment": 0.25, "content_quantity": 0.40,
-                                              "attributes_materials": 0.15, "spatial_composition": 0.20}
+FAMILY_WEIGHTS: Final[dict[Family, float]] = {
+    "identity_environment": 0.25,
+    "content_quantity": 0.40,
+    "attributes_materials": 0.15,
+    "spatial_composition": 0.20,
+}
 """In this fixed order."""
 DETAILED_DIGITS: Final = 4
 
@@ -40,17 +47,24 @@ _TYPES_OF_FAMILY: Final[dict[Family, tuple[str, ...]]] = {
     "identity_environment": ("scene_identity", "atmosphere", "environment", "style_bundle"),
     "content_quantity": ("existence", "presence", "count", "quantity", "set"),
     "attributes_materials": ("attribute", "material"),
-    "spatial_composition": ("spatial_relation", "distribution", "composition", "boundary")}
-FAMILY_OF_TYPE: Final[dict[str, Family]] = {kind: family for family, kinds in _TYPES_OF_FAMILY.items()
-                                            for kind in kinds}
+    "spatial_composition": ("spatial_relation", "distribution", "composition", "boundary"),
+}
+FAMILY_OF_TYPE: Final[dict[str, Family]] = {
+    kind: family for family, kinds in _TYPES_OF_FAMILY.items() for kind in kinds
+}
 COMPOSITE_TYPES: Final = frozenset({"scene_identity", "set", "logic"})
 """Rows of these types give way to the rows inside their span."""
-CONJUNCTIVE_TYPES: Final = frozenset({"scene_identity", "spatial_relation", "distribution", "composition", "boundary",
-                                      "set", "logic"})
+CONJUNCTIVE_TYPES: Final = frozenset(
+    {"scene_identity", "spatial_relation", "distribution", "composition", "boundary", "set", "logic"}
+)
 """Rows of these types are worth at most what the rows inside their span are worth."""
 
-OVERVIEW_WEIGHTS: Final = {"global_prompt_alignment": 0.40, "composition_and_layout": 0.25,
-                           "style_atmosphere_coherence": 0.20, "completeness_and_polish": 0.15}
+OVERVIEW_WEIGHTS: Final = {
+    "global_prompt_alignment": 0.40,
+    "composition_and_layout": 0.25,
+    "style_atmosphere_coherence": 0.20,
+    "completeness_and_polish": 0.15,
+}
 STRUCTURE_FLOOR: Final = 0.75
 STRUCTURE_SHARE: Final = 0.25
 SEVERE_CAP: Final = 0.40
@@ -59,8 +73,7 @@ SEVERE_VIEWS: Final = 2
 OVERVIEW_VIEWS: Final = 4
 
 Direction: TypeAlias = Literal["lower_is_better", "higher_is_better"]
-PHYSICS_LEAVES: Final[dict[str, Direction]] = {"floating": "lower_is_better",
-                                               "solid_penetration": "higher_is_better"}
+PHYSICS_LEAVES: Final[dict[str, Direction]] = {"floating": "lower_is_better", "solid_penetration": "higher_is_better"}
 """The two leaves, with the direction of a raw score where the report does not tell it."""
 T2S_FLOATING_METRIC: Final = "t2s-aabb-floating-contact-5cm.v2"
 """Id of the support rule that replaces the recorded floating leaf in text-to-scene."""

@@ -44,8 +44,12 @@ def _span(requirement: Mapping[str, Any], length: int) -> tuple[int, int]:
     span = requirement.get("source_span")
     if isinstance(span, Mapping):
         span = [span.get("start"), span.get("end")]
-    if isinstance(span, (list, tuple)) and len(span) == 2 \
-            and all(isinstance(v, int) and not isinstance(v, bool) for v in span) and 0 <= span[0] < span[1]:
+    if (
+        isinstance(span, (list, tuple))
+        and len(span) == 2
+        and all(isinstance(v, int) and not isinstance(v, bool) for v in span)
+        and 0 <= span[0] < span[1]
+    ):
         return span[0], span[1]
     return 0, max(1, length)
 
@@ -66,10 +70,14 @@ def _decision(requirement: Mapping[str, Any]) -> tuple[str, float, bool]:
 def _identity(row: Row, requirement: Mapping[str, Any]) -> str:
     """What makes two requirements one and the same: place, words, type, and what they are bound to."""
     binding = section(requirement, "evaluation_binding")
-    bound = [sorted((str(name), repr(value)) for name, value in section.items() if name != skipped)
-             for section, skipped in ((section(binding, "parameters"), "predicate_type"),
-                                      (section(binding, "entity_scopes"), None),
-                                      (section(requirement, "entity_scopes"), None))]
+    bound = [
+        sorted((str(name), repr(value)) for name, value in section.items() if name != skipped)
+        for section, skipped in (
+            (section(binding, "parameters"), "predicate_type"),
+            (section(binding, "entity_scopes"), None),
+            (section(requirement, "entity_scopes"), None),
+        )
+    ]
     return repr((row["source_span"], " ".join(row["text"].casefold().split()), row["predicate_type"], bound))
 
 
@@ -90,8 +98,9 @@ def _exclude(rows: list[Row], requirements: Sequence[Mapping[str, Any]]) -> None
         if row["exclusion_reason"] is not None:
             continue
         composite = row["predicate_type"] in COMPOSITE_TYPES
-        if composite and (requirement.get("semantic_replaced_by_children")
-                          or any(_inside(other, row) for other in distinct)):
+        if composite and (
+            requirement.get("semantic_replaced_by_children") or any(_inside(other, row) for other in distinct)
+        ):
             row["exclusion_reason"] = "composite_replaced_by_children"
         elif row["semantic_family"] is None:
             row["exclusion_reason"] = "unassigned_semantic_family"
@@ -121,11 +130,23 @@ def decided_rows(prompt: str, requirements: Sequence[Mapping[str, Any]]) -> list
     rows: list[Row] = []
     for number, requirement in enumerate(requirements):
         status, score, known = _decision(requirement)
-        rows.append({"node_id": node_name(requirement, number), "text": str(requirement.get("text") or ""),
-                     "source_span": list(_span(requirement, len(prompt))),
-                     "predicate_type": predicate_type(requirement), "semantic_family": family_of(requirement),
-                     "predicate_weight": 1.0, "evaluation_status": status, "value": score, "score_known": known,
-                     "included": True, "exclusion_reason": None, "clause_index": None, "parent_constrained": False})
+        rows.append(
+            {
+                "node_id": node_name(requirement, number),
+                "text": str(requirement.get("text") or ""),
+                "source_span": list(_span(requirement, len(prompt))),
+                "predicate_type": predicate_type(requirement),
+                "semantic_family": family_of(requirement),
+                "predicate_weight": 1.0,
+                "evaluation_status": status,
+                "value": score,
+                "score_known": known,
+                "included": True,
+                "exclusion_reason": None,
+                "clause_index": None,
+                "parent_constrained": False,
+            }
+        )
     _exclude(rows, requirements)
     active = [row for row in rows if row["exclusion_reason"] is None]
     _cap(active)
@@ -142,15 +163,21 @@ def decided_rows(prompt: str, requirements: Sequence[Mapping[str, Any]]) -> list
 
 def _clause_report(rows: Sequence[Mapping[str, Any]], texts: list[str], family: str) -> Row:
     index = rows[0]["clause_index"]
-    return {"index": index, "text": texts[index], "semantic_family": family,
-            "clause_weight": 1.0, "score": weighted_mean((1.0, row["value"]) for row in rows),
-            "known_coverage": weighted_mean((1.0, float(row["score_known"])) for row in rows),
-            "active_requirement_count": len(rows)}
+    return {
+        "index": index,
+        "text": texts[index],
+        "semantic_family": family,
+        "clause_weight": 1.0,
+        "score": weighted_mean((1.0, row["value"]) for row in rows),
+        "known_coverage": weighted_mean((1.0, float(row["score_known"])) for row in rows),
+        "active_requirement_count": len(rows),
+    }
 
 
 def _rounded(record: Row) -> Row:
-    return record | {key: round(record[key], DETAILED_DIGITS) for key in ("score", "known_coverage")
-                     if record[key] is not None}
+    return record | {
+        key: round(record[key], DETAILED_DIGITS) for key in ("score", "known_coverage") if record[key] is not None
+    }
 
 
 def _checked_weights(given: Mapping[str, Any]) -> dict[Family, float]:
@@ -166,8 +193,9 @@ def _checked_weights(given: Mapping[str, Any]) -> dict[Family, float]:
     return weights
 
 
-def semantic_case(prompt: str, requirements: Sequence[Mapping[str, Any]],
-                  family_weights: Mapping[str, float] | None = None) -> Row:
+def semantic_case(
+    prompt: str, requirements: Sequence[Mapping[str, Any]], family_weights: Mapping[str, float] | None = None
+) -> Row:
     """The verifier's own case report: rows, clauses and families, with equal family weights unless given.
 
     Family values are not rounded before they are averaged, so it can differ by 0.0001 from ``detailed_score``.
@@ -178,14 +206,22 @@ def semantic_case(prompt: str, requirements: Sequence[Mapping[str, Any]],
     requirements = records(requirements, "requirements")
     rows = decided_rows(prompt, requirements)
     active = [row for row in rows if row["included"]]
-    head = {"schema_version": SEMANTIC_CASE_SCHEMA, "score_policy": SEMANTIC_CASE_POLICY,
-            "family_score_policy": SEMANTIC_FAMILY_POLICY, "family_weights": weights}
-    counts = {"source_requirement_count": len(rows), "active_requirement_count": len(active),
-              "excluded_requirement_count": len(rows) - len(active),
-              "parent_adjustment_count": sum(row["parent_constrained"] for row in rows)}
+    head = {
+        "schema_version": SEMANTIC_CASE_SCHEMA,
+        "score_policy": SEMANTIC_CASE_POLICY,
+        "family_score_policy": SEMANTIC_FAMILY_POLICY,
+        "family_weights": weights,
+    }
+    counts = {
+        "source_requirement_count": len(rows),
+        "active_requirement_count": len(active),
+        "excluded_requirement_count": len(rows) - len(active),
+        "parent_adjustment_count": sum(row["parent_constrained"] for row in rows),
+    }
     if not rows:
-        return head | {"score": None, "known_coverage": 0.0} | counts | {"clauses": [], "families": {},
-                                                                         "requirements": []}
+        return (
+            head | {"score": None, "known_coverage": 0.0} | counts | {"clauses": [], "families": {}, "requirements": []}
+        )
     if not active:
         raise BadInput("no active semantic requirement maps to a declared family")
     texts = [prompt[a:b] for a, b in clause_spans(prompt)] or [prompt]
@@ -193,23 +229,45 @@ def semantic_case(prompt: str, requirements: Sequence[Mapping[str, Any]],
     for family, weight in weights.items():
         mine = [row for row in active if row["semantic_family"] == family]
         if not mine:
-            families[family] = {"score_policy": SEMANTIC_FAMILY_POLICY, "family_weight": weight, "applicable": False,
-                                "score": None, "known_coverage": 0.0, "active_requirement_count": 0,
-                                "clause_count": 0, "clauses": []}
+            families[family] = {
+                "score_policy": SEMANTIC_FAMILY_POLICY,
+                "family_weight": weight,
+                "applicable": False,
+                "score": None,
+                "known_coverage": 0.0,
+                "active_requirement_count": 0,
+                "clause_count": 0,
+                "clauses": [],
+            }
             continue
         clauses = [_clause_report(clause, texts, family) for clause in clauses_of(mine)]
-        families[family] = {"score_policy": SEMANTIC_FAMILY_POLICY, "family_weight": weight, "applicable": True,
-                            "score": weighted_mean((1.0, c["score"]) for c in clauses),
-                            "known_coverage": weighted_mean((1.0, c["known_coverage"]) for c in clauses),
-                            "active_requirement_count": len(mine), "clause_count": len(clauses),
-                            "clauses": [_rounded(c) for c in clauses]}
+        families[family] = {
+            "score_policy": SEMANTIC_FAMILY_POLICY,
+            "family_weight": weight,
+            "applicable": True,
+            "score": weighted_mean((1.0, c["score"]) for c in clauses),
+            "known_coverage": weighted_mean((1.0, c["known_coverage"]) for c in clauses),
+            "active_requirement_count": len(mine),
+            "clause_count": len(clauses),
+            "clauses": [_rounded(c) for c in clauses],
+        }
     shown = [{key: value for key, value in row.items() if key != "value"} for row in rows]
     present = [f for f in families.values() if f["applicable"]]
-    total = {name: round(weighted_mean((f["family_weight"], f[name]) for f in present), DETAILED_DIGITS)
-             for name in ("score", "known_coverage")}
-    return head | total | counts | {
-        "applicable_family_count": len(present), "clauses": [c for f in families.values() for c in f["clauses"]],
-        "families": {name: _rounded(f) for name, f in families.items()}, "requirements": shown}
+    total = {
+        name: round(weighted_mean((f["family_weight"], f[name]) for f in present), DETAILED_DIGITS)
+        for name in ("score", "known_coverage")
+    }
+    return (
+        head
+        | total
+        | counts
+        | {
+            "applicable_family_count": len(present),
+            "clauses": [c for f in families.values() for c in f["clauses"]],
+            "families": {name: _rounded(f) for name, f in families.items()},
+            "requirements": shown,
+        }
+    )
 
 
 def protocol_detailed(case: Mapping[str, Any]) -> Row | None:

@@ -24,8 +24,16 @@ from c4s.score.physics import physics_from_report
 from c4s.score.policies import ScorePolicy
 from c4s.verify.verdict import Verdict
 
-COMPONENTS = ("detailed", "known_coverage", "overview", "physics", "repair_precision", "repair_recall", "repair_f1",
-              "score")
+COMPONENTS = (
+    "detailed",
+    "known_coverage",
+    "overview",
+    "physics",
+    "repair_precision",
+    "repair_recall",
+    "repair_f1",
+    "score",
+)
 """Fields of a trial's score that a policy may change."""
 _PARTS = {"text-to-scene": ("physics", "detailed", "overview")}
 _REPAIR_PARTS = ("physics", "repair")
@@ -43,8 +51,13 @@ class Delta:
 
     def plain(self) -> dict[str, Any]:
         """As JSON data."""
-        return {"trial": self.trial, "setting": self.setting, "component": self.component, "from": self.before,
-                "to": self.after}
+        return {
+            "trial": self.trial,
+            "setting": self.setting,
+            "component": self.component,
+            "from": self.before,
+            "to": self.after,
+        }
 
 
 def under(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> Verdict:
@@ -57,24 +70,28 @@ def under(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> Verdict:
     try:
         score, measurements = _again(verdict, policy, setting)
     except (KeyError, TypeError) as error:
-        raise BadInput(f"{verdict.verifier} verdict has no {error} among its measurements",
-                       todo="verify the trial again") from None
+        raise BadInput(
+            f"{verdict.verifier} verdict has no {error} among its measurements", todo="verify the trial again"
+        ) from None
     return verdict.model_copy(update={"score": score, "measurements": measurements})
 
 
 def _again(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> tuple[float | None, dict[str, Any]]:
     stored = verdict.measurements
     if verdict.verifier == "physics":
-        report = {"status": "measured", "metrics": {key: stored[key] for key in ("leaf_results",
-                                                                                 "leaf_score_directions")}}
+        report = {
+            "status": "measured",
+            "metrics": {key: stored[key] for key in ("leaf_results", "leaf_score_directions")},
+        }
         return physics_from_report(report, weights=policy.leaves(setting))["score"], {}
     if verdict.verifier == "detailed":
         made = detailed_score(stored["semantic_requirement_aggregation"], policy.families)
         return made["score"], {"known_coverage": made.get("known_coverage")}
     if verdict.verifier == "overview":
         dimensions = {name: row["score"] for name, row in stored["dimensions"].items()}
-        made = overview_score(dimensions, stored["structural_integrity_score"],
-                              stored["severe_structural_cap_eligible"], policy.overview)
+        made = overview_score(
+            dimensions, stored["structural_integrity_score"], stored["severe_structural_cap_eligible"], policy.overview
+        )
         return made["score"], {}
     counts = stored["profiles"][policy.repair_tolerances]
     return counts["f1"], counts
@@ -85,11 +102,21 @@ def rescored(stored: TrialScore, verdicts: Mapping[str, Verdict], policy: ScoreP
     if stored.status.startswith("zero_"):
         return stored.model_copy(update={"policy": policy.policy_id})
     return case_score(
-        case_id=stored.case_id, setting=stored.setting, configuration=stored.configuration, repeat=stored.repeat,
-        judge=stored.judge, engine=stored.engine, submitted=True, retained_attempt=stored.retained_attempt,
-        verdicts={name: verdict if name == "integrity" else under(verdict, policy, stored.setting)
-                  for name, verdict in verdicts.items()}, policy=policy.policy_id,
-        weights=policy.weights(stored.setting))
+        case_id=stored.case_id,
+        setting=stored.setting,
+        configuration=stored.configuration,
+        repeat=stored.repeat,
+        judge=stored.judge,
+        engine=stored.engine,
+        submitted=True,
+        retained_attempt=stored.retained_attempt,
+        verdicts={
+            name: verdict if name == "integrity" else under(verdict, policy, stored.setting)
+            for name, verdict in verdicts.items()
+        },
+        policy=policy.policy_id,
+        weights=policy.weights(stored.setting),
+    )
 
 
 def read_verdicts(folder: TrialFolder, stored: TrialScore) -> dict[str, Verdict]:
@@ -125,17 +152,31 @@ class Rescoring:
         for _, old, new in self.pairs:
             if old.score is not None and new.score is not None:
                 groups.setdefault((old.configuration, old.setting), []).append((old.score, new.score))
-        return [{"configuration": configuration, "setting": setting, "trials": len(scores),
-                 "from": mean(before for before, _ in scores), "to": mean(after for _, after in scores)}
-                for (configuration, setting), scores in sorted(groups.items())]
+        return [
+            {
+                "configuration": configuration,
+                "setting": setting,
+                "trials": len(scores),
+                "from": mean(before for before, _ in scores),
+                "to": mean(after for _, after in scores),
+            }
+            for (configuration, setting), scores in sorted(groups.items())
+        ]
 
     def report(self) -> dict[str, Any]:
         """The delta report as JSON data."""
         changed = [delta.plain() for delta in self.deltas()]
-        return {"schema_version": "c4s.rescoring.v1", "run_id": self.run_id, "policy": self.policy.plain(),
-                "stored_policies": sorted({old.policy for _, old, _ in self.pairs}), "trials": len(self.pairs),
-                "changed_trials": len({delta["trial"] for delta in changed}), "pending": self.pending,
-                "means": self.means(), "deltas": changed}
+        return {
+            "schema_version": "c4s.rescoring.v1",
+            "run_id": self.run_id,
+            "policy": self.policy.plain(),
+            "stored_policies": sorted({old.policy for _, old, _ in self.pairs}),
+            "trials": len(self.pairs),
+            "changed_trials": len({delta["trial"] for delta in changed}),
+            "pending": self.pending,
+            "means": self.means(),
+            "deltas": changed,
+        }
 
 
 def rescore(run: Path, policy: ScorePolicy) -> Rescoring:

@@ -29,5 +29,7 @@ def schema_problem(name: str, arguments: dict[str, Any]) -> str:
     where = ".".join(map(str, errors[0].absolute_path))[:200]
     tool = TOOLS[name]
     takes = ", ".join(f"{key}*" if key in tool.required else key for key in tool.properties) or "no arguments"
-    return (f"invalid arguments{f' in {where}' if where else ''}: {errors[0].message[:500]} "
-            f"({name} takes {takes}; * must be given)")
+    return (
+        f"invalid arguments{f' in {where}' if where else ''}: {errors[0].message[:500]} "
+        f"({name} takes {takes}; * must be given)"
+    )

@@ -17,8 +17,10 @@ def _search(bench: Workbench, arguments: Arguments) -> ToolResult:
         raise ToolRefused(f"no category {category!r}; the catalog has {', '.join(known)}")
     ranked = bench.catalog.ranked(arguments["query"], category=category)
     offset = arguments.get("offset", 0)
-    rows = [entry.metadata() | {"score": round(score, 3)}
-            for entry, score in ranked[offset:offset + arguments.get("k", DEFAULT_RESULTS)]]
+    rows = [
+        entry.metadata() | {"score": round(score, 3)}
+        for entry, score in ranked[offset : offset + arguments.get("k", DEFAULT_RESULTS)]
+    ]
     told = paged("assets", rows, len(ranked), offset)
     hint = {} if ranked else {"hint": "nothing fits: try other words, or see get_categories"}
     return ToolResult(told | hint)
@@ -43,25 +45,55 @@ def _metadata(bench: Workbench, arguments: Arguments) -> ToolResult:
 def _preview(bench: Workbench, arguments: Arguments) -> ToolResult:
     entry = bench.catalog.find(arguments["id"])
     if entry.asset.preview is None:
-        raise ToolRefused(f"{entry.asset.id} has no preview picture",
-                          todo="its size and description are in get_asset_metadata")
+        raise ToolRefused(
+            f"{entry.asset.id} has no preview picture", todo="its size and description are in get_asset_metadata"
+        )
     picture = within_limit((entry.folder / entry.asset.preview).read_bytes())
     return ToolResult({"id": entry.asset.id, "name": entry.asset.name}, image=picture)
 
 
 TOOLS = (
-    Tool("search_assets", GROUP, "Search this case's asset catalog by meaning, in plain words: what a thing is called, "
-         "what kind it is, or what it is for. Gives matching assets, best first, with id, description, tags, size in "
-         "metres and the path to spawn by.", _search,
-         {"query": text("What to look for, in plain words: `red chair`, `something to sit on`.", maxLength=500),
-          "category": text("Only assets of this category."),
-          "k": {"type": "integer", "minimum": 1, "maximum": MOST_RESULTS,
-                "description": f"How many results at most (default {DEFAULT_RESULTS})."},
-          "offset": page(DEFAULT_RESULTS, MOST_RESULTS)["offset"]}, ("query",)),
-    Tool("get_categories", GROUP, "List the categories of this case's catalog with their size and a short text.",
-         _categories, instant=True),
-    Tool("get_asset_metadata", GROUP, "Category, description, tags, size in metres and spawn path of assets.",
-         _metadata, {"ids": {**names("Asset ids or paths."), "minItems": 1, "maxItems": 200}}, ("ids",)),
-    Tool("get_asset_preview", GROUP, "A preview picture of one asset, where there is one.", _preview,
-         {"id": text("Asset id or path.")}, ("id",)),
+    Tool(
+        "search_assets",
+        GROUP,
+        "Search this case's asset catalog by meaning, in plain words: what a thing is called, "
+        "what kind it is, or what it is for. Gives matching assets, best first, with id, description, tags, size in "
+        "metres and the path to spawn by.",
+        _search,
+        {
+            "query": text("What to look for, in plain words: `red chair`, `something to sit on`.", maxLength=500),
+            "category": text("Only assets of this category."),
+            "k": {
+                "type": "integer",
+                "minimum": 1,
+                "maximum": MOST_RESULTS,
+                "description": f"How many results at most (default {DEFAULT_RESULTS}).",
+            },
+            "offset": page(DEFAULT_RESULTS, MOST_RESULTS)["offset"],
+        },
+        ("query",),
+    ),
+    Tool(
+        "get_categories",
+        GROUP,
+        "List the categories of this case's catalog with their size and a short text.",
+        _categories,
+        instant=True,
+    ),
+    Tool(
+        "get_asset_metadata",
+        GROUP,
+        "Category, description, tags, size in metres and spawn path of assets.",
+        _metadata,
+        {"ids": {**names("Asset ids or paths."), "minItems": 1, "maxItems": 200}},
+        ("ids",),
+    ),
+    Tool(
+        "get_asset_preview",
+        GROUP,
+        "A preview picture of one asset, where there is one.",
+        _preview,
+        {"id": text("Asset id or path.")},
+        ("id",),
+    ),
 )

@@ -45,13 +45,20 @@ class Entry:
     def metadata(self) -> dict[str, Any]:
         """What an agent is told of the asset; sizes in metres (X, Y, Z), the pivot's place in the bounds in cm."""
         asset = self.asset
-        return {"id": asset.id, "name": asset.name, "kind": asset.kind, "category": asset.category,
-                "description": asset.description, "tags": list(asset.tags),
-                "size_m": [round(side, 3) for side in asset.size_m],
-                "bounds_min_cm": list(asset.bounds_min_cm), "bounds_max_cm": list(asset.bounds_max_cm),
-                "spawn_path": self.spawn_path,
-                "spawn_with": "spawn_blueprint_actor" if asset.kind == "blueprint" else "spawn_actor",
-                "preview": asset.preview is not None}
+        return {
+            "id": asset.id,
+            "name": asset.name,
+            "kind": asset.kind,
+            "category": asset.category,
+            "description": asset.description,
+            "tags": list(asset.tags),
+            "size_m": [round(side, 3) for side in asset.size_m],
+            "bounds_min_cm": list(asset.bounds_min_cm),
+            "bounds_max_cm": list(asset.bounds_max_cm),
+            "spawn_path": self.spawn_path,
+            "spawn_with": "spawn_blueprint_actor" if asset.kind == "blueprint" else "spawn_actor",
+            "preview": asset.preview is not None,
+        }
 
 
 class CaseCatalog:
@@ -69,10 +76,15 @@ class CaseCatalog:
         """The search index, made when it is first asked for."""
         from c4s.toolbox.search import Document, Index
 
-        return Index([Document(
-            tuple(zip((asset.name, " ".join(asset.tags)), NAME_WEIGHTS, strict=True)),
-            tuple(zip((asset.id, asset.category, asset.description), TEXT_WEIGHTS, strict=True)))
-            for asset in self.assets])
+        return Index(
+            [
+                Document(
+                    tuple(zip((asset.name, " ".join(asset.tags)), NAME_WEIGHTS, strict=True)),
+                    tuple(zip((asset.id, asset.category, asset.description), TEXT_WEIGHTS, strict=True)),
+                )
+                for asset in self.assets
+            ]
+        )
 
     @classmethod
     def load(cls, case: AgentCase, packs: Sequence[Path]) -> CaseCatalog:
@@ -95,11 +107,15 @@ class CaseCatalog:
         if len(found) == 1:
             return found[0]
         if found:
-            raise ToolRefused(f"{key!r} is the id of {len(found)} assets: use a path, "
-                              + " or ".join(entry.asset.path for entry in found))
+            raise ToolRefused(
+                f"{key!r} is the id of {len(found)} assets: use a path, "
+                + " or ".join(entry.asset.path for entry in found)
+            )
         near = [entry["id"] for entry in self.search(key, limit=NEAREST)]
-        raise ToolRefused(f"no asset {key!r} in this case's catalog", todo=(
-            f"near: {', '.join(near)}; " if near else "") + "find ids with search_assets")
+        raise ToolRefused(
+            f"no asset {key!r} in this case's catalog",
+            todo=(f"near: {', '.join(near)}; " if near else "") + "find ids with search_assets",
+        )
 
     def categories(self) -> list[dict[str, Any]]:
         """Categories with their size and short text, by name."""
@@ -113,12 +129,15 @@ class CaseCatalog:
         """All entries that fit a query with their scores, best first; ties by id."""
         scores = self._index.scores(query)
         fitting = [(float(scores[number]), self.entries[number]) for number in np.flatnonzero(scores > 0).tolist()]
-        fitting = [pair for pair in fitting
-                   if category is None or pair[1].asset.category.casefold() == category.casefold()]
+        fitting = [
+            pair for pair in fitting if category is None or pair[1].asset.category.casefold() == category.casefold()
+        ]
         fitting.sort(key=lambda pair: (-pair[0], pair[1].asset.id))
         return [(entry, score) for score, entry in fitting]
 
     def search(self, query: str, *, category: str | None = None, limit: int = 10) -> list[dict[str, Any]]:
         """Metadata of the best matches with their ``score``, best first; ties by id."""
-        return [entry.metadata() | {"score": round(score, 3)}
-                for entry, score in self.ranked(query, category=category)[:limit]]
+        return [
+            entry.metadata() | {"score": round(score, 3)}
+            for entry, score in self.ranked(query, category=category)[:limit]
+        ]

@@ -34,8 +34,9 @@ def _screenshot(bench: Workbench, arguments: Arguments) -> ToolResult:
     if not _FILE.fullmatch(name):
         raise ToolRefused("the file name may have letters, digits, _, - and . only")
     bench.wait_for_editor()
-    reply = bench.engine.request("take_screenshot", {"filepath": name, "width": WIDTH, "height": HEIGHT},
-                                 timeout_s=300.0)
+    reply = bench.engine.request(
+        "take_screenshot", {"filepath": name, "width": WIDTH, "height": HEIGHT}, timeout_s=300.0
+    )
     if reply.get("status") not in ("ok", "success"):
         reason = str(reply.get("error") or reply.get("missing")).strip().rpartition("\n")[2]
         raise ToolRefused(f"no picture was taken: {reason}")
@@ -60,11 +61,14 @@ def _chosen(actors: Sequence[Mapping[str, Any]], wanted: Sequence[str] | None) -
         return [i for i, actor in enumerate(actors) if not excluded_by_name(actor)]
     chosen = []
     for name in wanted:
-        found = ([i for i, actor in enumerate(actors) if actor.get("label") == name]
-                 or [i for i, actor in enumerate(actors) if actor.get("name") == name])
+        found = [i for i, actor in enumerate(actors) if actor.get("label") == name] or [
+            i for i, actor in enumerate(actors) if actor.get("name") == name
+        ]
         if len(found) != 1:
-            raise ToolRefused(f"{len(found) or 'no'} actors have the label or name {name!r}"
-                              + (": use an object name" if found else ""))
+            raise ToolRefused(
+                f"{len(found) or 'no'} actors have the label or name {name!r}"
+                + (": use an object name" if found else "")
+            )
         chosen.append(found[0])
     return chosen
 
@@ -74,23 +78,38 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
     actors = scene.actors
     floating, solid = scene.physics.measurements["leaf_results"]
     by_name = {actor.get("name"): _label(actor) for actor in actors}
-    return ToolResult({
-        "actors": len(actors),
-        "floating_rate": floating["score"],
-        "floating_tested": floating["evaluated"], "floating_unresolved": floating["unresolved"],
-        "collision_rate": None if solid["score"] is None else round(1 - solid["score"], 4),
-        "collision_tested": solid["evaluated"], "collision_unresolved": solid["unresolved"],
-        "extent": None if scene.extent_cm is None else _extent(*scene.extent_cm),
-        **_listed(floating=[by_name.get(name, {"name": name}) for name in floating["floating_actors"]],
-                  colliding=[{**by_name.get(item["actor"], {"name": item["actor"]}),
-                              "tolerance_cm": item["tolerance_cm"], "contacts": item["contacts"]}
-                             for item in solid["violations"]]),
-        **({"not_evaluated": scene.physics.reason} if scene.physics.reason else {})})
+    return ToolResult(
+        {
+            "actors": len(actors),
+            "floating_rate": floating["score"],
+            "floating_tested": floating["evaluated"],
+            "floating_unresolved": floating["unresolved"],
+            "collision_rate": None if solid["score"] is None else round(1 - solid["score"], 4),
+            "collision_tested": solid["evaluated"],
+            "collision_unresolved": solid["unresolved"],
+            "extent": None if scene.extent_cm is None else _extent(*scene.extent_cm),
+            **_listed(
+                floating=[by_name.get(name, {"name": name}) for name in floating["floating_actors"]],
+                colliding=[
+                    {
+                        **by_name.get(item["actor"], {"name": item["actor"]}),
+                        "tolerance_cm": item["tolerance_cm"],
+                        "contacts": item["contacts"],
+                    }
+                    for item in solid["violations"]
+                ],
+            ),
+            **({"not_evaluated": scene.physics.reason} if scene.physics.reason else {}),
+        }
+    )
 
 
 def _extent(low: Array, high: Array) -> dict[str, Any]:
-    return {"min_cm": low.round(2).tolist(), "max_cm": high.round(2).tolist(),
-            "size_m": ((high - low) / 100).round(3).tolist()}
+    return {
+        "min_cm": low.round(2).tolist(),
+        "max_cm": high.round(2).tolist(),
+        "size_m": ((high - low) / 100).round(3).tolist(),
+    }
 
 
 def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -99,15 +118,24 @@ def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
     actors = scene.actors
     chosen = _chosen(actors, arguments.get("actor_names"))
     gaps = scene.gaps_cm(chosen) if "actor_names" in arguments else scene.all_gaps_cm
-    floating = [{**_label(actors[i]), "gap_cm": None if gaps[i] is None else round(gaps[i] or 0.0, 2)}
-                for i in chosen if i in gaps and (gaps[i] is None or (gaps[i] or 0.0) > threshold)]
+    floating = [
+        {**_label(actors[i]), "gap_cm": None if gaps[i] is None else round(gaps[i] or 0.0, 2)}
+        for i in chosen
+        if i in gaps and (gaps[i] is None or (gaps[i] or 0.0) > threshold)
+    ]
     counted = scene.scored_as_floating
-    return ToolResult({"count": len(floating), "checked": sum(i in gaps for i in chosen),
-                       "threshold_cm": threshold,
-                       **_listed(floating=floating,
-                                 scored_as_floating=[_label(actors[i]) for i in chosen
-                                                     if actors[i].get("name") in counted],
-                                 without_collision=[_label(actors[i]) for i in chosen if i not in gaps])})
+    return ToolResult(
+        {
+            "count": len(floating),
+            "checked": sum(i in gaps for i in chosen),
+            "threshold_cm": threshold,
+            **_listed(
+                floating=floating,
+                scored_as_floating=[_label(actors[i]) for i in chosen if actors[i].get("name") in counted],
+                without_collision=[_label(actors[i]) for i in chosen if i not in gaps],
+            ),
+        }
+    )
 
 
 def _check_collisions(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -116,28 +144,60 @@ def _check_collisions(bench: Workbench, arguments: Arguments) -> ToolResult:
     actors = scene.actors
     wanted = arguments.get("actor_names")
     chosen = None if wanted is None else _chosen(actors, wanted)
-    found = [{"a": _label(actors[contact.a_index]), "b": _label(actors[contact.b_index]),
-              "depth_cm": round(contact.depth_cm, 2), "trusted": contact.trusted}
-             for contact in scene_contacts(scene.snapshot, scene.bodies, minimum_depth_cm=tolerance, actors=chosen)]
+    found = [
+        {
+            "a": _label(actors[contact.a_index]),
+            "b": _label(actors[contact.b_index]),
+            "depth_cm": round(contact.depth_cm, 2),
+            "trusted": contact.trusted,
+        }
+        for contact in scene_contacts(scene.snapshot, scene.bodies, minimum_depth_cm=tolerance, actors=chosen)
+    ]
     return ToolResult({"count": len(found), "touch_tolerance_cm": tolerance, **_listed(pairs=found)})
 
 
 ACTORS = names("Labels or object names (default: all actors).") | {"minItems": 1, "maxItems": 5000}
 
 TOOLS = (
-    Tool("take_screenshot", GROUP, f"A {WIDTH} x {HEIGHT} picture of the viewport. Its camera is set in Python "
-         "(unreal.UnrealEditorSubsystem.set_level_viewport_camera_info).", _screenshot,
-         {"filename": text("File name in the run's screenshot folder."),
-          "filepath": text("Like filename; folders are ignored.")}),
-    Tool("measure_scene", GROUP, "Number of actors, shares of floating and of colliding actors with the "
-         "actors at fault, and the extent of the scene.", _measure),
-    Tool("check_floating", GROUP, "Actors that hang further above the next surface than a threshold, with the "
-         "gap; and those that the physics score counts as floating by its own rule.",
-         _check_floating, {"actor_names": ACTORS,
-                           "threshold_cm": number("Largest gap that counts as standing "
-                                                  f"(default {GAP_CM:g} cm).", minimum=0)}),
-    Tool("check_collisions", GROUP, "Pairs of actors that overlap, with the depth.", _check_collisions,
-         {"actor_names": ACTORS,
-          "touch_tolerance_cm": number("Overlap that still counts as touching "
-                                       f"(default {TOUCH_TOLERANCE_CM:g} cm).", minimum=0)}),
+    Tool(
+        "take_screenshot",
+        GROUP,
+        f"A {WIDTH} x {HEIGHT} picture of the viewport. Its camera is set in Python "
+        "(unreal.UnrealEditorSubsystem.set_level_viewport_camera_info).",
+        _screenshot,
+        {
+            "filename": text("File name in the run's screenshot folder."),
+            "filepath": text("Like filename; folders are ignored."),
+        },
+    ),
+    Tool(
+        "measure_scene",
+        GROUP,
+        "Number of actors, shares of floating and of colliding actors with the "
+        "actors at fault, and the extent of the scene.",
+        _measure,
+    ),
+    Tool(
+        "check_floating",
+        GROUP,
+        "Actors that hang further above the next surface than a threshold, with the "
+        "gap; and those that the physics score counts as floating by its own rule.",
+        _check_floating,
+        {
+            "actor_names": ACTORS,
+            "threshold_cm": number(f"Largest gap that counts as standing (default {GAP_CM:g} cm).", minimum=0),
+        },
+    ),
+    Tool(
+        "check_collisions",
+        GROUP,
+        "Pairs of actors that overlap, with the depth.",
+        _check_collisions,
+        {
+            "actor_names": ACTORS,
+            "touch_tolerance_cm": number(
+                f"Overlap that still counts as touching (default {TOUCH_TOLERANCE_CM:g} cm).", minimum=0
+            ),
+        },
+    ),
 )

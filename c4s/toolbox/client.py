@@ -55,15 +55,17 @@ class GatewayClient:
     def __enter__(self) -> Self:
         try:
             self._portal = self._stack.enter_context(start_blocking_portal())
-            self._client = self._stack.enter_context(self._portal.wrap_async_context_manager(_Connection(
-                self._endpoint, self._mode)))
+            self._client = self._stack.enter_context(
+                self._portal.wrap_async_context_manager(_Connection(self._endpoint, self._mode))
+            )
         except BaseException:
             self._stack.close()
             raise
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
-                 trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         self._stack.close()
 
     def _opened(self) -> tuple[BlockingPortal, Client]:
@@ -80,8 +82,9 @@ class GatewayClient:
         """Text of a prompt that the server offers."""
         portal, client = self._opened()
         found = portal.call(client.get_prompt, name)
-        return "".join(message.content.text for message in found.messages
-                       if isinstance(message.content, wire.TextContent))
+        return "".join(
+            message.content.text for message in found.messages if isinstance(message.content, wire.TextContent)
+        )
 
     def answer(self, name: str, arguments: dict[str, Any], *, call_id: str | None = None) -> wire.CallToolResult:
         """One call as it comes over the wire. ``call_id`` identifies the call; a repeat gets the first answer."""
@@ -90,6 +93,7 @@ class GatewayClient:
 
         async def send() -> wire.CallToolResult:
             return await client.call_tool(name, arguments, meta=meta)
+
         return portal.call(send)
 
     def call(self, name: str, /, **arguments: Any) -> ToolAnswer:
@@ -100,8 +104,7 @@ class GatewayClient:
             raise RunStopped(str(payload["stop"]))
         if answer.is_error:
             raise CallRefused(str(payload["error"]), where=name)
-        images = tuple(base64.b64decode(block.data) for block in answer.content
-                       if isinstance(block, wire.ImageContent))
+        images = tuple(base64.b64decode(block.data) for block in answer.content if isinstance(block, wire.ImageContent))
         return ToolAnswer(payload["result"], images, payload["budget"])
 
     def actors(self) -> list[dict[str, Any]]:
@@ -123,12 +126,18 @@ class _Connection:
         self._stack = AsyncExitStack()
 
     async def __aenter__(self) -> Client:
-        http = await self._stack.enter_async_context(httpx2.AsyncClient(
-            headers={"Authorization": f"Bearer {self._endpoint.token}"}, trust_env=False,
-            verify=NO_CERTIFICATES, timeout=httpx2.Timeout(CONNECT_TIMEOUT_S, read=None)))
+        http = await self._stack.enter_async_context(
+            httpx2.AsyncClient(
+                headers={"Authorization": f"Bearer {self._endpoint.token}"},
+                trust_env=False,
+                verify=NO_CERTIFICATES,
+                timeout=httpx2.Timeout(CONNECT_TIMEOUT_S, read=None),
+            )
+        )
         transport = streamable_http_client(self._endpoint.url, http_client=http, max_sse_event_size=None)
         return await self._stack.enter_async_context(Client(transport, mode=self._mode))
 
-    async def __aexit__(self, kind: type[BaseException] | None, error: BaseException | None,
-                        trace: TracebackType | None) -> None:
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         await self._stack.__aexit__(kind, error, trace)

@@ -12,8 +12,9 @@ DEFAULT_GROUND_M = 100.0
 
 def _setup(bench: Workbench, arguments: Arguments) -> ToolResult:
     size = float(arguments.get("ground_size", bench.case.plate_m or DEFAULT_GROUND_M))
-    return ToolResult(bench.scene("setup_environment", ground_size=size,
-                                  time_of_day=arguments.get("time_of_day", "afternoon")))
+    return ToolResult(
+        bench.scene("setup_environment", ground_size=size, time_of_day=arguments.get("time_of_day", "afternoon"))
+    )
 
 
 def _save(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -26,14 +27,36 @@ def _save(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 TOOLS = (
-    Tool("setup_environment", GROUP, "Add sun, sky light, atmosphere, fog and ground where the level has none. What is "
-         "there stays as it is. Call it first and last.", _setup,
-         {"ground_size": number("Side of the ground in metres (default: the case's plate, else 100).",
-                                exclusiveMinimum=0, maximum=10_000),
-          "time_of_day": {"enum": ["morning", "noon", "afternoon", "sunset", "night"],
-                          "description": "Where a sun that is added stands (default afternoon)."}}),
-    Tool("save_scene_as", GROUP, f"Save the scene as {SAVED_FOLDER}/<name>. The last saved scene is the submission.",
-         _save, {"name": text("Letters, digits, _ and -.", pattern="^[A-Za-z0-9_-]+$", maxLength=100),
-          "revert_to_original": {"type": "boolean", "description": "Open the start level again afterwards (default "
-                                                                   "false: the saved level stays open)."}}, ("name",)),
+    Tool(
+        "setup_environment",
+        GROUP,
+        "Add sun, sky light, atmosphere, fog and ground where the level has none. What is "
+        "there stays as it is. Call it first and last.",
+        _setup,
+        {
+            "ground_size": number(
+                "Side of the ground in metres (default: the case's plate, else 100).",
+                exclusiveMinimum=0,
+                maximum=10_000,
+            ),
+            "time_of_day": {
+                "enum": ["morning", "noon", "afternoon", "sunset", "night"],
+                "description": "Where a sun that is added stands (default afternoon).",
+            },
+        },
+    ),
+    Tool(
+        "save_scene_as",
+        GROUP,
+        f"Save the scene as {SAVED_FOLDER}/<name>. The last saved scene is the submission.",
+        _save,
+        {
+            "name": text("Letters, digits, _ and -.", pattern="^[A-Za-z0-9_-]+$", maxLength=100),
+            "revert_to_original": {
+                "type": "boolean",
+                "description": "Open the start level again afterwards (default false: the saved level stays open).",
+            },
+        },
+        ("name",),
+    ),
 )

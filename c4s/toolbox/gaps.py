@@ -33,9 +33,16 @@ class _Drop:
         fallen = 0.0
         for _ in range(MOST_STEPS):
             self._result.clear()
-            distance = float(coal.distance(body.shape, coal.Transform3s(body.rotation, np.zeros(3)), other.shape,
-                                           coal.Transform3s(other.rotation, offset - fallen * DOWN),
-                                           self._request, self._result))
+            distance = float(
+                coal.distance(
+                    body.shape,
+                    coal.Transform3s(body.rotation, np.zeros(3)),
+                    other.shape,
+                    coal.Transform3s(other.rotation, offset - fallen * DOWN),
+                    self._request,
+                    self._result,
+                )
+            )
             if distance <= TOUCH_CM:
                 return fallen
             approach = float(np.asarray(self._result.normal).reshape(3) @ DOWN)
@@ -47,8 +54,9 @@ class _Drop:
         return fallen
 
 
-def gaps_below(snapshot: Mapping[str, Any], scene: SceneBodies, actors: Collection[int], *,
-               ground_plane: bool) -> dict[int, float | None]:
+def gaps_below(
+    snapshot: Mapping[str, Any], scene: SceneBodies, actors: Collection[int], *, ground_plane: bool
+) -> dict[int, float | None]:
     """Gap in cm below each actor (an index) that has bodies: 0 when it touches, ``None`` when nothing is below.
 
     ``ground_plane`` counts the plane z = 0 as a surface, as the text-to-scene rule does.

@@ -70,8 +70,9 @@ class Gateway:
         listener = socket.socket()
         listener.bind(("127.0.0.1", 0))
         self.port = listener.getsockname()[1]
-        config = uvicorn.Config(self._app(), log_level="error", lifespan="on", access_log=False,
-                                timeout_graceful_shutdown=1)
+        config = uvicorn.Config(
+            self._app(), log_level="error", lifespan="on", access_log=False, timeout_graceful_shutdown=1
+        )
         self._server = uvicorn.Server(config)
         self._thread = threading.Thread(target=self._serve, args=(listener,), name="gateway", daemon=True)
         self._thread.start()
@@ -79,8 +80,9 @@ class Gateway:
             raise MachineryFault("the gateway did not start", where=f"127.0.0.1:{self.port}")
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
-                 trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         assert self._server is not None and self._thread is not None
         for run in list(self._runs.values()):
             self.close_run(run)
@@ -93,6 +95,7 @@ class Gateway:
             self._loop = asyncio.get_running_loop()
             self._ready.set()
             await self._server.serve([listener])
+
         asyncio.run(main())
 
     def open_run(self, run: Run) -> Endpoint:
@@ -112,13 +115,19 @@ class Gateway:
         self._opened.pop(run, None)
 
     def _app(self) -> ASGIApp:
-        server: Server[Any] = Server("c4s", version="1", on_list_tools=_list_tools, on_call_tool=_call_tool,
-                                     on_list_prompts=_list_prompts, on_get_prompt=_get_prompt,
-                                     get_tool_input_schema=lambda name: TOOLS[name].input_schema if name in TOOLS
-                                     else None)
+        server: Server[Any] = Server(
+            "c4s",
+            version="1",
+            on_list_tools=_list_tools,
+            on_call_tool=_call_tool,
+            on_list_prompts=_list_prompts,
+            on_get_prompt=_get_prompt,
+            get_tool_input_schema=lambda name: TOOLS[name].input_schema if name in TOOLS else None,
+        )
         server.middleware.clear()  # spans for an exporter that is not there
-        inner = server.streamable_http_app(host="127.0.0.1", max_request_body_size=MAX_BODY_BYTES,
-                                           session_idle_timeout=None)
+        inner = server.streamable_http_app(
+            host="127.0.0.1", max_request_body_size=MAX_BODY_BYTES, session_idle_timeout=None
+        )
 
         async def app(scope: Scope, receive: Receive, send: Send) -> None:
             if scope["type"] != "http":
@@ -143,9 +152,11 @@ class Gateway:
             return None
         return self._runs.get(_digest(token.strip()))
 
-    async def _forward(self, inner: ASGIApp, run: Run, session: str, scope: Scope, receive: Receive,
-                       send: Send) -> None:
+    async def _forward(
+        self, inner: ASGIApp, run: Run, session: str, scope: Scope, receive: Receive, send: Send
+    ) -> None:
         """Hand a request to the SDK; a repeat of one that is in flight waits for the first one's response."""
+
         async def noting(message: Message) -> None:
             """Pass on an answer; a session that it opens belongs to the run."""
             if message["type"] == "http.response.start":
@@ -198,6 +209,7 @@ class _Flight:
         async def both(message: Message) -> None:
             self._messages.append(message)
             await send(message)
+
         return both
 
     async def replay(self, send: Send) -> None:
@@ -219,6 +231,7 @@ async def _read_body(receive: Receive) -> tuple[bytes, Receive]:
 
     async def replay() -> MutableMapping[str, Any]:
         return taken.pop(0) if taken else await receive()
+
     return body, replay
 
 
@@ -244,9 +257,13 @@ def _run_in(context: Any) -> Run:
 
 async def _list_tools(context: Any, _: wire.PaginatedRequestParams | None) -> wire.ListToolsResult:
     run = _run_in(context)
-    return wire.ListToolsResult(tools=[
-        wire.Tool(name=tool.name, description=tool.description, input_schema=tool.input_schema)
-        for tool in ALL_TOOLS if tool.name in run.tools])
+    return wire.ListToolsResult(
+        tools=[
+            wire.Tool(name=tool.name, description=tool.description, input_schema=tool.input_schema)
+            for tool in ALL_TOOLS
+            if tool.name in run.tools
+        ]
+    )
 
 
 async def _list_prompts(context: Any, _: wire.PaginatedRequestParams | None) -> wire.ListPromptsResult:
@@ -282,6 +299,7 @@ def _wire_answer(answer: Answer) -> wire.CallToolResult:
     """Text first, then the picture. Never ``structuredContent``: clients drop it or the picture."""
     content: list[wire.ContentBlock] = [wire.TextContent(type="text", text=answer.text)]
     if answer.image is not None:
-        content.append(wire.ImageContent(type="image", mime_type="image/png",
-                                         data=base64.b64encode(answer.image).decode()))
+        content.append(
+            wire.ImageContent(type="image", mime_type="image/png", data=base64.b64encode(answer.image).decode())
+        )
     return wire.CallToolResult(content=content, is_error=answer.error)

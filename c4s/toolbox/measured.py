@@ -42,8 +42,11 @@ class MeasuredScene:
     @cached_property
     def extent_cm(self) -> tuple[Array, Array] | None:
         """Lowest and highest corner of what is solid; None when nothing is."""
-        boxes = [box for actor, role in zip(self.actors, roles(self.actors), strict=True)
-                 if role != "non_solid" and (box := bounds_of(actor)) is not None]
+        boxes = [
+            box
+            for actor, role in zip(self.actors, roles(self.actors), strict=True)
+            if role != "non_solid" and (box := bounds_of(actor)) is not None
+        ]
         if not boxes:
             return None
         centres, halves = (np.array(column) for column in zip(*boxes, strict=True))
@@ -72,5 +75,8 @@ class MeasuredScene:
             states = text_to_scene_support(self.snapshot).per_actor
         except ValueError:
             return frozenset()
-        return frozenset(str(actor.get("name") or actor.get("label"))
-                         for actor, state in zip(self.actors, states, strict=True) if state == "floating")
+        return frozenset(
+            str(actor.get("name") or actor.get("label"))
+            for actor, state in zip(self.actors, states, strict=True)
+            if state == "floating"
+        )

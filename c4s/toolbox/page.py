@@ -39,8 +39,10 @@ def _kind(schema: dict[str, Any]) -> str:
 
 
 def _tool(tool: Tool) -> str:
-    rows = [f"| `{name}`{'*' if name in tool.required else ''} | {_kind(schema)} | {schema['description']} |"
-            for name, schema in tool.properties.items()]
+    rows = [
+        f"| `{name}`{'*' if name in tool.required else ''} | {_kind(schema)} | {schema['description']} |"
+        for name, schema in tool.properties.items()
+    ]
     table = ["| argument | type | meaning |", "|---|---|---|", *rows] if rows else ["No arguments."]
     return "\n".join([f"### {tool.name}", "", tool.description, "", *table, ""])
 

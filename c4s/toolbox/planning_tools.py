@@ -48,8 +48,12 @@ def _validate(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 def _solve(bench: Workbench, arguments: Arguments) -> ToolResult:
     try:
-        solved = _planner().solve(arguments["graph"], bench.catalog.assets, mode=arguments.get("mode", "separate"),
-                                  half_extent_m=_half_extent(bench, arguments))
+        solved = _planner().solve(
+            arguments["graph"],
+            bench.catalog.assets,
+            mode=arguments.get("mode", "separate"),
+            half_extent_m=_half_extent(bench, arguments),
+        )
     except ValueError as error:
         raise ToolRefused(str(error)) from error
     bench.solved = solved
@@ -78,8 +82,9 @@ def _with_solved(bench: Workbench, arguments: Arguments, function: str) -> Any:
 
 
 def _render(bench: Workbench, arguments: Arguments) -> ToolResult:
-    return ToolResult({"entries": len(_solved(bench, arguments)["entries"])},
-                      image=_with_solved(bench, arguments, "render_plan"))
+    return ToolResult(
+        {"entries": len(_solved(bench, arguments)["entries"])}, image=_with_solved(bench, arguments, "render_plan")
+    )
 
 
 def _tiers(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -105,13 +110,14 @@ def _spawn_entries(bench: Workbench, entries: list[dict[str, Any]]) -> ToolResul
         resolved.append({**entry, "asset": path, "kind": kind})
     spawned: list[str] = []
     for start in range(0, len(resolved), BATCH):
-        outcome = bench.scene("spawn_many", entries=resolved[start:start + BATCH])
+        outcome = bench.scene("spawn_many", entries=resolved[start : start + BATCH])
         spawned += [item["label"] for item in outcome["spawned"]]
         failed += outcome["failed"]
     if failed and not spawned:
         raise ToolRefused(f"none of {len(entries)} entries was spawned; the first: {failed[0]['error']}")
-    return ToolResult({"spawned": spawned[:SHOWN], "count": len(spawned), "failed": failed[:SHOWN],
-                       "failed_count": len(failed)})
+    return ToolResult(
+        {"spawned": spawned[:SHOWN], "count": len(spawned), "failed": failed[:SHOWN], "failed_count": len(failed)}
+    )
 
 
 def _build(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -130,34 +136,89 @@ def _build(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 SOLVED: Schema = {"type": "object", "description": "What solve_scene_graph gave; left out: the last solution."}
-HALF_EXTENT = number("Half the side of the square build area in metres (default: half the case's plate).",
-                     exclusiveMinimum=0, maximum=10_000)
-GRAPH: Schema = {"type": "object", "description": (
-    "{\"nodes\": [node, ...]}. A node: id, asset (catalog id or path); at [x, y] or [x, y, z of the bottom] in metres "
-    "from the plate's centre; yaw_deg; scale; count with layout {kind: row|grid|ring|scatter, spacing_m, radius_m, "
-    "yaw_deg, facing: same|centre}; on (id of an earlier node that it stands on); relation {kind: next_to|left_of|"
-    "right_of|in_front_of|behind|around, of, distance_m}.")}
+HALF_EXTENT = number(
+    "Half the side of the square build area in metres (default: half the case's plate).",
+    exclusiveMinimum=0,
+    maximum=10_000,
+)
+GRAPH: Schema = {
+    "type": "object",
+    "description": (
+        '{"nodes": [node, ...]}. A node: id, asset (catalog id or path); at [x, y] or [x, y, z of the bottom] in '
+        "metres from the plate's centre; yaw_deg; scale; count with layout {kind: row|grid|ring|scatter, spacing_m, "
+        "radius_m, yaw_deg, facing: same|centre}; on (id of an earlier node that it stands on); relation {kind: "
+        "next_to|left_of|right_of|in_front_of|behind|around, of, distance_m}."
+    ),
+}
 ENTRY: Schema = {
-    "type": "object", "required": ["name", "asset", "location"],
-    "properties": {"name": label("Label."), "asset": text("Catalog id or path."), "location": LOCATION,
-                   "rotation": ROTATION, "scale": SCALE}}
+    "type": "object",
+    "required": ["name", "asset", "location"],
+    "properties": {
+        "name": label("Label."),
+        "asset": text("Catalog id or path."),
+        "location": LOCATION,
+        "rotation": ROTATION,
+        "scale": SCALE,
+    },
+}
 
 TOOLS = (
-    Tool("validate_scene_graph", GROUP, "Check a scene graph against the catalog: whether it can be solved whole, and "
-         "every entry that would be dropped with the reason.", _validate, {"graph": GRAPH}, ("graph",)),
-    Tool("solve_scene_graph", GROUP, "World transforms for a scene graph; overlapping footprints are pushed apart. "
-         "Equal input gives equal output. The solution is kept for the other planning tools.", _solve,
-         {"graph": GRAPH, "mode": {"enum": ["separate", "exact"],
-                                    "description": "separate (default): push overlaps apart. exact: keep them."},
-          "half_extent_m": HALF_EXTENT}, ("graph",)),
+    Tool(
+        "validate_scene_graph",
+        GROUP,
+        "Check a scene graph against the catalog: whether it can be solved whole, and "
+        "every entry that would be dropped with the reason.",
+        _validate,
+        {"graph": GRAPH},
+        ("graph",),
+    ),
+    Tool(
+        "solve_scene_graph",
+        GROUP,
+        "World transforms for a scene graph; overlapping footprints are pushed apart. "
+        "Equal input gives equal output. The solution is kept for the other planning tools.",
+        _solve,
+        {
+            "graph": GRAPH,
+            "mode": {
+                "enum": ["separate", "exact"],
+                "description": "separate (default): push overlaps apart. exact: keep them.",
+            },
+            "half_extent_m": HALF_EXTENT,
+        },
+        ("graph",),
+    ),
     Tool("render_plan", GROUP, "A picture of the solved plan seen from above.", _render, {"solved": SOLVED}),
     Tool("tier_derivation", GROUP, "The build tier of every placed entry.", _tiers, {"solved": SOLVED}),
-    Tool("ground_pass", GROUP, "Lay ground tiles of a fitting flat asset over the build area.", _ground,
-         {"scene_text": text("The scene in words: decides which ground fits.", maxLength=20_000),
-          "half_extent_m": HALF_EXTENT}, ("scene_text",)),
-    Tool("build_tier", GROUP, "Spawn one tier of the solved plan, or a list of entries, in one call. Entries that fail "
-         "are reported and the rest are built.", _build,
-         {"tier": {"type": ["string", "integer"], "description": "Tier name, or its number in building order from 0."},
-          "entries": {"type": "array", "items": ENTRY, "minItems": 1, "maxItems": MOST_ENTRIES,
-                      "description": "Entries {name, asset, location, rotation, scale} in place of a tier."}}),
+    Tool(
+        "ground_pass",
+        GROUP,
+        "Lay ground tiles of a fitting flat asset over the build area.",
+        _ground,
+        {
+            "scene_text": text("The scene in words: decides which ground fits.", maxLength=20_000),
+            "half_extent_m": HALF_EXTENT,
+        },
+        ("scene_text",),
+    ),
+    Tool(
+        "build_tier",
+        GROUP,
+        "Spawn one tier of the solved plan, or a list of entries, in one call. Entries that fail "
+        "are reported and the rest are built.",
+        _build,
+        {
+            "tier": {
+                "type": ["string", "integer"],
+                "description": "Tier name, or its number in building order from 0.",
+            },
+            "entries": {
+                "type": "array",
+                "items": ENTRY,
+                "minItems": 1,
+                "maxItems": MOST_ENTRIES,
+                "description": "Entries {name, asset, location, rotation, scale} in place of a tier.",
+            },
+        },
+    ),
 )

@@ -32,9 +32,13 @@ def _state(bench: Workbench, job: Job, limit: int, wait_s: float) -> dict[str, o
         reply = bench.read_job(job, offset=page["next_offset"])
     output = "\n".join(lines).encode()
     error = {"error": reply["error"]} if "error" in reply else {}
-    return {"status": {"ok": "done", "running": "running"}.get(reply["status"], "error"), **error,
-            "output": output[-limit:].decode(errors="replace"), "output_bytes": len(output),
-            "truncated": len(output) > limit}
+    return {
+        "status": {"ok": "done", "running": "running"}.get(reply["status"], "error"),
+        **error,
+        "output": output[-limit:].decode(errors="replace"),
+        "output_bytes": len(output),
+        "truncated": len(output) > limit,
+    }
 
 
 def _read(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -53,17 +57,38 @@ def _read(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 TOOLS = (
-    Tool("execute_python_script", GROUP, "Run Python in the editor (`import unreal`) as a background job. Gives a "
-         f"job id and log path at once; read_job_log tells its state and output. A job ends after "
-         f"{JOB_LIMIT_S:.0f} s. Names that a script defines are there for the next one.", _execute,
-         {"script": text("Python source."),
-          "execution_mode": {"enum": ["async", "sync"],
-                             "description": f"async (default): return at once. sync: wait up to {SYNC_WAIT_S:.0f} s "
-                                            "for the end and give the output too."}}, ("script",)),
-    Tool("read_job_log", GROUP, "State (running, done or error) and output of a job, by default the last.", _read,
-         {"job_id": text("Job id."), "log_path": text("Log path, in place of the id."),
-                 "max_bytes": {"type": "integer", "minimum": 1, "maximum": MOST_BYTES,
-                               "description": f"How much of the end of the output (default {DEFAULT_BYTES} bytes)."},
-                 "wait_s": number("How long to wait for the end of the job, in seconds.", minimum=0,
-                                  maximum=MOST_WAIT_S)}),
+    Tool(
+        "execute_python_script",
+        GROUP,
+        "Run Python in the editor (`import unreal`) as a background job. Gives a "
+        f"job id and log path at once; read_job_log tells its state and output. A job ends after "
+        f"{JOB_LIMIT_S:.0f} s. Names that a script defines are there for the next one.",
+        _execute,
+        {
+            "script": text("Python source."),
+            "execution_mode": {
+                "enum": ["async", "sync"],
+                "description": f"async (default): return at once. sync: wait up to {SYNC_WAIT_S:.0f} s "
+                "for the end and give the output too.",
+            },
+        },
+        ("script",),
+    ),
+    Tool(
+        "read_job_log",
+        GROUP,
+        "State (running, done or error) and output of a job, by default the last.",
+        _read,
+        {
+            "job_id": text("Job id."),
+            "log_path": text("Log path, in place of the id."),
+            "max_bytes": {
+                "type": "integer",
+                "minimum": 1,
+                "maximum": MOST_BYTES,
+                "description": f"How much of the end of the output (default {DEFAULT_BYTES} bytes).",
+            },
+            "wait_s": number("How long to wait for the end of the job, in seconds.", minimum=0, maximum=MOST_WAIT_S),
+        },
+    ),
 )

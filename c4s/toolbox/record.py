@@ -32,9 +32,17 @@ class Record:
             self._file = self._trajectory.open("ab", buffering=0)
             weakref.finalize(self, self._file.close)
         self._lines += 1
-        line = orjson.dumps({"seq": self._lines, "time": round(time.time(), 4), "event": event,
-                             "tool": whole(short(tool)), "request": None if request is None else whole(request),
-                             **fields}, option=orjson.OPT_APPEND_NEWLINE)
+        line = orjson.dumps(
+            {
+                "seq": self._lines,
+                "time": round(time.time(), 4),
+                "event": event,
+                "tool": whole(short(tool)),
+                "request": None if request is None else whole(request),
+                **fields,
+            },
+            option=orjson.OPT_APPEND_NEWLINE,
+        )
         if self._file.write(line) != len(line):
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
@@ -53,8 +61,11 @@ NAME_CHARACTERS = 300
 
 def short(name: str) -> str:
     """A name that a client chose, as it is written down: one that is too long by its beginning and its SHA-256."""
-    return name if len(name) <= NAME_CHARACTERS else \
-        f"{whole(name[:NAME_CHARACTERS // 2])} ... sha256 {digest_bytes(whole(name).encode())}"
+    return (
+        name
+        if len(name) <= NAME_CHARACTERS
+        else f"{whole(name[: NAME_CHARACTERS // 2])} ... sha256 {digest_bytes(whole(name).encode())}"
+    )
 
 
 def whole(text: str) -> str:

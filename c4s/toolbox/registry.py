@@ -10,11 +10,18 @@ from c4s.errors import BadInput
 from c4s.toolbox import asset_tools, check_tools, environment_tools, planning_tools, python_tools, scene_tools
 from c4s.toolbox.tool import Tool
 
-ALL_TOOLS: tuple[Tool, ...] = (*asset_tools.TOOLS, *scene_tools.TOOLS, *python_tools.TOOLS, *planning_tools.TOOLS,
-                               *check_tools.TOOLS, *environment_tools.TOOLS)
+ALL_TOOLS: tuple[Tool, ...] = (
+    *asset_tools.TOOLS,
+    *scene_tools.TOOLS,
+    *python_tools.TOOLS,
+    *planning_tools.TOOLS,
+    *check_tools.TOOLS,
+    *environment_tools.TOOLS,
+)
 TOOLS: Mapping[str, Tool] = {tool.name: tool for tool in ALL_TOOLS}
-VALIDATORS: Mapping[str, Draft202012Validator] = {tool.name: Draft202012Validator(tool.input_schema)
-                                                  for tool in ALL_TOOLS}
+VALIDATORS: Mapping[str, Draft202012Validator] = {
+    tool.name: Draft202012Validator(tool.input_schema) for tool in ALL_TOOLS
+}
 
 
 def tool_set(names: Iterable[str] | None = None) -> frozenset[str]:

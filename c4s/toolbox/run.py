@@ -81,15 +81,22 @@ class _Call:
 
     def fields(self) -> dict[str, Any]:
         """What both of its lines tell."""
-        return {"tool": self.name, "request": self.key, "call": self.number, "polling": self.name == POLLING,
-                "arguments": orjson.Fragment(self.told), "start_s": round(self.start_s, 4)}
+        return {
+            "tool": self.name,
+            "request": self.key,
+            "call": self.number,
+            "polling": self.name == POLLING,
+            "arguments": orjson.Fragment(self.told),
+            "start_s": round(self.start_s, 4),
+        }
 
 
 class Run:
     """A run of an agent. Thread-safe where it says so; the rest belongs to the gateway's event loop."""
 
-    def __init__(self, run_id: str, bench: Workbench, budget: Budget, trajectory: Path,
-                 tools: Iterable[str] | None = None) -> None:
+    def __init__(
+        self, run_id: str, bench: Workbench, budget: Budget, trajectory: Path, tools: Iterable[str] | None = None
+    ) -> None:
         self.run_id, self.bench, self.budget, self.trajectory = run_id, bench, budget, trajectory
         self.tools = tool_set(tools)
         self.token = secrets.token_urlsafe(32)
@@ -121,8 +128,10 @@ class Run:
         self._started = time.monotonic()
 
         def arm() -> None:
-            self._timer = loop.call_later(self.budget.wall_minutes * 60, self._end, "wall_budget",
-                                          "the time budget is spent")
+            self._timer = loop.call_later(
+                self.budget.wall_minutes * 60, self._end, "wall_budget", "the time budget is spent"
+            )
+
         loop.call_soon_threadsafe(arm)
 
     def end(self, reason: EndReason, message: str) -> None:
@@ -159,8 +168,10 @@ class Run:
 
     def left(self) -> dict[str, Any]:
         """The budget left, as every result tells it."""
-        return {"tool_calls_left": max(0, self.budget.tool_calls - self.calls),
-                "seconds_left": max(0, round(self.budget.wall_minutes * 60 - self.wall_s))}
+        return {
+            "tool_calls_left": max(0, self.budget.tool_calls - self.calls),
+            "seconds_left": max(0, round(self.budget.wall_minutes * 60 - self.wall_s)),
+        }
 
     async def call(self, name: str, arguments: Mapping[str, Any], key: str | None) -> Answer:
         """Answer one call. A request id that was seen before gets the first answer again.
@@ -174,8 +185,9 @@ class Run:
         if key in self._answers:
             self.record_duplicate(name, key)
             first = self._answers[key]
-            return self._refusal("this request id was already answered") if first is None else \
-                await asyncio.shield(first)
+            return (
+                self._refusal("this request id was already answered") if first is None else await asyncio.shield(first)
+            )
         answered = self._answers[key] = self._begin(name, given, told, problem, key)
         answered.add_done_callback(lambda _: self._keep_answer(key))
         return await asyncio.shield(answered)
@@ -197,16 +209,23 @@ class Run:
         if len(self._kept) > KEPT_ANSWERS:
             self._answers[self._kept.popleft()] = None
 
-    def _begin(self, name: str, arguments: dict[str, Any], told: bytes, problem: str, key: str | None
-               ) -> asyncio.Future[Answer]:
+    def _begin(
+        self, name: str, arguments: dict[str, Any], told: bytes, problem: str, key: str | None
+    ) -> asyncio.Future[Answer]:
         """Refuse a call, or count it, record its start and set its tool to work."""
         assert self._loop is not None, "the run has not started"
         answered: asyncio.Future[Answer] = self._loop.create_future()
         refused = self._refused(name)
         if refused is not None:
             why, stop = refused
-            self._note("refused", tool=name, request=key, outcome="refused", error=why,
-                       arguments=orjson.Fragment(told if len(told) <= RECORDED_REFUSED_BYTES else b"null"))
+            self._note(
+                "refused",
+                tool=name,
+                request=key,
+                outcome="refused",
+                error=why,
+                arguments=orjson.Fragment(told if len(told) <= RECORDED_REFUSED_BYTES else b"null"),
+            )
             answered.set_result(self._refusal(why, stop=stop))
             return answered
         self.calls += 1
@@ -229,8 +248,10 @@ class Run:
             return f"the run has ended: {self.end_message}", True
         if name not in self.tools:
             self.blocked += 1
-            return (f"there is no tool {short(name)!r} in this run; the tools are "
-                    + ", ".join(tool for tool in TOOLS if tool in self.tools)), False
+            return (
+                f"there is no tool {short(name)!r} in this run; the tools are "
+                + ", ".join(tool for tool in TOOLS if tool in self.tools)
+            ), False
         if self.calls >= self.budget.tool_calls:
             self.over_calls = True
             return "the tool call budget is spent", True
@@ -269,11 +290,20 @@ class Run:
         answer = Answer(text, outcome != "ok", image)
         if isinstance(given, BaseException) and outcome == "fault":
             self.fault = self.fault or given
-        written = self._write("call", counted=True, outcome=outcome, error=error, **call.fields(),
-                              duration_s=round(time.perf_counter() - call.clock, 4),
-                              result=text[:RECORDED_RESULT_CHARACTERS], result_characters=len(text), images=images)
-        call.answered.set_result(answer if written else self._refusal(f"the run has ended: {self.end_message}",
-                                                                     stop=True))
+        written = self._write(
+            "call",
+            counted=True,
+            outcome=outcome,
+            error=error,
+            **call.fields(),
+            duration_s=round(time.perf_counter() - call.clock, 4),
+            result=text[:RECORDED_RESULT_CHARACTERS],
+            result_characters=len(text),
+            images=images,
+        )
+        call.answered.set_result(
+            answer if written else self._refusal(f"the run has ended: {self.end_message}", stop=True)
+        )
         if self.fault is not None:
             self._end("fault", "the engine or a tool failed")
 
@@ -285,8 +315,11 @@ class Run:
         try:
             self._record.write(event, **fields, **self.left())
         except OSError as error:
-            self.fault = self.fault or MachineryFault(f"the trajectory cannot be written: {error.strerror}",
-                                                      where=str(self.trajectory), todo="is the disk full?")
+            self.fault = self.fault or MachineryFault(
+                f"the trajectory cannot be written: {error.strerror}",
+                where=str(self.trajectory),
+                todo="is the disk full?",
+            )
             self._end("fault", "the trajectory cannot be written")
             return False
         return True

@@ -37,14 +37,16 @@ def _pose(arguments: Arguments) -> dict[str, Any]:
 
 def _spawn(bench: Workbench, arguments: Arguments) -> ToolResult:
     path = spawn_path(bench, arguments["static_mesh"])
-    return ToolResult({"actor": bench.scene("spawn_static_mesh", name=arguments["name"], static_mesh=path,
-                                            **_pose(arguments))})
+    return ToolResult(
+        {"actor": bench.scene("spawn_static_mesh", name=arguments["name"], static_mesh=path, **_pose(arguments))}
+    )
 
 
 def _spawn_blueprint(bench: Workbench, arguments: Arguments) -> ToolResult:
     path = spawn_path(bench, arguments["blueprint_id"])
-    return ToolResult({"actor": bench.scene("spawn_blueprint", name=arguments["actor_name"], blueprint=path,
-                                            **_pose(arguments))})
+    return ToolResult(
+        {"actor": bench.scene("spawn_blueprint", name=arguments["actor_name"], blueprint=path, **_pose(arguments))}
+    )
 
 
 def _set_transform(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -60,8 +62,10 @@ def _delete(bench: Workbench, arguments: Arguments) -> ToolResult:
 def _delete_all_spawned(bench: Workbench, _: Arguments) -> ToolResult:
     level = bench.scene("current_level")
     if level not in bench.levels:
-        raise ToolRefused(f"the open level {level} is neither the start level nor one that this run saved: "
-                          "its actors were not spawned by this run")
+        raise ToolRefused(
+            f"the open level {level} is neither the start level nor one that this run saved: "
+            "its actors were not spawned by this run"
+        )
     removed = bench.scene("delete_all_but", ids=bench.given)
     return ToolResult({"deleted": removed[:LABELS_TOLD], "count": len(removed)})
 
@@ -83,24 +87,71 @@ def _part(bench: Workbench, function: str, arguments: Arguments, **more: str) ->
 
 
 TOOLS = (
-    Tool("spawn_actor", EDITING, "Place an actor made from a static mesh. The name becomes its label and must be new.",
-         _spawn, {"name": label("Label of the new actor."),
-                  "static_mesh": text("Catalog id, or path of a static mesh."),
-                  "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name", "static_mesh", "location")),
-    Tool("spawn_blueprint_actor", EDITING, "Place an actor made from a Blueprint. The name becomes its label.",
-         _spawn_blueprint,
-         {"actor_name": label("Label of the new actor."), "blueprint_id": text("Catalog id, or path of a Blueprint."),
-          "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("actor_name", "blueprint_id", "location")),
-    Tool("set_actor_transform", EDITING, "Change position, rotation and/or scale of an actor; what is left out stays.",
-         _set_transform, {"name": ACTOR, "location": LOCATION, "rotation": ROTATION, "scale": SCALE}, ("name",)),
+    Tool(
+        "spawn_actor",
+        EDITING,
+        "Place an actor made from a static mesh. The name becomes its label and must be new.",
+        _spawn,
+        {
+            "name": label("Label of the new actor."),
+            "static_mesh": text("Catalog id, or path of a static mesh."),
+            "location": LOCATION,
+            "rotation": ROTATION,
+            "scale": SCALE,
+        },
+        ("name", "static_mesh", "location"),
+    ),
+    Tool(
+        "spawn_blueprint_actor",
+        EDITING,
+        "Place an actor made from a Blueprint. The name becomes its label.",
+        _spawn_blueprint,
+        {
+            "actor_name": label("Label of the new actor."),
+            "blueprint_id": text("Catalog id, or path of a Blueprint."),
+            "location": LOCATION,
+            "rotation": ROTATION,
+            "scale": SCALE,
+        },
+        ("actor_name", "blueprint_id", "location"),
+    ),
+    Tool(
+        "set_actor_transform",
+        EDITING,
+        "Change position, rotation and/or scale of an actor; what is left out stays.",
+        _set_transform,
+        {"name": ACTOR, "location": LOCATION, "rotation": ROTATION, "scale": SCALE},
+        ("name",),
+    ),
     Tool("delete_actor", EDITING, "Remove one actor.", _delete, {"name": ACTOR}, ("name",)),
-    Tool("delete_all_spawned", EDITING, "Remove every actor that was added in this run, by whichever tool or script. "
-         "The actors of the start level stay.", _delete_all_spawned),
-    Tool("get_actors_in_level", INSPECTION, "All actors: label, object name, class, location (cm), "
-         "rotation [pitch, yaw, roll] (degrees), scale, static meshes. `total` counts them; where `next` is a number, "
-         "call again with it as offset.", _list, page(PAGE, MOST_PAGE)),
-    Tool("find_actors_by_name", INSPECTION, "Actors whose label or object name holds a text, with their bounds; says "
-         "which of the two matched. Long lists come in parts, as with get_actors_in_level.", _find,
-         {"pattern": text("Text to look for, ignoring case; * and ? stand for any text and any character.",
-                          maxLength=500), **page(PAGE, MOST_PAGE)}, ("pattern",)),
+    Tool(
+        "delete_all_spawned",
+        EDITING,
+        "Remove every actor that was added in this run, by whichever tool or script. "
+        "The actors of the start level stay.",
+        _delete_all_spawned,
+    ),
+    Tool(
+        "get_actors_in_level",
+        INSPECTION,
+        "All actors: label, object name, class, location (cm), "
+        "rotation [pitch, yaw, roll] (degrees), scale, static meshes. `total` counts them; where `next` is a number, "
+        "call again with it as offset.",
+        _list,
+        page(PAGE, MOST_PAGE),
+    ),
+    Tool(
+        "find_actors_by_name",
+        INSPECTION,
+        "Actors whose label or object name holds a text, with their bounds; says "
+        "which of the two matched. Long lists come in parts, as with get_actors_in_level.",
+        _find,
+        {
+            "pattern": text(
+                "Text to look for, ignoring case; * and ? stand for any text and any character.", maxLength=500
+            ),
+            **page(PAGE, MOST_PAGE),
+        },
+        ("pattern",),
+    ),
 )

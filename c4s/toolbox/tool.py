@@ -45,8 +45,12 @@ class Tool:
     @property
     def input_schema(self) -> Schema:
         """JSON Schema of the arguments; unknown arguments are refused."""
-        return {"type": "object", "properties": dict(self.properties), "required": list(self.required),
-                "additionalProperties": False}
+        return {
+            "type": "object",
+            "properties": dict(self.properties),
+            "required": list(self.required),
+            "additionalProperties": False,
+        }
 
 
 def text(description: str, **more: Any) -> Schema:
@@ -62,16 +66,28 @@ MOST_CM = 1.0e7
 
 def label(description: str) -> Schema:
     """Schema of the label of a new actor: a line of printable characters."""
-    return text(f"{description} At most {LABEL_CHARACTERS} characters, no control characters.",
-                maxLength=LABEL_CHARACTERS, pattern="^[^\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029]+$")
+    return text(
+        f"{description} At most {LABEL_CHARACTERS} characters, no control characters.",
+        maxLength=LABEL_CHARACTERS,
+        pattern="^[^\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029]+$",
+    )
 
 
 def page(default: int, most: int) -> dict[str, Schema]:
     """Schemas of the two arguments that ask for a part of a long list."""
-    return {"offset": {"type": "integer", "minimum": 0, "description": "Where to go on: the `next` of the last answer "
-                                                                      "(default 0)."},
-            "limit": {"type": "integer", "minimum": 1, "maximum": most,
-                      "description": f"How many at most (default {default})."}}
+    return {
+        "offset": {
+            "type": "integer",
+            "minimum": 0,
+            "description": "Where to go on: the `next` of the last answer (default 0).",
+        },
+        "limit": {
+            "type": "integer",
+            "minimum": 1,
+            "maximum": most,
+            "description": f"How many at most (default {default}).",
+        },
+    }
 
 
 def paged(key: str, rows: list[Any], total: int, offset: int) -> dict[str, Any]:
@@ -98,6 +114,8 @@ def names(description: str) -> Schema:
 COORDINATE: Schema = {"type": "number", "minimum": -MOST_CM, "maximum": MOST_CM}
 LOCATION = vector("World location [x, y, z] in cm: left-handed, Z up.")
 ROTATION = vector("World rotation [pitch, yaw, roll] in degrees.")
-SCALE: Schema = {"description": "Scale factors [x, y, z], or one number for all three.",
-                 "anyOf": [COORDINATE, {"type": "array", "items": COORDINATE, "minItems": 3, "maxItems": 3}]}
+SCALE: Schema = {
+    "description": "Scale factors [x, y, z], or one number for all three.",
+    "anyOf": [COORDINATE, {"type": "array", "items": COORDINATE, "minItems": 3, "maxItems": 3}],
+}
 ACTOR = text("The actor's label (or, where no label fits, its object name).")

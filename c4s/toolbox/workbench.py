@@ -51,10 +51,16 @@ class Engine(Protocol):
 class Workbench:
     """What the tools of one run share. Engine calls are serial in the engine itself."""
 
-    def __init__(self, case: AgentCase, agent_folder: Path, catalog: CaseCatalog, engine: Engine,
-                 scratch: Path) -> None:
+    def __init__(
+        self, case: AgentCase, agent_folder: Path, catalog: CaseCatalog, engine: Engine, scratch: Path
+    ) -> None:
         self.case, self.agent_folder, self.catalog, self.engine, self.scratch = (
-            case, agent_folder, catalog, engine, scratch)
+            case,
+            agent_folder,
+            catalog,
+            engine,
+            scratch,
+        )
         self.solved: dict[str, Any] | None = None
         """The last solution of the planner."""
         self.jobs: dict[str, Job] = {}
@@ -102,8 +108,9 @@ class Workbench:
     def start_job(self, script: str, *, wait_s: float) -> Job:
         """Run a script in the editor's Python; it goes on in the background after ``wait_s``."""
         self.ran_script = True
-        reply = self.engine.request("execute_python_script", {"script": script, "wait_s": wait_s},
-                                    timeout_s=wait_s + ENGINE_TIMEOUT_S)
+        reply = self.engine.request(
+            "execute_python_script", {"script": script, "wait_s": wait_s}, timeout_s=wait_s + ENGINE_TIMEOUT_S
+        )
         if "job_id" not in reply:
             raise ToolRefused(str(reply.get("error", "the editor did not take the script")))
         job = Job(str(reply["job_id"]), time.monotonic())
@@ -113,8 +120,9 @@ class Workbench:
 
     def read_job(self, job: Job, *, wait_s: float = 0.0, offset: int = 0) -> dict[str, Any]:
         """The state of a job. One that runs longer than ``JOB_LIMIT_S`` is abandoned."""
-        reply = self.engine.request("read_job_log", {"job_id": job.id, "wait_s": wait_s, "offset": offset},
-                                    timeout_s=wait_s + ENGINE_TIMEOUT_S)
+        reply = self.engine.request(
+            "read_job_log", {"job_id": job.id, "wait_s": wait_s, "offset": offset}, timeout_s=wait_s + ENGINE_TIMEOUT_S
+        )
         job.finished = reply["status"] != "running"
         if not job.finished and time.monotonic() - job.started > JOB_LIMIT_S:
             self.engine.request("abandon_job", {"job_id": job.id})

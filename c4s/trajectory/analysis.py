@@ -75,17 +75,28 @@ def analyse_lines(lines: Iterable[Mapping[str, Any]]) -> Analysis:
             feedback.add(answer)
         elif tool == POLLING_TOOL and answer.job_id in by_job:
             by_job[answer.job_id].add(answer)
-    return Analysis(calls=by_tool.total(), polling=by_tool[POLLING_TOOL], python=by_tool[PYTHON_TOOL], failed=failed,
-                    unfinished=unfinished,
-                    named_transform_calls=sum(by_tool[tool] for tool in TRANSFORM_TOOLS),
-                    by_tool=dict(sorted(by_tool.items())),
-                    submissions=[_submission(*script) for script in scripts])
+    return Analysis(
+        calls=by_tool.total(),
+        polling=by_tool[POLLING_TOOL],
+        python=by_tool[PYTHON_TOOL],
+        failed=failed,
+        unfinished=unfinished,
+        named_transform_calls=sum(by_tool[tool] for tool in TRANSFORM_TOOLS),
+        by_tool=dict(sorted(by_tool.items())),
+        submissions=[_submission(*script) for script in scripts],
+    )
 
 
 def _submission(call: int, script: str, feedback: Feedback) -> Submission:
     families = families_of(script) if script.strip() else None
-    return Submission(call=call, parseable=families is not None, families=list(families or ()),
-                      feedback=feedback.observed, errors=list(feedback.errors), failed=feedback.failed)
+    return Submission(
+        call=call,
+        parseable=families is not None,
+        families=list(families or ()),
+        feedback=feedback.observed,
+        errors=list(feedback.errors),
+        failed=feedback.failed,
+    )
 
 
 def analyse(trajectory: Path) -> Analysis:

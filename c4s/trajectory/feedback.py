@@ -8,8 +8,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-_RAISED = re.compile(r"^(?:\s*(?:\||\+)\s*)?(?:[A-Za-z_]\w*\.)*"
-                     r"([A-Z]\w*(?:Error|Exception|Exit|Interrupt|Iteration))(?::|$)", re.MULTILINE)
+_RAISED = re.compile(
+    r"^(?:\s*(?:\||\+)\s*)?(?:[A-Za-z_]\w*\.)*"
+    r"([A-Z]\w*(?:Error|Exception|Exit|Interrupt|Iteration))(?::|$)",
+    re.MULTILINE,
+)
 _JOB = re.compile(r'"job_id": "((?:[^"\\]|\\.)*)"')
 _STATUS = re.compile(r'"status": "(\w+)"')
 
@@ -37,8 +40,11 @@ def read_answer(line: Mapping[str, Any]) -> Answer:
         told = json.loads(recorded)
     except ValueError:
         job, status = _JOB.search(recorded), _STATUS.search(recorded)
-        return Answer(json.loads(f'"{job[1]}"') if job else None, status[1] if status else None,
-                      recorded.replace("\\n", "\n").replace('\\"', '"'))
+        return Answer(
+            json.loads(f'"{job[1]}"') if job else None,
+            status[1] if status else None,
+            recorded.replace("\\n", "\n").replace('\\"', '"'),
+        )
     result = told.get("result") if isinstance(told, dict) else None
     if not isinstance(result, dict):
         return Answer(None, None, "")

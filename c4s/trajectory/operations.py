@@ -10,8 +10,16 @@ from __future__ import annotations
 import ast
 from typing import Literal, TypeAlias, get_args
 
-Family: TypeAlias = Literal["catalog_lookup", "asset_loading", "scene_inspection", "actor_creation", "pose_editing",
-                            "actor_removal", "appearance_and_properties", "level_io"]
+Family: TypeAlias = Literal[
+    "catalog_lookup",
+    "asset_loading",
+    "scene_inspection",
+    "actor_creation",
+    "pose_editing",
+    "actor_removal",
+    "appearance_and_properties",
+    "level_io",
+]
 FAMILIES: tuple[Family, ...] = get_args(Family)
 
 _NAMES: dict[Family, str] = {
@@ -73,7 +81,8 @@ _NAMES: dict[Family, str] = {
         checkout_asset create_asset delete_asset delete_directory duplicate_asset export_to_disk
         import_asset_tasks load_level load_map make_directory new_level new_level_from_template
         new_map_from_template rename_asset save_all_dirty_levels save_as save_asset save_current_level
-        save_directory save_dirty_packages save_loaded_asset save_loaded_assets save_map save_packages"""}
+        save_directory save_dirty_packages save_loaded_asset save_loaded_assets save_map save_packages""",
+}
 
 FAMILY_OF: dict[str, Family] = {name: family for family in FAMILIES for name in _NAMES[family].split()}
 """Family of each API basename."""

@@ -17,8 +17,12 @@ from c4s.score.requirements import protocol_detailed, semantic_case
 from c4s.verify.verdict import Verdict
 
 
-def verify_detailed(bundle: Mapping[str, Any], snapshot: Mapping[str, Any], catalog: Mapping[str, Facts],
-                    captures: Mapping[str, Any] | None = None) -> Verdict:
+def verify_detailed(
+    bundle: Mapping[str, Any],
+    snapshot: Mapping[str, Any],
+    catalog: Mapping[str, Facts],
+    captures: Mapping[str, Any] | None = None,
+) -> Verdict:
     """Decide every requirement of a bundle and aggregate the decisions by the published rule.
 
     Args:
@@ -36,27 +40,68 @@ def verify_detailed(bundle: Mapping[str, Any], snapshot: Mapping[str, Any], cata
     rows, decisions = [], []
     for node in requirements.scored:
         predicate, found = requirements.predicates[node], judge.decide(node)
-        rows.append({"node_id": node, "text": predicate.text, "source_span": list(predicate.span),
-                     "predicate_type": predicate.type, "entity_scopes": scopes[node],
-                     "evaluation_status": found.status, "score": found.score})
-        decisions.append({"node_id": node, "text": predicate.text, "status": found.status,
-                          "score": round(found.score, 6), "reason": found.reason, "actors": found.actors,
-                          "measures": found.measures, "seen_actors": None if views is None else
-                          sum(views.sees(actor) for actor in found.actors)})
+        rows.append(
+            {
+                "node_id": node,
+                "text": predicate.text,
+                "source_span": list(predicate.span),
+                "predicate_type": predicate.type,
+                "entity_scopes": scopes[node],
+                "evaluation_status": found.status,
+                "score": found.score,
+            }
+        )
+        decisions.append(
+            {
+                "node_id": node,
+                "text": predicate.text,
+                "status": found.status,
+                "score": round(found.score, 6),
+                "reason": found.reason,
+                "actors": found.actors,
+                "measures": found.measures,
+                "seen_actors": None if views is None else sum(views.sees(actor) for actor in found.actors),
+            }
+        )
     measurements: dict[str, Any] = {"judge": "rule", "decisions": decisions}
     tally = Counter(decision["status"] for decision in decisions)
-    population = {"requirements": len(rows), "matched": tally["MATCH"], "mismatched": tally["MISMATCH"],
-                  "unresolved": tally["UNKNOWN"]}
+    population = {
+        "requirements": len(rows),
+        "matched": tally["MATCH"],
+        "mismatched": tally["MISMATCH"],
+        "unresolved": tally["UNKNOWN"],
+    }
     try:
         case = semantic_case(requirements.prompt, attach_families(requirements.graph, rows))
         total = protocol_detailed(case)
     except BadInput as error:
-        return Verdict(verifier="detailed", status="not_evaluated", policy=SEMANTIC_CASE_POLICY,
-                       measurements=measurements, population=population, reason=error.line())
+        return Verdict(
+            verifier="detailed",
+            status="not_evaluated",
+            policy=SEMANTIC_CASE_POLICY,
+            measurements=measurements,
+            population=population,
+            reason=error.line(),
+        )
     if total is None or total["score"] is None:
-        return Verdict(verifier="detailed", status="not_evaluated", policy=SEMANTIC_CASE_POLICY,
-                       measurements=measurements, population=population, reason="the bundle has no requirement")
-    measurements |= {"semantic_requirement_aggregation": case["requirements"], "families": total["families"],
-                     "known_coverage": total["known_coverage"]}
-    return Verdict(verifier="detailed", status="measured", score=total["score"], policy=SEMANTIC_CASE_POLICY,
-                   measurements=measurements, population=population | {"active": case["active_requirement_count"]})
+        return Verdict(
+            verifier="detailed",
+            status="not_evaluated",
+            policy=SEMANTIC_CASE_POLICY,
+            measurements=measurements,
+            population=population,
+            reason="the bundle has no requirement",
+        )
+    measurements |= {
+        "semantic_requirement_aggregation": case["requirements"],
+        "families": total["families"],
+        "known_coverage": total["known_coverage"],
+    }
+    return Verdict(
+        verifier="detailed",
+        status="measured",
+        score=total["score"],
+        policy=SEMANTIC_CASE_POLICY,
+        measurements=measurements,
+        population=population | {"active": case["active_requirement_count"]},
+    )

@@ -25,8 +25,11 @@ def edited_actors(snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any]
     none: what was edited is then not known.
     """
     before = _by_identity(input_snapshot, "input snapshot")
-    return [index for index, (key, actor) in enumerate(_by_identity(snapshot, CANDIDATE).items())
-            if key not in before or _edited(before[key], actor)]
+    return [
+        index
+        for index, (key, actor) in enumerate(_by_identity(snapshot, CANDIDATE).items())
+        if key not in before or _edited(before[key], actor)
+    ]
 
 
 def _by_identity(snapshot: Mapping[str, Any], where: str) -> dict[str, Record]:
@@ -37,20 +40,25 @@ def _by_identity(snapshot: Mapping[str, Any], where: str) -> dict[str, Record]:
         except BadInput as error:
             raise BadInput(error.what, where=where, todo=error.todo) from None
         if key in found:
-            raise BadInput(f"two actors have the identity {key}", where=where,
-                           todo="identities must be unique in a scene")
+            raise BadInput(
+                f"two actors have the identity {key}", where=where, todo="identities must be unique in a scene"
+            )
         found[key] = actor
     return found
 
 
 def _edited(old: Record, new: Record) -> bool:
-    if any(field in old and (old[field] or None) != (new.get(field) or None) for field in _OWN_FIELDS) \
-            or ("actor_tags" in old and _tags(old) != _tags(new)) \
-            or transform_differences(old, new, as_quaternion=False):
+    if (
+        any(field in old and (old[field] or None) != (new.get(field) or None) for field in _OWN_FIELDS)
+        or ("actor_tags" in old and _tags(old) != _tags(new))
+        or transform_differences(old, new, as_quaternion=False)
+    ):
         return True
     changed = property_differences(old, new, target=False)
-    return bool(changed) and (changed != ["property.properties"] or bool(
-        property_differences({"properties": old["properties"]}, new, target=True)))
+    return bool(changed) and (
+        changed != ["property.properties"]
+        or bool(property_differences({"properties": old["properties"]}, new, target=True))
+    )
 
 
 def _tags(actor: Record) -> list[str]:

@@ -21,9 +21,16 @@ from c4s.verify.repair.kinds import is_semantic, short_class
 from c4s.verify.snapshot_schema import scene_fault
 from c4s.verify.verdict import Verdict
 
-ReasonCode: TypeAlias = Literal["unloadable", "snapshot_schema", "minimum_actors", "unresolved_dependencies",
-                                "manifest_disagreement", "scorer_manifest", "evidence_missing",
-                                "export_failed"]
+ReasonCode: TypeAlias = Literal[
+    "unloadable",
+    "snapshot_schema",
+    "minimum_actors",
+    "unresolved_dependencies",
+    "manifest_disagreement",
+    "scorer_manifest",
+    "evidence_missing",
+    "export_failed",
+]
 _EVALUATOR_FAULTS = frozenset({"scorer_manifest", "evidence_missing", "export_failed"})
 _ENGINE_OWNED = frozenset({"worldsettings", "brush", "defaultphysicsvolume", "levelbounds"})
 _LISTED = 20
@@ -46,8 +53,10 @@ def content_actors(snapshot: Mapping[str, Any]) -> int:
     All actors of the snapshot but capture helpers (cameras, scene captures) and the few that a level always has
     (world settings, builder brush, default physics volume, level bounds). Lights, volumes and player starts count.
     """
-    return sum(is_semantic(actor) and short_class(actor.get("class")).casefold() not in _ENGINE_OWNED
-               for actor in snapshot["actors"])
+    return sum(
+        is_semantic(actor) and short_class(actor.get("class")).casefold() not in _ENGINE_OWNED
+        for actor in snapshot["actors"]
+    )
 
 
 def _schema_fault(snapshot: Any) -> str:
@@ -77,8 +86,9 @@ def unresolved_packages(dependencies: Mapping[str, Any], tolerated: Iterable[str
     """
     known = {_package(name).casefold() for name in tolerated}
     names = {_package(entry) for entry in dependencies.get("unresolved") or ()}
-    return sorted(name for name in names if name and name.casefold() not in known
-                  and not name.casefold().startswith(ENGINE_ROOTS))
+    return sorted(
+        name for name in names if name and name.casefold() not in known and not name.casefold().startswith(ENGINE_ROOTS)
+    )
 
 
 def _disagreement(side: str, digests: Mapping[str, str], frozen: Mapping[str, str]) -> str:
@@ -86,16 +96,26 @@ def _disagreement(side: str, digests: Mapping[str, str], frozen: Mapping[str, st
     for pack in sorted({**frozen, **digests}):
         wanted, found = frozen.get(pack), digests.get(pack)
         if wanted is None or found is None or wanted.lower() != found.lower():
-            said = ("is missing" if found is None else "is not part of the case" if wanted is None
-                    else f"has digest {found[:12]}, not {wanted[:12]}")
+            said = (
+                "is missing"
+                if found is None
+                else "is not part of the case"
+                if wanted is None
+                else f"has digest {found[:12]}, not {wanted[:12]}"
+            )
             return f"pack {pack} of the {side} {said}"
     return ""
 
 
 def _failed(code: ReasonCode, text: str, measurements: dict[str, Any], inputs: Mapping[str, str]) -> Verdict:
-    return Verdict(verifier="integrity", status="error" if code in _EVALUATOR_FAULTS else "invalid",
-                   policy=INTEGRITY_POLICY, measurements=measurements | {"reason_code": code}, inputs=dict(inputs),
-                   reason=f"{code}: {text}")
+    return Verdict(
+        verifier="integrity",
+        status="error" if code in _EVALUATOR_FAULTS else "invalid",
+        policy=INTEGRITY_POLICY,
+        measurements=measurements | {"reason_code": code},
+        inputs=dict(inputs),
+        reason=f"{code}: {text}",
+    )
 
 
 def unloadable(reason: str, inputs: Mapping[str, str] | None = None) -> Verdict:
@@ -103,9 +123,15 @@ def unloadable(reason: str, inputs: Mapping[str, str] | None = None) -> Verdict:
     return _failed("unloadable", reason, {}, inputs or {})
 
 
-def verify_integrity(snapshot: Any, dependencies: Mapping[str, Any] | None, minimum_actors: int,
-                     manifest: ManifestDigests, *, tolerated: Iterable[str] = (),
-                     inputs: Mapping[str, str] | None = None) -> Verdict:
+def verify_integrity(
+    snapshot: Any,
+    dependencies: Mapping[str, Any] | None,
+    minimum_actors: int,
+    manifest: ManifestDigests,
+    *,
+    tolerated: Iterable[str] = (),
+    inputs: Mapping[str, str] | None = None,
+) -> Verdict:
     """Run the three checks, the scorer's own content first; the first that fails gives the reason.
 
     Args:
@@ -132,8 +158,11 @@ def verify_integrity(snapshot: Any, dependencies: Mapping[str, Any] | None, mini
     if fault:
         return _failed("snapshot_schema", fault, {}, read)
     found = content_actors(snapshot)
-    measurements: dict[str, Any] = {"actors": len(snapshot["actors"]), "content_actors": found,
-                                    "minimum_actors": minimum_actors}
+    measurements: dict[str, Any] = {
+        "actors": len(snapshot["actors"]),
+        "content_actors": found,
+        "minimum_actors": minimum_actors,
+    }
     if found < minimum_actors:
         return _failed("minimum_actors", f"{found} of at least {minimum_actors} actors", measurements, read)
     if dependencies is None:
@@ -142,10 +171,17 @@ def verify_integrity(snapshot: Any, dependencies: Mapping[str, Any] | None, mini
     measurements |= {"packages": len(dependencies.get("packages") or ()), "tolerated": sorted(tolerated)}
     if missing:
         more = "" if len(missing) <= _LISTED else f" and {len(missing) - _LISTED} more"
-        return _failed("unresolved_dependencies", ", ".join(missing[:_LISTED]) + more,
-                       measurements | {"unresolved": missing}, read)
+        return _failed(
+            "unresolved_dependencies", ", ".join(missing[:_LISTED]) + more, measurements | {"unresolved": missing}, read
+        )
     disagreement = _disagreement("submission", manifest.submission, manifest.frozen)
     if disagreement:
         return _failed("manifest_disagreement", disagreement, measurements, read)
-    return Verdict(verifier="integrity", status="valid", policy=INTEGRITY_POLICY, measurements=measurements,
-                   population={"actors": len(snapshot["actors"]), "content_actors": found}, inputs=dict(read))
+    return Verdict(
+        verifier="integrity",
+        status="valid",
+        policy=INTEGRITY_POLICY,
+        measurements=measurements,
+        population={"actors": len(snapshot["actors"]), "content_actors": found},
+        inputs=dict(read),
+    )

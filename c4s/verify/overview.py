@@ -16,8 +16,12 @@ from c4s.score.policy import OVERVIEW_RULE_POLICY, OVERVIEW_VIEWS
 from c4s.verify.verdict import Verdict
 
 
-def verify_overview(bundle_or_prompt: Mapping[str, Any] | str, snapshot: Mapping[str, Any],
-                    catalog: Mapping[str, Facts], captures: Mapping[str, Any] | None = None) -> Verdict:
+def verify_overview(
+    bundle_or_prompt: Mapping[str, Any] | str,
+    snapshot: Mapping[str, Any],
+    catalog: Mapping[str, Facts],
+    captures: Mapping[str, Any] | None = None,
+) -> Verdict:
     """Score the four prompt dimensions and structural integrity from state and actor masks.
 
     Args:
@@ -28,14 +32,20 @@ def verify_overview(bundle_or_prompt: Mapping[str, Any] | str, snapshot: Mapping
 
     A rule judge sees no severe visual defect, so the cap for one never applies.
     """
-    requirements = Requirements(bundle_or_prompt, {}, {}, (), {}) if isinstance(bundle_or_prompt, str) \
+    requirements = (
+        Requirements(bundle_or_prompt, {}, {}, (), {})
+        if isinstance(bundle_or_prompt, str)
         else read_requirements(bundle_or_prompt)
+    )
     views = read_views(captures)
     if views is None or views.count != OVERVIEW_VIEWS:
-        return Verdict(verifier="overview", status="not_evaluated", policy=OVERVIEW_RULE_POLICY,
-                       measurements={"judge": "rule"},
-                       reason=f"needs {OVERVIEW_VIEWS} overview views with actor masks, "
-                              f"has {views.count if views else 0}")
+        return Verdict(
+            verifier="overview",
+            status="not_evaluated",
+            policy=OVERVIEW_RULE_POLICY,
+            measurements={"judge": "rule"},
+            reason=f"needs {OVERVIEW_VIEWS} overview views with actor masks, has {views.count if views else 0}",
+        )
     judge = RuleJudge(requirements, snapshot, catalog)
     parts = dimensions(judge, views)
     scores = {name: mean(part.value for part in rows) for name, rows in parts.items()}
@@ -43,13 +53,23 @@ def verify_overview(bundle_or_prompt: Mapping[str, Any] | str, snapshot: Mapping
     total = overview_score(scores, structure.value, False)
     unknown = [f"{name}.{part.name}" for name, rows in parts.items() for part in rows if not part.known]
     return Verdict(
-        verifier="overview", status="measured", score=total["score"], policy=OVERVIEW_RULE_POLICY,
-        measurements={"judge": "rule", **{key: value for key, value in total.items() if key not in ("status", "score")},
-                      "dimensions": {name: {"score": scores[name], "parts": [_part(part) for part in rows]}
-                                     for name, rows in parts.items()},
-                      "structural_integrity_score": structure.value, "structural_parts": [_part(structure)],
-                      "severe_structural_cap_eligible": False, "unknown": unknown},
-        population={"things": len(judge.things), "views": views.count, "unresolved": len(unknown)})
+        verifier="overview",
+        status="measured",
+        score=total["score"],
+        policy=OVERVIEW_RULE_POLICY,
+        measurements={
+            "judge": "rule",
+            **{key: value for key, value in total.items() if key not in ("status", "score")},
+            "dimensions": {
+                name: {"score": scores[name], "parts": [_part(part) for part in rows]} for name, rows in parts.items()
+            },
+            "structural_integrity_score": structure.value,
+            "structural_parts": [_part(structure)],
+            "severe_structural_cap_eligible": False,
+            "unknown": unknown,
+        },
+        population={"things": len(judge.things), "views": views.count, "unresolved": len(unknown)},
+    )
 
 
 def _part(part: Part) -> dict[str, Any]:

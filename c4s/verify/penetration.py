@@ -53,16 +53,21 @@ def adaptive_tolerance_cm(extent: Sequence[float]) -> float:
     return min(max(FIXED_TOLERANCE_CM, TOLERANCE_SHARE * shortest), MAXIMUM_TOLERANCE_CM)
 
 
-def tolerances_cm(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], scored: Iterable[int], *,
-                  adaptive: bool) -> dict[int, float]:
+def tolerances_cm(
+    actors: Sequence[Mapping[str, Any]], role: Sequence[Role], scored: Iterable[int], *, adaptive: bool
+) -> dict[int, float]:
     """Tolerance of each scored solid with a valid box: by size (text-to-scene), or 5 cm for all."""
     boxes = {i: bounds_of(actors[i]) for i in scored if role[i] == "scored_solid"}
-    return {i: adaptive_tolerance_cm(box[1].tolist()) if adaptive else FIXED_TOLERANCE_CM
-            for i, box in boxes.items() if box is not None}
+    return {
+        i: adaptive_tolerance_cm(box[1].tolist()) if adaptive else FIXED_TOLERANCE_CM
+        for i, box in boxes.items()
+        if box is not None
+    }
 
 
-def contact_rule(actors: Sequence[Mapping[str, Any]], role: Sequence[Role],
-                 tolerances: Mapping[int, float]) -> ContactRule:
+def contact_rule(
+    actors: Sequence[Mapping[str, Any]], role: Sequence[Role], tolerances: Mapping[int, float]
+) -> ContactRule:
     """Contacts that can count: between solids of different logical objects, judged by the tolerances (cm)."""
     rule = ContactRule.everything(len(actors))
     logical: dict[str, int] = {}
@@ -75,9 +80,16 @@ def contact_rule(actors: Sequence[Mapping[str, Any]], role: Sequence[Role],
     return rule
 
 
-def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found: Iterable[Contact],
-                scene: SceneBodies, *, scored: Iterable[int], tolerances: Mapping[int, float],
-                noise_cm: float = 0.0) -> Penetration:
+def penetration(
+    actors: Sequence[Mapping[str, Any]],
+    role: Sequence[Role],
+    found: Iterable[Contact],
+    scene: SceneBodies,
+    *,
+    scored: Iterable[int],
+    tolerances: Mapping[int, float],
+    noise_cm: float = 0.0,
+) -> Penetration:
     """Judge the scored solids among ``scored``.
 
     Args:
@@ -100,8 +112,14 @@ def penetration(actors: Sequence[Mapping[str, Any]], role: Sequence[Role], found
         for mine, other in ((a, b), (b, a)):
             if mine in touching:
                 touching[mine].append((other, contact.depth_cm, contact.trusted))
-    result = Penetration([], [], {i: "no valid world box" for i in scored if role[i] == "unresolved"},
-                         dict(tolerances), touching, noise_cm)
+    result = Penetration(
+        [],
+        [],
+        {i: "no valid world box" for i in scored if role[i] == "unresolved"},
+        dict(tolerances),
+        touching,
+        noise_cm,
+    )
     held: list[int] = []
     for index in targets:
         touching[index].sort(key=lambda contact: (math.isnan(contact[1]), -contact[1], not contact[2]))
@@ -136,5 +154,8 @@ def _near_unknown(targets: Sequence[int], boxes: Mapping[int, Any], unknown: Seq
     origins = np.array([boxes[i][0] for i in unknown])
     extents = np.array([boxes[i][1] for i in unknown])
     own = np.array(unknown)
-    return {i for i in targets
-            if bool(((np.abs(origins - boxes[i][0]) <= extents + boxes[i][1]).all(axis=1) & (own != i)).any())}
+    return {
+        i
+        for i in targets
+        if bool(((np.abs(origins - boxes[i][0]) <= extents + boxes[i][1]).all(axis=1) & (own != i)).any())
+    }

@@ -15,31 +15,52 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from c4s.score.policy import (
-    GROUND_SPAN_CM,
-    PROXY_HUGE_CM,
-    PROXY_ORIGINS,
-    PROXY_RATIO,
-    PROXY_SHARE,
-    PROXY_SPAN_CM,
-)
+from c4s.score.policy import GROUND_SPAN_CM, PROXY_HUGE_CM, PROXY_ORIGINS, PROXY_RATIO, PROXY_SHARE, PROXY_SPAN_CM
 from c4s.verify.support import measured_vector
 
 Role = Literal["non_solid", "unresolved", "support_surface", "environment_proxy", "scored_solid"]
 
 EFFECT_WORDS = frozenset({"emitter", "fire", "flame", "fxsystem", "niagara", "particle", "particles", "vfx"})
 """As a whole word in any of an actor's strings, folders and materials included."""
-CLASS_WORDS = EFFECT_WORDS | {"atmosphere", "camera", "fog", "light", "navmesh", "postprocess", "reflection", "sky",
-                              "volume"}
+CLASS_WORDS = EFFECT_WORDS | {
+    "atmosphere",
+    "camera",
+    "fog",
+    "light",
+    "navmesh",
+    "postprocess",
+    "reflection",
+    "sky",
+    "volume",
+}
 """As a whole word in the class of an actor or of one of its components."""
-GROUND_WORDS = frozenset({"baseplate", "cobblestone", "floor", "ground", "landscape", "pavement", "plaza", "road",
-                          "sidewalk", "street", "terrain"})
+GROUND_WORDS = frozenset(
+    {
+        "baseplate",
+        "cobblestone",
+        "floor",
+        "ground",
+        "landscape",
+        "pavement",
+        "plaza",
+        "road",
+        "sidewalk",
+        "street",
+        "terrain",
+    }
+)
 WATER = re.compile(r"(?<![a-z])(?:water(?:body|surface|plane)?\d*|ocean|sea|lake|river|canal|pond|pool)(?![a-z])", re.I)
-ROUGH = re.compile(r"(?<![a-z0-9])(?:landscape|terrain|mountain|cliff|cave|island|bedrock|rockface|rock_?formation)"
-                   r"(?![a-z0-9])", re.I)
+ROUGH = re.compile(
+    r"(?<![a-z0-9])(?:landscape|terrain|mountain|cliff|cave|island|bedrock|rockface|rock_?formation)"
+    r"(?![a-z0-9])",
+    re.I,
+)
 """Ground whose box says nothing about its surface: a support surface of any shape."""
-BACKDROP = re.compile(r"(?<![a-z0-9])(?:background|bedrock|cliff|hill|landscape|mountain|rockface|rock_?formation"
-                      r"|terrain)(?![a-z0-9])", re.I)
+BACKDROP = re.compile(
+    r"(?<![a-z0-9])(?:background|bedrock|cliff|hill|landscape|mountain|rockface|rock_?formation"
+    r"|terrain)(?![a-z0-9])",
+    re.I,
+)
 BASIC_SHAPE = re.compile(r"(?:^|/)engine/basicshapes/(?:cone|cube|cylinder|plane|sphere)(?:[./]|$)", re.I)
 
 Boxes = NDArray[np.float64]
@@ -76,8 +97,12 @@ def _component_classes(actor: Mapping[str, Any]) -> list[Any]:
 
 
 def _titles(actor: Mapping[str, Any]) -> list[Any]:
-    return [actor.get("label"), actor.get("asset_category"), actor.get("semantic_category"),
-            *_many(actor, "actor_tags")]
+    return [
+        actor.get("label"),
+        actor.get("asset_category"),
+        actor.get("semantic_category"),
+        *_many(actor, "actor_tags"),
+    ]
 
 
 def _paths(actor: Mapping[str, Any]) -> list[Any]:
@@ -102,13 +127,13 @@ def bounds_of(actor: Mapping[str, Any]) -> tuple[Boxes, Boxes] | None:
 def _no_body(actor: Mapping[str, Any]) -> bool:
     """Collision off, an effect, a group, or a class of light, sky, camera or volume."""
     collision = actor.get("collision")
-    if any(actor.get(field) is False for field in ("collision_enabled", "has_collision", "collidable")) \
-            or (isinstance(collision, Mapping) and collision.get("collision_enabled") is False):
+    if any(actor.get(field) is False for field in ("collision_enabled", "has_collision", "collidable")) or (
+        isinstance(collision, Mapping) and collision.get("collision_enabled") is False
+    ):
         return True
     classes = _texts([actor.get("class"), *_component_classes(actor)])
     texts = _texts([*_titles(actor), *_paths(actor), *_many(actor, "material_paths")]) + classes
-    return (any(map(_names_effect_or_group, texts))
-            or any(not CLASS_WORDS.isdisjoint(words(name)) for name in classes))
+    return any(map(_names_effect_or_group, texts)) or any(not CLASS_WORDS.isdisjoint(words(name)) for name in classes)
 
 
 @lru_cache(maxsize=1 << 16)
@@ -119,8 +144,9 @@ def _names_effect_or_group(text: str) -> bool:
 def _is_water(actor: Mapping[str, Any], box: tuple[Boxes, Boxes] | None) -> bool:
     """Named like water; by its materials and components only where it is thin enough to be the surface itself."""
     named = _texts([*_titles(actor), actor.get("class"), actor.get("asset_path")])
-    parts = _texts([*_many(actor, "material_paths"), *_many(actor, "component_asset_paths"),
-                    *_component_classes(actor)])
+    parts = _texts(
+        [*_many(actor, "material_paths"), *_many(actor, "component_asset_paths"), *_component_classes(actor)]
+    )
     thin = box is not None and float(box[1][2]) <= GROUND_SPAN_CM / 2
     return any(map(WATER.search, named)) or (thin and any(map(WATER.search, parts)))
 
@@ -143,8 +169,11 @@ def is_ground(actor: Mapping[str, Any], extent: Boxes) -> bool:
     if any(map(ROUGH.search, names)):
         return True
     role, materials = actor.get("actor_role"), _texts(map(_leaf, _many(actor, "material_paths")))
-    told = _variants(names) | set(words(str(role or ""))) | {word.rstrip("0123456789") for text in materials
-                                                        for word in words(text)}
+    told = (
+        _variants(names)
+        | set(words(str(role or "")))
+        | {word.rstrip("0123456789") for text in materials for word in words(text)}
+    )
     return not GROUND_WORDS.isdisjoint(told) and _broad_and_thin(extent)
 
 
@@ -160,8 +189,11 @@ def needs_no_support(actor: Mapping[str, Any]) -> bool:
     if box is None:
         return False
     extent = box[1]
-    if float(extent[2]) <= GROUND_SPAN_CM / 2 and 2 * float(extent[:2].min()) >= GROUND_SPAN_CM \
-            and _is_water(actor, box):
+    if (
+        float(extent[2]) <= GROUND_SPAN_CM / 2
+        and 2 * float(extent[:2].min()) >= GROUND_SPAN_CM
+        and _is_water(actor, box)
+    ):
         return True
     told = _variants(_texts([*_titles(actor), _leaf(actor.get("class")), *map(_leaf, _paths(actor))]))
     if GROUND_WORDS.isdisjoint(told) and any(map(BASIC_SHAPE.search, _texts([actor.get("class"), *_paths(actor)]))):
@@ -194,8 +226,9 @@ def roles(actors: Sequence[Mapping[str, Any]]) -> list[Role]:
     return result
 
 
-def _proxies(actors: Sequence[Mapping[str, Any]], solids: Mapping[int, tuple[Boxes, Boxes] | None],
-             candidates: Sequence[int]) -> Iterable[int]:
+def _proxies(
+    actors: Sequence[Mapping[str, Any]], solids: Mapping[int, tuple[Boxes, Boxes] | None], candidates: Sequence[int]
+) -> Iterable[int]:
     """Solids that are a scene's shell: far larger than the rest, backdrop-like, and around many others."""
     boxes = {index: box for index, box in solids.items() if box is not None}
     if not boxes:
@@ -210,6 +243,7 @@ def _proxies(actors: Sequence[Mapping[str, Any]], solids: Mapping[int, tuple[Box
             continue
         inside = int(((origins >= origin - extent) & (origins <= origin + extent)).all(axis=1).sum()) - 1
         paths = [path.replace("\\", "/") for path in _texts(_paths(actors[index]))]
-        if inside >= needed and (any(map(BACKDROP.search, own_names(actors[index])))
-                                 or any(map(BASIC_SHAPE.search, paths))):
+        if inside >= needed and (
+            any(map(BACKDROP.search, own_names(actors[index]))) or any(map(BASIC_SHAPE.search, paths))
+        ):
             yield index

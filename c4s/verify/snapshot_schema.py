@@ -17,8 +17,11 @@ def _text(value: Any) -> bool:
 
 def _triplet(value: Any) -> bool:
     try:
-        return isinstance(value, list) and len(value) == 3 and all(
-            isinstance(v, (int, float)) and not isinstance(v, bool) and math.isfinite(v) for v in value)
+        return (
+            isinstance(value, list)
+            and len(value) == 3
+            and all(isinstance(v, (int, float)) and not isinstance(v, bool) and math.isfinite(v) for v in value)
+        )
     except OverflowError:
         return False
 
@@ -57,8 +60,9 @@ def scene_fault(snapshot: Any) -> str:
     if not isinstance(actors, list):
         return "there is no list of actors"
     declared = snapshot.get("actor_count")
-    if declared is not None and (isinstance(declared, bool) or not isinstance(declared, int)
-                                 or declared != len(actors)):
+    if declared is not None and (
+        isinstance(declared, bool) or not isinstance(declared, int) or declared != len(actors)
+    ):
         return f"actor_count is {declared!r} but there are {len(actors)} actors"
     return next((fault for number, actor in enumerate(actors) if (fault := _actor_fault(number, actor))), "")
 

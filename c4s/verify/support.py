@@ -24,13 +24,46 @@ from c4s.collision.scene import SceneBodies
 from c4s.collision.shapes import Array, Body, box_body
 from c4s.score.policy import GAP_CM, TINY_CM
 
-EXCLUDED_CLASSES = frozenset({
-    "directionallight", "skylight", "skyatmosphere", "exponentialheightfog", "worldsettings", "playerstart",
-    "cameraactor", "reflectioncapture", "brush", "navmeshboundingvolume", "postprocessvolume"})
+EXCLUDED_CLASSES = frozenset(
+    {
+        "directionallight",
+        "skylight",
+        "skyatmosphere",
+        "exponentialheightfog",
+        "worldsettings",
+        "playerstart",
+        "cameraactor",
+        "reflectioncapture",
+        "brush",
+        "navmeshboundingvolume",
+        "postprocessvolume",
+    }
+)
 EXCLUDED_PREFIXES = (
-    "floor", "sky", "light", "atmo", "fog", "post", "sphere", "world", "brush", "default", "player", "gamemode", "nav",
-    "levelbounds", "landscape", "volume", "note", "camera", "directional", "exponential", "exprunner", "arena_env",
-    "ground_plane")
+    "floor",
+    "sky",
+    "light",
+    "atmo",
+    "fog",
+    "post",
+    "sphere",
+    "world",
+    "brush",
+    "default",
+    "player",
+    "gamemode",
+    "nav",
+    "levelbounds",
+    "landscape",
+    "volume",
+    "note",
+    "camera",
+    "directional",
+    "exponential",
+    "exprunner",
+    "arena_env",
+    "ground_plane",
+)
 
 State = Literal["excluded", "supported", "floating"]
 EditedState = Literal["supported", "floating", "unresolved"]
@@ -72,8 +105,11 @@ def measured_vector(record: Any, field: str) -> tuple[float, float, float]:
         if type(x) is type(y) is type(z) is float and math.isfinite(x) and math.isfinite(y) and math.isfinite(z):
             return x, y, z
     try:
-        if isinstance(values, (list, tuple)) and len(values) == 3 and all(
-                isinstance(v, int | float) and math.isfinite(v) for v in values):
+        if (
+            isinstance(values, (list, tuple))
+            and len(values) == 3
+            and all(isinstance(v, int | float) and math.isfinite(v) for v in values)
+        ):
             return float(values[0]), float(values[1]), float(values[2])
     except OverflowError:
         raise ValueError(f"{field} holds a number that is too large") from None
@@ -140,7 +176,7 @@ def _standing(table: Array) -> list[bool]:
     for i in np.flatnonzero(bottom > GAP_CM).tolist():
         slack = 1e-9 * (abs(bottom[i]) + GAP_CM)
         first = np.searchsorted(tops, bottom[i] - GAP_CM - slack)
-        near = order[first:np.searchsorted(tops, bottom[i] + slack, side="right")]
+        near = order[first : np.searchsorted(tops, bottom[i] + slack, side="right")]
         gap = bottom[i] - top[near]
         reach = np.abs(table[near, :2] - table[i, 6:8]) < 0.5 * half[i] + half[near]
         holds = (gap >= 0) & (gap <= GAP_CM) & reach.all(axis=1) & (near != i)
@@ -156,9 +192,13 @@ OVERLAP_CM = TOUCH_CM / 2
 """Two bodies meet where they overlap by more than this."""
 
 
-def edited_support(scene: SceneBodies, edited: Sequence[int], solid: Collection[int],
-                   unknown_boxes: Sequence[tuple[Array, Array]],
-                   boxes: Mapping[int, tuple[Array, Array]]) -> dict[int, EditedState]:
+def edited_support(
+    scene: SceneBodies,
+    edited: Sequence[int],
+    solid: Collection[int],
+    unknown_boxes: Sequence[tuple[Array, Array]],
+    boxes: Mapping[int, tuple[Array, Array]],
+) -> dict[int, EditedState]:
     """The image-to-scene rule: state of each edited actor (an index).
 
     Args:
@@ -175,8 +215,11 @@ def edited_support(scene: SceneBodies, edited: Sequence[int], solid: Collection[
         own.setdefault(owner, []).append(body)
     bodies, owners = [scene.bodies[i] for i in holders], [scene.owners[i] for i in holders]
     tree = shapely.STRtree([shapely.box(*body.low[:2], *body.high[:2]) for body in bodies])
-    tested = {index: own.get(index) or ([box_body(*boxes[index])] if index in boxes else [])
-              for index in edited if index not in scene.unresolved}
+    tested = {
+        index: own.get(index) or ([box_body(*boxes[index])] if index in boxes else [])
+        for index in edited
+        if index not in scene.unresolved
+    }
     standing = _standing_on(tested, bodies, owners, tree)
     meter = DepthMeter()
     states: dict[int, EditedState] = {}
@@ -187,14 +230,18 @@ def edited_support(scene: SceneBodies, edited: Sequence[int], solid: Collection[
         elif index in standing or any(_held(body, bodies, owners, index, tree, meter) for body in mine):
             states[index] = "supported"
         else:
-            blocked = any(bool(np.all(body.low - GAP_CM <= high) and np.all(body.high + GAP_CM >= low))
-                          for body in mine for low, high in unknown_boxes)
+            blocked = any(
+                bool(np.all(body.low - GAP_CM <= high) and np.all(body.high + GAP_CM >= low))
+                for body in mine
+                for low, high in unknown_boxes
+            )
             states[index] = "unresolved" if blocked else "floating"
     return states
 
 
-def _standing_on(tested: Mapping[int, Sequence[Body]], others: Sequence[Body], owners: Sequence[int],
-                 tree: shapely.STRtree) -> set[int]:
+def _standing_on(
+    tested: Mapping[int, Sequence[Body]], others: Sequence[Body], owners: Sequence[int], tree: shapely.STRtree
+) -> set[int]:
     """Actors with a body that overlaps another actor's after the whole way down: nearly all of a sound scene."""
     down = DIRECTIONS[0] * (GAP_CM + TOUCH_CM)
     moved = [(index, body.moved(down)) for index, bodies in tested.items() for body in bodies]
@@ -220,8 +267,9 @@ def _standing_on(tested: Mapping[int, Sequence[Body]], others: Sequence[Body], o
     return held
 
 
-def _held(body: Body, others: Sequence[Body], owners: Sequence[int], owner: int, tree: shapely.STRtree,
-          meter: DepthMeter) -> bool:
+def _held(
+    body: Body, others: Sequence[Body], owners: Sequence[int], owner: int, tree: shapely.STRtree, meter: DepthMeter
+) -> bool:
     """Whether a body meets a body of another actor on a way of 5 cm down or sideways."""
     margin = GAP_CM + TOUCH_CM
     plan = shapely.box(*(body.low[:2] - margin), *(body.high[:2] + margin))
@@ -230,8 +278,9 @@ def _held(body: Body, others: Sequence[Body], owners: Sequence[int], owner: int,
         return False
     ways = DIRECTIONS * margin
     low, high = body.low + np.minimum(ways, 0.0), body.high + np.maximum(ways, 0.0)
-    push_out = np.minimum(high - np.array([other.low for other in near])[:, None],
-                          np.array([other.high for other in near])[:, None] - low).min(axis=2)
+    push_out = np.minimum(
+        high - np.array([other.low for other in near])[:, None], np.array([other.high for other in near])[:, None] - low
+    ).min(axis=2)
     meeting = np.argwhere(push_out > OVERLAP_CM).tolist()
     return any(_meets(body, near[other], ways[way], meter) for other, way in meeting)
 

@@ -22,8 +22,14 @@ def support_row(row: Any) -> dict[str, Any]:
         support = text_to_scene_support(scene)
     except ValueError as error:
         return {"name": name, "error": " ".join(str(error).split())}
-    return {"name": name, "actor_count": support.evaluated, "floating_count": support.floating,
-            "floating_labels": support.floating_labels, "rate": support.rate, "per_actor": support.per_actor}
+    return {
+        "name": name,
+        "actor_count": support.evaluated,
+        "floating_count": support.floating,
+        "floating_labels": support.floating_labels,
+        "rate": support.rate,
+        "per_actor": support.per_actor,
+    }
 
 
 def support_rows(rows: Iterable[Any]) -> Iterator[dict[str, Any]]:

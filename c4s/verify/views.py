@@ -22,8 +22,11 @@ SIZE_PX = {"width": 960, "height": 540}
 
 def _content_boxes(snapshot: Mapping[str, Any]) -> np.ndarray[Any, np.dtype[np.float64]]:
     """Origins and half extents (n, 2, 3) of the actors with a real box that is not a plate or a sky dome."""
-    boxes = [(actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"]) for actor in snapshot["actors"]
-             if actor.get("bounds") and actor.get("component_asset_paths")]
+    boxes = [
+        (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"])
+        for actor in snapshot["actors"]
+        if actor.get("bounds") and actor.get("component_asset_paths")
+    ]
     found = np.asarray(boxes, dtype=float).reshape(-1, 2, 3)
     solid = found[(found[:, 1].max(axis=1) > 1.0) & (found[:, 1, :2].max(axis=1) < 6000.0)]
     standing = solid[solid[:, 1, 2] > 0.03 * solid[:, 1, :2].max(axis=1)]
@@ -49,11 +52,19 @@ def overview_cameras(snapshot: Mapping[str, Any]) -> list[dict[str, Any]]:
     for index in range(VIEWS):
         azimuth = math.radians(45 + 360 / VIEWS * index)
         elevation = math.radians(24 if index % 2 == 0 else 42)
-        eye = centre + distance * np.array([math.cos(azimuth) * math.cos(elevation),
-                                            math.sin(azimuth) * math.cos(elevation), 0.0])
+        eye = centre + distance * np.array(
+            [math.cos(azimuth) * math.cos(elevation), math.sin(azimuth) * math.cos(elevation), 0.0]
+        )
         eye[2] = low[2] + distance * math.sin(elevation)
         while len(boxes) and np.any(np.all(np.abs(boxes[:, 0] - eye) < boxes[:, 1] + CLEARANCE_CM, axis=1)):
             eye[2] += CLEARANCE_CM
-        cameras.append({"name": f"overview-{index + 1}", "location_cm": [float(v) for v in eye],
-                        "target_cm": target, "fov_deg": HORIZONTAL_FOV_DEG, **SIZE_PX})
+        cameras.append(
+            {
+                "name": f"overview-{index + 1}",
+                "location_cm": [float(v) for v in eye],
+                "target_cm": target,
+                "fov_deg": HORIZONTAL_FOV_DEG,
+                **SIZE_PX,
+            }
+        )
     return cameras

@@ -35,36 +35,72 @@ def import_code4scene(folder: Path, out: Path, packs_root: Path, progress: Calla
         if task.setting == "text-to-scene":
             pack, count = _text_case(task, fresh, packs_root, progress)
             packs.append(pack)
-            rows.append({"case_id": task.case_id, "setting": task.setting, "assets": count, "runnable": True,
-                         "note": "proxy assets" if task.bundle else "proxy assets; no requirement bundle, so Detailed "
-                         "Alignment is not evaluated"})
+            rows.append(
+                {
+                    "case_id": task.case_id,
+                    "setting": task.setting,
+                    "assets": count,
+                    "runnable": True,
+                    "note": "proxy assets"
+                    if task.bundle
+                    else "proxy assets; no requirement bundle, so Detailed Alignment is not evaluated",
+                }
+            )
         else:
-            rows.append({"case_id": task.case_id, "setting": task.setting, "assets": None, "runnable": False,
-                         "note": f"needs the levels and content of {', '.join(task.packs) or 'its packs'}"})
+            rows.append(
+                {
+                    "case_id": task.case_id,
+                    "setting": task.setting,
+                    "assets": None,
+                    "runnable": False,
+                    "note": f"needs the levels and content of {', '.join(task.packs) or 'its packs'}",
+                }
+            )
     if not packs:
         shutil.rmtree(fresh.root, ignore_errors=True)
-        raise BadInput("none of these tasks can be run without its content", where=str(folder),
-                       todo="image-to-scene tasks need their Unreal levels")
+        raise BadInput(
+            "none of these tasks can be run without its content",
+            where=str(folder),
+            todo="image-to-scene tasks need their Unreal levels",
+        )
     suite = fresh.freeze(out.name, f"Imported from {folder.name}", "Published tasks with proxy assets", packs)
     shutil.rmtree(out, ignore_errors=True)
     out.parent.mkdir(parents=True, exist_ok=True)
     fresh.root.rename(out)
-    return {"suite": suite.suite_id, "sha256": Suite.read(out / "suite.json").sha256(), "folder": str(out),
-            "runnable": len(packs), "cases": rows}
+    return {
+        "suite": suite.suite_id,
+        "sha256": Suite.read(out / "suite.json").sha256(),
+        "folder": str(out),
+        "runnable": len(packs),
+        "cases": rows,
+    }
 
 
-def _text_case(task: Task, suite: SuiteFolder, packs_root: Path,
-               progress: Callable[[str], None]) -> tuple[PackRef, int]:
+def _text_case(
+    task: Task, suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
+) -> tuple[PackRef, int]:
     entries = palette(task)
     pack = build_proxy_pack(f"proxy-{task.case_id}", f"Proxies for {task.case_id}", entries, packs_root, progress)
     reference = PackRef(pack_id=pack.pack_id, digest=pack.sha256())
     agent, withheld = suite.agent(task.case_id), suite.withheld(task.case_id)
-    AgentCase(case_id=task.case_id, setting=task.setting, title=task.case_id, prompt=task.prompt,
-              start_map=task.start_map, budget=task.budget, packs=[reference],
-              catalog=[entry.path for entry in entries], plate_m=task.plate_m).write(agent / "case.json")
+    AgentCase(
+        case_id=task.case_id,
+        setting=task.setting,
+        title=task.case_id,
+        prompt=task.prompt,
+        start_map=task.start_map,
+        budget=task.budget,
+        packs=[reference],
+        catalog=[entry.path for entry in entries],
+        plate_m=task.plate_m,
+    ).write(agent / "case.json")
     Level(package=task.start_map).write(agent / "start.level.json")
-    WithheldCase(case_id=task.case_id, scene_id=task.packs[0] if task.packs else task.case_id,
-                 minimum_actors=MINIMUM_ACTORS, proxy_assets=True).write(withheld / "case.json")
+    WithheldCase(
+        case_id=task.case_id,
+        scene_id=task.packs[0] if task.packs else task.case_id,
+        minimum_actors=MINIMUM_ACTORS,
+        proxy_assets=True,
+    ).write(withheld / "case.json")
     write_text(withheld / "prompt.txt", task.prompt)
     if task.bundle is not None:
         shutil.copyfile(task.bundle, withheld / "requirements.bundle.json")

@@ -15,8 +15,11 @@ from c4s.errors import BadInput
 from catalog.proxy import PaletteEntry
 
 KINDS = {"scene_generation", "scene_repair"}
-LINE = re.compile(r"^- (?P<id>\S+) \| (?P<name>.+?) \| (?P<category>[^|]+?) \| "
-                  r"(?P<w>[\d.]+)x(?P<d>[\d.]+)x(?P<h>[\d.]+) m \| (?P<path>/\S+)$", re.MULTILINE)
+LINE = re.compile(
+    r"^- (?P<id>\S+) \| (?P<name>.+?) \| (?P<category>[^|]+?) \| "
+    r"(?P<w>[\d.]+)x(?P<d>[\d.]+)x(?P<h>[\d.]+) m \| (?P<path>/\S+)$",
+    re.MULTILINE,
+)
 
 
 @dataclass(frozen=True)
@@ -40,8 +43,11 @@ def find_tasks(folder: Path) -> list[Path]:
         raise BadInput("no such folder", where=str(folder))
     found = sorted(folder.rglob("task.yaml"))
     if not found:
-        raise BadInput("no task.yaml at or below this folder", where=str(folder),
-                       todo="point to a folder in the published task layout")
+        raise BadInput(
+            "no task.yaml at or below this folder",
+            where=str(folder),
+            todo="point to a folder in the published task layout",
+        )
     return found
 
 
@@ -68,11 +74,20 @@ def read_task(path: Path) -> Task:
     bundle = next((path.parent / name for name in bundles if name), None)
     plate = given.number("inputs.size_m") if kind == "scene_generation" else None
     packs = (raw.get("assets") or {}).get("packs") or []
-    return Task(folder=path.parent, case_id=case_id, setting=setting, prompt=given.text("inputs.prompt"),
-                start_map=given.text("inputs.init_map"),
-                budget=Budget(tool_calls=int(given.number("inputs.budget.tool_calls")),
-                              wall_minutes=given.number("inputs.budget.wall_minutes")),
-                plate_m=plate, bundle=bundle if bundle and bundle.is_file() else None, packs=tuple(map(str, packs)))
+    return Task(
+        folder=path.parent,
+        case_id=case_id,
+        setting=setting,
+        prompt=given.text("inputs.prompt"),
+        start_map=given.text("inputs.init_map"),
+        budget=Budget(
+            tool_calls=int(given.number("inputs.budget.tool_calls")),
+            wall_minutes=given.number("inputs.budget.wall_minutes"),
+        ),
+        plate_m=plate,
+        bundle=bundle if bundle and bundle.is_file() else None,
+        packs=tuple(map(str, packs)),
+    )
 
 
 class _Reader:
@@ -106,8 +121,16 @@ def palette(task: Task) -> list[PaletteEntry]:
     """The palette lines of a text-to-scene prompt. ``BadInput`` when there is no palette, or a line cannot be read."""
     _, heading, rest = task.prompt.partition("=== ASSET PALETTE ===")
     section = rest.split("===")[0]
-    entries = [PaletteEntry(id=m["id"], name=m["name"], category=m["category"], path=m["path"],
-                            size_m=(float(m["w"]), float(m["d"]), float(m["h"]))) for m in LINE.finditer(section)]
+    entries = [
+        PaletteEntry(
+            id=m["id"],
+            name=m["name"],
+            category=m["category"],
+            path=m["path"],
+            size_m=(float(m["w"]), float(m["d"]), float(m["h"])),
+        )
+        for m in LINE.finditer(section)
+    ]
     lines = [line for line in section.splitlines() if line.startswith("- ")]
     if not heading or not lines:
         raise BadInput("the prompt has no asset palette", where=str(task.folder / "task.yaml"))

@@ -70,22 +70,41 @@ class _Gltf:
         """The mesh about its node's pivot; a skinned one, which has no place of its own, about the scene's origin."""
         record = self.tree.file.item("meshes", placed.mesh)
         still = Placed(placed.node, placed.path, placed.mesh, np.eye(4), placed.weights, placed.skin)
-        parts = [part_of(placed.path[-1], one.surface, one.points, one.faces, one.normals, one.uvs, one.colors, matrix,
-                         self.axes, self.scale, self.path) for one, matrix in self.tree.triangles(still)]
+        parts = [
+            part_of(
+                placed.path[-1],
+                one.surface,
+                one.points,
+                one.faces,
+                one.normals,
+                one.uvs,
+                one.colors,
+                matrix,
+                self.axes,
+                self.scale,
+                self.path,
+            )
+            for one, matrix in self.tree.triangles(still)
+        ]
         return checked(SceneAsset(str(record.get("name") or placed.path[-1]), parts))
 
     def _light(self, placed: PlacedRecord) -> None:
         name, record = "/".join(placed.path), placed.record
         kinds: dict[str, Literal["point", "spot", "directional"]] = {
-            "point": "point", "spot": "spot", "directional": "directional"}
+            "point": "point",
+            "spot": "spot",
+            "directional": "directional",
+        }
         kind = kinds.get(str(record.get("type")))
         try:
             color = color_of(record.get("color", (1, 1, 1)))
             intensity = float(record.get("intensity", 1))
             reach = float(record.get("range", 0)) * 100 * self.scale or ENDLESS_CM
             cone = record.get("spot", {})
-            angles = (math.degrees(float(cone.get("innerConeAngle", 0))),
-                      math.degrees(float(cone.get("outerConeAngle", math.pi / 4))))
+            angles = (
+                math.degrees(float(cone.get("innerConeAngle", 0))),
+                math.degrees(float(cone.get("outerConeAngle", math.pi / 4))),
+            )
             if kind is None or not math.isfinite(intensity) or not 0 < reach < math.inf:
                 raise ValueError
         except (TypeError, ValueError, AttributeError):
@@ -94,9 +113,18 @@ class _Gltf:
         if kind == "directional" and intensity > SUN_LIMIT:
             self.scene.note(name, f"a sun of {intensity:g} lux is shown with {SUN_LIMIT:g}")
             intensity = SUN_LIMIT
-        self.scene.lights.append(SceneLight(
-            name, kind, self._looking(placed.matrix), color, intensity, min(reach, ENDLESS_CM),
-            units=None if kind == "directional" else "CANDELAS", cone_deg=angles if kind == "spot" else None))
+        self.scene.lights.append(
+            SceneLight(
+                name,
+                kind,
+                self._looking(placed.matrix),
+                color,
+                intensity,
+                min(reach, ENDLESS_CM),
+                units=None if kind == "directional" else "CANDELAS",
+                cone_deg=angles if kind == "spot" else None,
+            )
+        )
 
     def _camera(self, placed: PlacedRecord) -> None:
         name, lens = "/".join(placed.path), placed.record.get("perspective") or {}

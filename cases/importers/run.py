@@ -17,9 +17,17 @@ from cases.importers.table import read_table
 SDF, TREE, TABLE = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",)
 
 
-def import_scene(source: Path, suite_id: str, *, suites: Path, packs: Path, scale: float = 1.0,
-                 without: Sequence[str] = (), replace: Sequence[str] = (),
-                 progress: Callable[[str], None] | None = None) -> dict[str, Any]:
+def import_scene(
+    source: Path,
+    suite_id: str,
+    *,
+    suites: Path,
+    packs: Path,
+    scale: float = 1.0,
+    without: Sequence[str] = (),
+    replace: Sequence[str] = (),
+    progress: Callable[[str], None] | None = None,
+) -> dict[str, Any]:
     """Bring a scene file in as pack ``suite_id`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
     Args:
@@ -54,10 +62,14 @@ def import_scene(source: Path, suite_id: str, *, suites: Path, packs: Path, scal
     elif kind in TABLE:
         scene = read_table(source, scale=scale)
     else:
-        raise BadInput(f"no importer for {kind or 'this file'}", where=str(source),
-                       todo=f"it reads {', '.join(SDF + TREE + TABLE)}")
-    return write_scene(scene, suite_id, source=source, license_folder=folder, suites=suites, packs=packs,
-                       without=without, scale=scale)
+        raise BadInput(
+            f"no importer for {kind or 'this file'}",
+            where=str(source),
+            todo=f"it reads {', '.join(SDF + TREE + TABLE)}",
+        )
+    return write_scene(
+        scene, suite_id, source=source, license_folder=folder, suites=suites, packs=packs, without=without, scale=scale
+    )
 
 
 def _replacements(rows: Sequence[str]) -> dict[str, str]:

@@ -129,12 +129,23 @@ def short_names(names: Iterable[str]) -> dict[str, str]:
     while len(every) > 2 and all(len(parts) > shared + 1 and parts[shared] == split[0][shared] for parts in split):
         shared += 1
     numbered = all(len(parts) > shared + 1 and parts[-1].isdigit() for parts in split)
-    return {name: "_".join(parts[shared:-1] if numbered else parts[shared:])
-            for name, parts in zip(every, split, strict=True)}
+    return {
+        name: "_".join(parts[shared:-1] if numbered else parts[shared:])
+        for name, parts in zip(every, split, strict=True)
+    }
 
 
-def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_folder: Path, suites: Path, packs: Path,
-                without: Sequence[str] = (), scale: float = 1.0) -> dict[str, Any]:
+def write_scene(
+    scene: ImportedScene,
+    suite_id: str,
+    *,
+    source: Path,
+    license_folder: Path,
+    suites: Path,
+    packs: Path,
+    without: Sequence[str] = (),
+    scale: float = 1.0,
+) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
     ``without`` are patterns of actors' paths that are left out (a roof, say); ``scale`` is the factor that was applied,
@@ -153,30 +164,55 @@ def write_scene(scene: ImportedScene, suite_id: str, *, source: Path, license_fo
         paths, shown = {}, short_names(scene.assets[key].name for key in count)
         for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
             asset = scene.assets[key]
-            solid = asset.collision or list(bodies(
-                [(part.node, part.vertices, part.faces) for part in asset.parts], "piece"))
+            solid = asset.collision or list(
+                bodies([(part.node, part.vertices, part.faces) for part in asset.parts], "piece")
+            )
             name = shown[asset.name]
-            record = writer.add(name, asset.parts, solid, category=kind_of(name) or (words(name) or ["props"])[-1],
-                                readable=readable(name), tags=search_words(name),
-                                source="authored" if asset.collision else "hull",
-                                description=f"{readable(name)}; {', '.join(colours_of(asset.parts))}; "
-                                            f"{count[key]} in the scene")
+            record = writer.add(
+                name,
+                asset.parts,
+                solid,
+                category=kind_of(name) or (words(name) or ["props"])[-1],
+                readable=readable(name),
+                tags=search_words(name),
+                source="authored" if asset.collision else "hull",
+                description=f"{readable(name)}; {', '.join(colours_of(asset.parts))}; {count[key]} in the scene",
+            )
             paths[key] = record.path
         sizes = [(asset.name, max(asset.size_m)) for asset in writer.assets]
-        pack = writer.finish(title=f"Meshes of {source.stem}", license_id=licence_id, license_text=text,
-                             description=f"Imported from {source.name}")
-    level = with_identities(Level(package=f"/Game/{pack.content_folder}/Maps/{identifier(suite_id)}",
-                                  actors=[*_actors(scene, kept, paths, suite_id), *_cameras(scene, suite_id),
-                                          *_lights(scene, suite_id)]), suite_id)
+        pack = writer.finish(
+            title=f"Meshes of {source.stem}",
+            license_id=licence_id,
+            license_text=text,
+            description=f"Imported from {source.name}",
+        )
+    level = with_identities(
+        Level(
+            package=f"/Game/{pack.content_folder}/Maps/{identifier(suite_id)}",
+            actors=[*_actors(scene, kept, paths, suite_id), *_cameras(scene, suite_id), *_lights(scene, suite_id)],
+        ),
+        suite_id,
+    )
     folder = suites / suite_id
     level.write(folder / LEVEL_FILE)
     units = check_units(sizes).proposed
     proposed = None if scene.metric or units is None else float(f"{units * scale:.2g}")
-    report = {"suite": suite_id, "level": str(folder / LEVEL_FILE), "package": level.package, "pack": pack.pack_id,
-              "license": pack.license, "actors": len(kept), "lights": len(scene.lights),
-              "cameras": len(scene.cameras), "assets": len(pack.assets),
-              "left_out": len(scene.actors) - len(kept), "skipped": scene.skipped, "notes": scene.notes,
-              "proposed_scale": proposed, "sha256": level.sha256()}
+    report = {
+        "suite": suite_id,
+        "level": str(folder / LEVEL_FILE),
+        "package": level.package,
+        "pack": pack.pack_id,
+        "license": pack.license,
+        "actors": len(kept),
+        "lights": len(scene.lights),
+        "cameras": len(scene.cameras),
+        "assets": len(pack.assets),
+        "left_out": len(scene.actors) - len(kept),
+        "skipped": scene.skipped,
+        "notes": scene.notes,
+        "proposed_scale": proposed,
+        "sha256": level.sha256(),
+    }
     write_json(folder / "import.json", report)
     return report
 
@@ -194,11 +230,24 @@ def _actors(scene: ImportedScene, kept: list[SceneActor], paths: dict[str, str],
             scene.note(actor.path, "its shear is left out")
         name = _unique(identifier(re.sub(r"(?<![A-Za-z0-9])-(?=[0-9])", "minus", actor.path)), names)
         properties = {"mobility": "MOVABLE"} if actor.movable else {}
-        actors.append(LevelActor(
-            name=name, label=name, class_path=STATIC_MESH_ACTOR, guid=guid_of(f"{suite_id}|{name}"),
-            transform=transform, folder=actor.path.rpartition("/")[0], components=[LevelComponent(
-                name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=paths[actor.asset],
-                properties=properties)]))
+        actors.append(
+            LevelActor(
+                name=name,
+                label=name,
+                class_path=STATIC_MESH_ACTOR,
+                guid=guid_of(f"{suite_id}|{name}"),
+                transform=transform,
+                folder=actor.path.rpartition("/")[0],
+                components=[
+                    LevelComponent(
+                        name="StaticMeshComponent0",
+                        class_path=STATIC_MESH_COMPONENT,
+                        static_mesh=paths[actor.asset],
+                        properties=properties,
+                    )
+                ],
+            )
+        )
     return actors
 
 
@@ -207,12 +256,23 @@ def _cameras(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
     actors = []
     for camera in scene.cameras:
         name = _unique(identifier(f"Camera_{camera.path.rpartition('/')[2]}"), names)
-        actors.append(LevelActor(
-            name=name, label=name, class_path="/Script/Engine.CameraActor", guid=guid_of(f"{suite_id}|{name}"),
-            transform=place(camera.matrix)[0], components=[
-                LevelComponent(name="SceneComponent", class_path="/Script/Engine.SceneComponent"),
-                LevelComponent(name="CameraComponent", class_path="/Script/Engine.CameraComponent", properties={
-                    "field_of_view": camera.fov_deg, "aspect_ratio": camera.aspect})]))
+        actors.append(
+            LevelActor(
+                name=name,
+                label=name,
+                class_path="/Script/Engine.CameraActor",
+                guid=guid_of(f"{suite_id}|{name}"),
+                transform=place(camera.matrix)[0],
+                components=[
+                    LevelComponent(name="SceneComponent", class_path="/Script/Engine.SceneComponent"),
+                    LevelComponent(
+                        name="CameraComponent",
+                        class_path="/Script/Engine.CameraComponent",
+                        properties={"field_of_view": camera.fov_deg, "aspect_ratio": camera.aspect},
+                    ),
+                ],
+            )
+        )
     return actors
 
 
@@ -227,8 +287,10 @@ def _lights(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
     actors = []
     for light in lights:
         kind = {"point": "PointLight", "spot": "SpotLight", "directional": "DirectionalLight"}[light.kind]
-        properties: dict[str, Any] = {"intensity": light.intensity,
-                                      "light_color": [*(round(255 * c) for c in light.color), 255]}
+        properties: dict[str, Any] = {
+            "intensity": light.intensity,
+            "light_color": [*(round(255 * c) for c in light.color), 255],
+        }
         if light.kind != "directional":
             properties["attenuation_radius"] = light.radius_cm
         if light.units is not None:
@@ -242,9 +304,16 @@ def _lights(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
 
 def _light(name: str, kind: str, transform: Transform, properties: dict[str, Any], suite_id: str) -> LevelActor:
     component = "SkyLightComponent0" if kind == "SkyLight" else "LightComponent0"
-    return LevelActor(name=name, label=name, class_path=f"/Script/Engine.{kind}", guid=guid_of(f"{suite_id}|{name}"),
-                      transform=transform, components=[LevelComponent(
-                          name=component, class_path=f"/Script/Engine.{kind}Component", properties=properties)])
+    return LevelActor(
+        name=name,
+        label=name,
+        class_path=f"/Script/Engine.{kind}",
+        guid=guid_of(f"{suite_id}|{name}"),
+        transform=transform,
+        components=[
+            LevelComponent(name=component, class_path=f"/Script/Engine.{kind}Component", properties=properties)
+        ],
+    )
 
 
 def _unique(name: str, names: Counter[str]) -> str:

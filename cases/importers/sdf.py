@@ -29,12 +29,17 @@ SUN_INTENSITY = 4.0
 POINT_INTENSITY = 8000.0
 """What a full white SDF light becomes; SDF's lights have no physical unit."""
 KINDS: dict[str, Literal["point", "spot", "directional"]] = {
-    "point": "point", "spot": "spot", "directional": "directional"}
+    "point": "point",
+    "spot": "spot",
+    "directional": "directional",
+}
 PLAIN_LINKS = {"link", "base", "body", "base_link", "root"}
 """Names of links that say nothing: the model's is taken."""
-LEFT_OUT = {"actor": "animated people are not part of a still scene",
-            "population": "a population is placed by chance when it is simulated",
-            "road": "roads drawn by a simulator are not supported"}
+LEFT_OUT = {
+    "actor": "animated people are not part of a still scene",
+    "population": "a population is placed by chance when it is simulated",
+    "road": "roads drawn by a simulator are not supported",
+}
 
 
 def scene_root(world: Path) -> Path:
@@ -64,8 +69,9 @@ class Scope:
         return np.linalg.inv(self.frames.of(link)) @ self.frames.resolve(named)
 
 
-def read_sdf(world: Path, progress: Callable[[str], None] | None = None,
-             replace: Mapping[str, str] | None = None) -> ImportedScene:
+def read_sdf(
+    world: Path, progress: Callable[[str], None] | None = None, replace: Mapping[str, str] | None = None
+) -> ImportedScene:
     """Read an SDF world.
 
     Args:
@@ -102,8 +108,9 @@ class _Reader:
         world = tree.find("world")
         if tree.tag != "sdf" or world is None:
             raise BadInput("this is no SDF world", where=str(self.world))
-        self.state = {model.get("name", ""): model for model in world.iterfind("state/model")
-                      if model.find("pose") is not None}
+        self.state = {
+            model.get("name", ""): model for model in world.iterfind("state/model") if model.find("pose") is not None
+        }
         scope = Scope("", np.eye(4), Frames(world, self.library), 0, False)
         for element in world:
             if element.tag in ("model", "include"):
@@ -151,8 +158,11 @@ class _Reader:
             for light in link.findall("light"):
                 self._light(light, inner.prefix, here @ inner.frames.of(link) @ pose(light))
         if len(nested) == 1 and nested[0].tag == "include" and not links and element.tag == "model":
-            self._model(nested[0], Scope(scope.prefix, here, inner.frames, scope.depth + 1, static),
-                        name.removeprefix(scope.prefix))
+            self._model(
+                nested[0],
+                Scope(scope.prefix, here, inner.frames, scope.depth + 1, static),
+                name.removeprefix(scope.prefix),
+            )
         elif nested:
             self._group(model, inner)
         else:
@@ -170,8 +180,7 @@ class _Reader:
             try:
                 name = _stem(link, [link])
                 name = inner.prefix.rstrip("/").rpartition("/")[2] if name.lower() in PLAIN_LINKS else name
-                self._actor(path, "", name, inner.frame @ inner.frames.of(link), [link], inner,
-                            alone=True)
+                self._actor(path, "", name, inner.frame @ inner.frames.of(link), [link], inner, alone=True)
             except BadInput as error:
                 self.scene.skip(path, error.line())
 
@@ -183,12 +192,21 @@ class _Reader:
         self.scene.note(name, "it stands where the world's saved state has it")
         return pose(saved) @ np.diag([*numbers(saved.findtext("scale"), 3, 1.0), 1.0])
 
-    def _actor(self, path: str, key: str, asset_name: str, matrix: Matrix, links: list[Element], scope: Scope,
-               alone: bool = False) -> None:
+    def _actor(
+        self,
+        path: str,
+        key: str,
+        asset_name: str,
+        matrix: Matrix,
+        links: list[Element],
+        scope: Scope,
+        alone: bool = False,
+    ) -> None:
         """One actor; ``alone``: its matrix holds the pose of its only link already."""
         frames = [np.eye(4) if alone else scope.frames.of(link) for link in links]
-        key = key or digest([[_plain(link), np.round(frame, 6).tolist()]
-                             for link, frame in zip(links, frames, strict=True)])
+        key = key or digest(
+            [[_plain(link), np.round(frame, 6).tolist()] for link, frame in zip(links, frames, strict=True)]
+        )
         if key not in self.scene.assets:
             self.scene.assets[key] = self._asset(path, asset_name, links, frames, scope)
         self.scene.actors.append(SceneActor(path, key, to_unreal(matrix), not scope.static))
@@ -226,18 +244,27 @@ class _Reader:
             strong, matrix = max(r, g, b, 1e-6), to_unreal(frame)
             level = strong * numbers(element.findtext("intensity"), 1, 1.0)[0]
             direction = np.asarray(numbers(element.findtext("direction") or "0 0 -1", 3)) * [1, -1, 1]
-            cone = [round(float(np.degrees(numbers(element.findtext(f"spot/{part}_angle"), 1, angle)[0])) / 2, 4)
-                    for part, angle in (("inner", 0.6), ("outer", 1.0))]
+            cone = [
+                round(float(np.degrees(numbers(element.findtext(f"spot/{part}_angle"), 1, angle)[0])) / 2, 4)
+                for part, angle in (("inner", 0.6), ("outer", 1.0))
+            ]
             reach = min(100 * numbers(element.findtext("attenuation/range"), 1, 10.0)[0], 100_000.0)
         except BadInput as error:
             self.scene.skip(name, error.line())
             return
         if kind != "point":
             matrix[:3, :3] = _along(matrix[:3, :3] @ direction)
-        self.scene.lights.append(SceneLight(
-            name, KINDS[kind], matrix, (r / strong, g / strong, b / strong),
-            level * (SUN_INTENSITY if kind == "directional" else POINT_INTENSITY), reach,
-            cone_deg=(cone[0], cone[1]) if kind == "spot" else None))
+        self.scene.lights.append(
+            SceneLight(
+                name,
+                KINDS[kind],
+                matrix,
+                (r / strong, g / strong, b / strong),
+                level * (SUN_INTENSITY if kind == "directional" else POINT_INTENSITY),
+                reach,
+                cone_deg=(cone[0], cone[1]) if kind == "spot" else None,
+            )
+        )
 
 
 def _along(direction: Matrix) -> Matrix:

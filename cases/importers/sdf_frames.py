@@ -74,8 +74,11 @@ class Frames:
         self._named: dict[str, Element] = {}
         for child in scope:
             if child.tag in NAMED:
-                name = name_of(child) or (library(child).get("name", "") if child.tag == "include" and len(
-                    child.findall("name")) == 0 and not child.get("name") else "")
+                name = name_of(child) or (
+                    library(child).get("name", "")
+                    if child.tag == "include" and len(child.findall("name")) == 0 and not child.get("name")
+                    else ""
+                )
                 self._named.setdefault(name, child)
         self._resolving: list[str] = []
 
@@ -121,5 +124,8 @@ class Frames:
         named = (found.get("relative_to") or found.get("frame") or "").strip() if found is not None else ""
         if named or element.tag not in ("frame", "joint"):
             return named
-        return (element.get("attached_to") or "").strip() if element.tag == "frame" else (
-            element.findtext("child") or "").strip()
+        return (
+            (element.get("attached_to") or "").strip()
+            if element.tag == "frame"
+            else (element.findtext("child") or "").strip()
+        )

@@ -15,12 +15,28 @@ from catalog.ingest.resolver import FolderResolver
 from catalog.ingest.surface import Colour, Surface, color_of, linear, texture_png
 
 GAZEBO_COLOURS: dict[str, Colour] = {
-    "Black": (0, 0, 0), "Blue": (0, 0, 1), "Green": (0, 1, 0), "Red": (1, 0, 0), "White": (1, 1, 1),
-    "Yellow": (1, 1, 0), "Purple": (1, 0, 1), "Turquoise": (0, 1, 1), "Grey": (0.7, 0.7, 0.7), "Gray": (0.7, 0.7, 0.7),
-    "DarkGrey": (0.175, 0.175, 0.175), "DarkGray": (0.175, 0.175, 0.175), "Orange": (1, 0.5088, 0.0468),
-    "Gold": (0.8, 0.6487, 0.1204), "Wood": (0.48, 0.3, 0.16), "WoodFloor": (0.48, 0.3, 0.16),
-    "ZincYellow": (0.9725, 0.9529, 0.2078), "FlatBlack": (0.1, 0.1, 0.1), "SkyBlue": (0.13, 0.44, 0.7),
-    "Bricks": (0.55, 0.27, 0.2), "Grass": (0.2, 0.4, 0.12), "Road": (0.25, 0.25, 0.25),
+    "Black": (0, 0, 0),
+    "Blue": (0, 0, 1),
+    "Green": (0, 1, 0),
+    "Red": (1, 0, 0),
+    "White": (1, 1, 1),
+    "Yellow": (1, 1, 0),
+    "Purple": (1, 0, 1),
+    "Turquoise": (0, 1, 1),
+    "Grey": (0.7, 0.7, 0.7),
+    "Gray": (0.7, 0.7, 0.7),
+    "DarkGrey": (0.175, 0.175, 0.175),
+    "DarkGray": (0.175, 0.175, 0.175),
+    "Orange": (1, 0.5088, 0.0468),
+    "Gold": (0.8, 0.6487, 0.1204),
+    "Wood": (0.48, 0.3, 0.16),
+    "WoodFloor": (0.48, 0.3, 0.16),
+    "ZincYellow": (0.9725, 0.9529, 0.2078),
+    "FlatBlack": (0.1, 0.1, 0.1),
+    "SkyBlue": (0.13, 0.44, 0.7),
+    "Bricks": (0.55, 0.27, 0.2),
+    "Grass": (0.2, 0.4, 0.12),
+    "Road": (0.25, 0.25, 0.25),
 }
 """Display (sRGB) colours for the scripts that every Gazebo brings along; a plain colour stands for a picture."""
 
@@ -62,17 +78,24 @@ class SdfMaterials:
         values = numbers(color, min(4, max(3, len(color.split()))))
         shown = [linear(min(1.0, max(0.0, value))) for value in values[:3]]
         glow = numbers(material.findtext("emissive"), 3)
-        return Surface(name.rsplit("/", 1)[-1] or "plain", color_of(shown),
-                       emissive=color_of([linear(min(1.0, max(0.0, value))) for value in glow]),
-                       opacity=round(min(1.0, max(0.0, values[3])), 4) if len(values) > 3 else 1.0), 1.0
+        return Surface(
+            name.rsplit("/", 1)[-1] or "plain",
+            color_of(shown),
+            emissive=color_of([linear(min(1.0, max(0.0, value))) for value in glow]),
+            opacity=round(min(1.0, max(0.0, values[3])), 4) if len(values) > 3 else 1.0,
+        ), 1.0
 
     def _pbr(self, metal: Element, color: str | None, notes: list[str]) -> Surface:
         picture = (metal.findtext("albedo_map") or "").strip()
         data = self._picture(picture, notes) if picture else None
         shown = [linear(min(1.0, max(0.0, value))) for value in numbers(color, 3)] if color else [1.0, 1.0, 1.0]
-        return Surface(Path(picture).stem or "pbr", color_of(shown),
-                       round(numbers(metal.findtext("roughness"), 1, 0.5)[0], 4),
-                       round(numbers(metal.findtext("metalness"), 1, 0.5)[0], 4), texture=data)
+        return Surface(
+            Path(picture).stem or "pbr",
+            color_of(shown),
+            round(numbers(metal.findtext("roughness"), 1, 0.5)[0], 4),
+            round(numbers(metal.findtext("metalness"), 1, 0.5)[0], 4),
+            texture=data,
+        )
 
     def _picture(self, name: str, notes: list[str]) -> bytes | None:
         file = self.files.locate(name)
@@ -92,7 +115,8 @@ class SdfMaterials:
             file = self.files.locate(picture.group(1)) if picture else None
             self._scripts[name] = (
                 Surface(name.rsplit("/", 1)[-1], color_of(color), texture=_png(file) if file is not None else None),
-                1 / float(scale.group(1)) if scale and float(scale.group(1)) else 1.0)
+                1 / float(scale.group(1)) if scale and float(scale.group(1)) else 1.0,
+            )
 
 
 def _png(file: Path) -> bytes:

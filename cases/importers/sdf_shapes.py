@@ -122,6 +122,12 @@ def _vector(values: Matrix) -> tuple[float, float, float]:
 def _moved(part: SourcePart, matrix: Matrix, surface: Surface | None, repeat: float) -> SourcePart:
     normals = part.normals @ np.linalg.inv(matrix[:3, :3])
     length = np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
-    return SourcePart(part.node, surface or part.surface, part.vertices @ matrix[:3, :3].T + matrix[:3, 3],
-                      part.faces[:, ::-1] if np.linalg.det(matrix[:3, :3]) < 0 else part.faces, normals / length,
-                      part.uvs * repeat, part.colors if surface is None else None)
+    return SourcePart(
+        part.node,
+        surface or part.surface,
+        part.vertices @ matrix[:3, :3].T + matrix[:3, 3],
+        part.faces[:, ::-1] if np.linalg.det(matrix[:3, :3]) < 0 else part.faces,
+        normals / length,
+        part.uvs * repeat,
+        part.colors if surface is None else None,
+    )

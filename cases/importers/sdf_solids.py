@@ -24,25 +24,35 @@ def solid(element: Element) -> SourcePart:
         normal = np.asarray(numbers(element.findtext("normal") or "0 0 1", 3))
         corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) * [width / 2, depth / 2, 1]
         turn = Rotation.align_vectors(normal[None], np.array([[0.0, 0.0, 1.0]]))[0].as_matrix()
-        return _part(corners @ turn.T, np.array([[0, 1, 2], [0, 2, 3]]),
-                     np.array([[0, 1], [1, 1], [1, 0], [0, 0]], float))
+        return _part(
+            corners @ turn.T, np.array([[0, 1, 2], [0, 2, 3]]), np.array([[0, 1], [1, 1], [1, 0], [0, 0]], float)
+        )
     if element.tag == "box":
         return _box(np.asarray(numbers(element.findtext("size"), 3, 1.0)))
     if element.tag == "cylinder":
-        mesh = trimesh.creation.cylinder(radius=numbers(element.findtext("radius"), 1, 1.0)[0], sections=CYLINDER_SIDES,
-                                         height=numbers(element.findtext("length"), 1, 1.0)[0])
+        mesh = trimesh.creation.cylinder(
+            radius=numbers(element.findtext("radius"), 1, 1.0)[0],
+            sections=CYLINDER_SIDES,
+            height=numbers(element.findtext("length"), 1, 1.0)[0],
+        )
     elif element.tag == "sphere":
         mesh = trimesh.creation.uv_sphere(radius=numbers(element.findtext("radius"), 1, 1.0)[0], count=[12, 24])
     elif element.tag == "capsule":
-        mesh = trimesh.creation.capsule(radius=numbers(element.findtext("radius"), 1, 1.0)[0],
-                                        height=numbers(element.findtext("length"), 1, 1.0)[0], count=[12, 12])
+        mesh = trimesh.creation.capsule(
+            radius=numbers(element.findtext("radius"), 1, 1.0)[0],
+            height=numbers(element.findtext("length"), 1, 1.0)[0],
+            count=[12, 12],
+        )
         mesh.apply_translation(-mesh.bounds.mean(axis=0))
     elif element.tag == "ellipsoid":
         mesh = trimesh.creation.uv_sphere(radius=1.0, count=[12, 24])
         mesh.vertices = mesh.vertices * numbers(element.findtext("radii"), 3, 1.0)
     elif element.tag == "cone":
-        mesh = trimesh.creation.cone(radius=numbers(element.findtext("radius"), 1, 1.0)[0], sections=CYLINDER_SIDES,
-                                     height=numbers(element.findtext("length"), 1, 1.0)[0])
+        mesh = trimesh.creation.cone(
+            radius=numbers(element.findtext("radius"), 1, 1.0)[0],
+            sections=CYLINDER_SIDES,
+            height=numbers(element.findtext("length"), 1, 1.0)[0],
+        )
         mesh.apply_translation(-mesh.bounds.mean(axis=0))
     elif element.tag == "polyline":
         mesh = _prism(element)
@@ -76,8 +86,14 @@ def _part(points: Matrix, faces: NDArray[np.int64], uvs: Matrix | None) -> Sourc
     normals = np.zeros_like(points)
     normals[faces] = flat[:, None]
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
-    return SourcePart("solid", Surface("plain"), points, faces.astype(np.int64), normals,
-                      np.zeros((len(points), 2)) if uvs is None else uvs)
+    return SourcePart(
+        "solid",
+        Surface("plain"),
+        points,
+        faces.astype(np.int64),
+        normals,
+        np.zeros((len(points), 2)) if uvs is None else uvs,
+    )
 
 
 def _prism(element: Element) -> trimesh.Trimesh:
@@ -93,8 +109,12 @@ def _prism(element: Element) -> trimesh.Trimesh:
         return np.stack([np.column_stack([points, np.full(len(points), z)]) for points, z in corners], axis=1)
 
     start, end = ring[:-1], ring[1:]
-    points = np.concatenate([
-        *(lifted(*((flat[:, corner], z) for corner in range(3))) for z in (0.0, height)),
-        lifted((start, 0.0), (end, 0.0), (end, height)), lifted((start, 0.0), (end, height), (start, height))])
+    points = np.concatenate(
+        [
+            *(lifted(*((flat[:, corner], z) for corner in range(3))) for z in (0.0, height)),
+            lifted((start, 0.0), (end, 0.0), (end, height)),
+            lifted((start, 0.0), (end, height), (start, height)),
+        ]
+    )
     points = points.reshape(-1, 3)
     return trimesh.Trimesh(points, np.arange(len(points)).reshape(-1, 3), process=False)

@@ -34,8 +34,11 @@ def read_table(path: Path, *, scale: float = 1.0) -> ImportedScene:
     form = WORLD if columns.issuperset(WORLD) else GRID
     missing = [name for name in ("actor", "asset", *form) if name not in columns]
     if missing:
-        raise BadInput(f"the table has no column {missing[0]!r}", where=str(path),
-                       todo=f"it needs actor, asset and {', '.join(WORLD)} or {', '.join(GRID)}")
+        raise BadInput(
+            f"the table has no column {missing[0]!r}",
+            where=str(path),
+            todo=f"it needs actor, asset and {', '.join(WORLD)} or {', '.join(GRID)}",
+        )
     scene = ImportedScene()
     for row in rows:
         try:
@@ -53,8 +56,9 @@ def read_table(path: Path, *, scale: float = 1.0) -> ImportedScene:
 
 
 def _matrix(place: list[float], form: tuple[str, ...], scale: float) -> Matrix:
-    matrix = (rigid(place[:3], place[3:]) if form == WORLD else
-              rigid([place[0], -place[1], 0], [0, 0, np.radians(place[2])]))
+    matrix = (
+        rigid(place[:3], place[3:]) if form == WORLD else rigid([place[0], -place[1], 0], [0, 0, np.radians(place[2])])
+    )
     turned = to_unreal(matrix)
     turned[:3, 3] *= scale
     return turned

@@ -17,8 +17,15 @@ FLOOR = 2.0
 def flat_level() -> Level:
     """The flat, about 145 actors."""
     level = LevelBuilder(SCENE_ID, [home.pack()], FLOOR)
-    for name, rooms in (("Building", _building), ("Kitchen", _kitchen), ("Living", _living), ("Bedroom", _bedroom),
-                        ("ChildRoom", _child_room), ("Bathroom", _bathroom), ("Hall", _hall)):
+    for name, rooms in (
+        ("Building", _building),
+        ("Kitchen", _kitchen),
+        ("Living", _living),
+        ("Bedroom", _bedroom),
+        ("ChildRoom", _child_room),
+        ("Bathroom", _bathroom),
+        ("Hall", _hall),
+    ):
         with level.folder(name):
             rooms(level)
     with level.folder("Lighting"):
@@ -36,8 +43,12 @@ def _building(level: LevelBuilder) -> None:
                 level.place("FloorBath200" if x == 100 else "FloorKitchen200", x, y)
             else:
                 level.place("FloorParquet200", x, y)
-    wall_run(level, ["HomeWallWindow300", "HomeWallWindow300", "HomeWallDoorway200", "HomeWall100",
-                     "HomeWallWindow300"], (-600, -406), 0)
+    wall_run(
+        level,
+        ["HomeWallWindow300", "HomeWallWindow300", "HomeWallDoorway200", "HomeWall100", "HomeWallWindow300"],
+        (-600, -406),
+        0,
+    )
     wall_run(level, ["HomeWall300", "HomeWall300", "HomeWallWindow300", "HomeWall300"], (600, 406), 180)
     wall_run(level, ["HomeWall300", "HomeWall100", "HomeWall100", "HomeWallWindow300"], (606, -400), 90)
     wall_run(level, ["HomeWall100", "HomeWall100", "SageWall300", "HomeWallWindow300"], (-606, 400), -90)
@@ -46,8 +57,12 @@ def _building(level: LevelBuilder) -> None:
             level.place("HomeWall100", x, y, scale=(0.12, 1.0, 1.0))
     level.floor = FLOOR
     wall_run(level, ["HomeWall300", "HomeWallDoorway200", "HomeWall300"], (0, -400), 90)
-    wall_run(level, ["HomeWall100", "HomeWall100", "HomeWallDoorway200", "HomeWallDoorway200", "HomeWall100",
-                     "HomeWall100"], (200, -400), 90)
+    wall_run(
+        level,
+        ["HomeWall100", "HomeWall100", "HomeWallDoorway200", "HomeWallDoorway200", "HomeWall100", "HomeWall100"],
+        (200, -400),
+        90,
+    )
     with level.at(100, 200):
         level.place("HomeWallDoorway200", 0, 0, scale=(0.94, 1.0, 1.0))
     with level.at(206, 0):
@@ -60,8 +75,13 @@ def _building(level: LevelBuilder) -> None:
 
 
 def _kitchen(level: LevelBuilder) -> None:
-    for asset, x, y in (("Fridge", -569, 367), ("KitchenCounter", -508, 369), ("KitchenSink", -438, 369),
-                        ("KitchenStove", -368, 369), ("KitchenCounter", -308, 369)):
+    for asset, x, y in (
+        ("Fridge", -569, 367),
+        ("KitchenCounter", -508, 369),
+        ("KitchenSink", -438, 369),
+        ("KitchenStove", -368, 369),
+        ("KitchenCounter", -308, 369),
+    ):
         level.place(asset, x, y, yaw=180)
     for x in (-498, -308):
         level.place("WallCabinet", x, 400, 180, yaw=180)

@@ -15,8 +15,16 @@ SPEC = pack()
 PATHS = asset_paths(SPEC.content_folder, ((asset.name, asset.category) for asset in SPEC.assets))
 WEST, EAST = range(-8000, 1600, 400), range(2400, 8000, 400)
 """Left ends of the 4 m columns on both sides of the canal (x 1600 to 2400)."""
-HOUSE_WIDTHS = {"TownhouseRed": 700, "TownhouseOchre": 600, "TownhouseBlue": 650, "TownhouseCream": 800,
-                "TownhouseGreen": 600, "TownhouseBrick": 700, "TownhouseDarkBrick": 800, "TownhouseNarrow": 500}
+HOUSE_WIDTHS = {
+    "TownhouseRed": 700,
+    "TownhouseOchre": 600,
+    "TownhouseBlue": 650,
+    "TownhouseCream": 800,
+    "TownhouseGreen": 600,
+    "TownhouseBrick": 700,
+    "TownhouseDarkBrick": 800,
+    "TownhouseNarrow": 500,
+}
 WEST_ROW = ("Red", "Ochre", "Blue", "Cream", "Green", "", "Brick", "DarkBrick", "Narrow", "Red", "Blue")
 EAST_ROW = ("Ochre", "Brick", "Cream", "", "Narrow", "DarkBrick", "Green", "Red")
 LANE_CM = 450.0
@@ -134,8 +142,16 @@ def _street(p: Plot) -> None:
         p.add("ParkingSign", x, -1690)
     for x in (-4300, 1200, 5600):
         p.add("LitterBin", x, -1700)
-    for name, x, lane in (("CarRed", -6100, 0), ("CarTeal", -3900, 0), ("DeliveryVan", -2500, 0), ("CarTeal", 200, 1),
-                          ("CarRed", 3000, 0), ("CarTeal", 4100, 1), ("DeliveryVan", 6600, 0), ("CarRed", 7300, 1)):
+    for name, x, lane in (
+        ("CarRed", -6100, 0),
+        ("CarTeal", -3900, 0),
+        ("DeliveryVan", -2500, 0),
+        ("CarTeal", 200, 1),
+        ("CarRed", 3000, 0),
+        ("CarTeal", 4100, 1),
+        ("DeliveryVan", 6600, 0),
+        ("CarRed", 7300, 1),
+    ):
         p.add(name, x, -980 if lane else -1530, yaw=180 if lane else 0)
     p.add("DeliveryVan", -6700, -1535, yaw=0)
     for x in (-3350, 1420, 6250):
@@ -151,8 +167,13 @@ def _market(p: Plot) -> None:
 
 
 def _stack(p: Plot, asset: str, x: float, y: float, count: int, yaw: float = 0.0, scale: float = 1.0) -> None:
-    height = {"WoodenCrate": 80.0, "FishBox": 26.0, "CargoContainer": 260.0, "CargoContainerRust": 260.0,
-              "LobsterPot": 40.0}[asset] * scale
+    height = {
+        "WoodenCrate": 80.0,
+        "FishBox": 26.0,
+        "CargoContainer": 260.0,
+        "CargoContainerRust": 260.0,
+        "LobsterPot": 40.0,
+    }[asset] * scale
     for level in range(count):
         p.add(asset, x, y, level * (height + STACK_GAP_CM), yaw=yaw + level * 2.5, scale=scale)
 
@@ -163,11 +184,31 @@ def _cargo(p: Plot) -> None:
     p.add("CargoContainerRust", -7600, -660)
     _stack(p, "CargoContainerRust", -5900, -640, 1)
     p.add("CargoContainer", -5900, -340)
-    for x, y, count in ((-5400, -300, 2), (-5300, -300, 1), (-5390, -400, 1), (-5200, -640, 3), (-5090, -640, 1),
-                        (-7150, -720, 2), (-7040, -720, 1), (-6500, -1960, 2), (-6390, -1960, 1)):
+    for x, y, count in (
+        (-5400, -300, 2),
+        (-5300, -300, 1),
+        (-5390, -400, 1),
+        (-5200, -640, 3),
+        (-5090, -640, 1),
+        (-7150, -720, 2),
+        (-7040, -720, 1),
+        (-6500, -1960, 2),
+        (-6390, -1960, 1),
+    ):
         _stack(p, "WoodenCrate", x, y, count, p.random.uniform(-6, 6))
-    for x, y in ((-4900, -300), (-4820, -310), (-4860, -380), (-6450, -720), (-6370, -700), (-7900, -1950),
-                 (-7820, -1960), (-5700, -1980), (-5620, -1975), (5900, -300), (5980, -320)):
+    for x, y in (
+        (-4900, -300),
+        (-4820, -310),
+        (-4860, -380),
+        (-6450, -720),
+        (-6370, -700),
+        (-7900, -1950),
+        (-7820, -1960),
+        (-5700, -1980),
+        (-5620, -1975),
+        (5900, -300),
+        (5980, -320),
+    ):
         p.add("Barrel", x, y, yaw=p.random.uniform(-180, 180))
     p.add("HandTruck", -5500, -520, yaw=35)
     p.add("HandTruck", -6600, -1830, yaw=-60)
@@ -186,10 +227,20 @@ def _boats(p: Plot) -> None:
         p.add("JettyPlanks", -800, 200 + 400 * row, yaw=90)
     p.add("QuayStairs", 1200, 0.5)
     draft = {"FishingBoat": 60.0, "SailingBoat": 40.0, "RowingBoat": 25.0}
-    boats = (("FishingBoat", -4200, 210, 0), ("FishingBoat", -2700, 215, 180), ("FishingBoat", 5000, 210, 0),
-             ("FishingBoat", -5400, 2200, -25), ("SailingBoat", -560, 900, 90), ("SailingBoat", -1060, 1300, -90),
-             ("SailingBoat", 3400, 190, 0), ("SailingBoat", 2600, 1900, 40), ("RowingBoat", -560, 300, 90),
-             ("RowingBoat", -1040, 500, 90), ("RowingBoat", 400, 130, 0), ("RowingBoat", 2700, 140, 180))
+    boats = (
+        ("FishingBoat", -4200, 210, 0),
+        ("FishingBoat", -2700, 215, 180),
+        ("FishingBoat", 5000, 210, 0),
+        ("FishingBoat", -5400, 2200, -25),
+        ("SailingBoat", -560, 900, 90),
+        ("SailingBoat", -1060, 1300, -90),
+        ("SailingBoat", 3400, 190, 0),
+        ("SailingBoat", 2600, 1900, 40),
+        ("RowingBoat", -560, 300, 90),
+        ("RowingBoat", -1040, 500, 90),
+        ("RowingBoat", 400, 130, 0),
+        ("RowingBoat", 2700, 140, 180),
+    )
     for name, x, y, yaw in boats:
         p.add(name, x, y, WATER_CM - draft[name], yaw=yaw)
     for x, y in ((-6900, 1400), (-3600, 2600), (-1700, 2900), (600, 1500), (1900, 2700), (4400, 1600), (5900, 2300)):

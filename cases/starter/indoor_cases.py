@@ -14,8 +14,10 @@ OFFICE_FOLDER, HOME_FOLDER = "C4SOffice", "C4SHome"
 
 def scenes() -> list[Scene]:
     """The office and the flat."""
-    return [Scene(office_scene.SCENE_ID, "indoor", "Open-plan office", office_scene.office_level(), ("c4s-office",)),
-            Scene(flat_scene.SCENE_ID, "indoor", "Furnished flat", flat_scene.flat_level(), ("c4s-home",))]
+    return [
+        Scene(office_scene.SCENE_ID, "indoor", "Open-plan office", office_scene.office_level(), ("c4s-office",)),
+        Scene(flat_scene.SCENE_ID, "indoor", "Furnished flat", flat_scene.flat_level(), ("c4s-home",)),
+    ]
 
 
 def cases(of: Sequence[Scene]) -> list[RepairCase | TextCase]:
@@ -33,26 +35,53 @@ def office_cases(scene: Scene) -> list[RepairCase]:
     author = Author(scene.level, scene.scene_id)
     return [
         RepairCase(
-            "indoor-office-01-lounge-plant", scene.scene_id, "A plant is missing in the lounge",
-            [author.removal("TallPlant_02")], "Restore", "easy",
-            [View("view-01", (-380, 180, 190), (-720, 450, 50), 75),
-             View("view-02", (-480, 340, 200), (-680, 540, 50), 80)],
-            "image-to-scene/indoor"),
+            "indoor-office-01-lounge-plant",
+            scene.scene_id,
+            "A plant is missing in the lounge",
+            [author.removal("TallPlant_02")],
+            "Restore",
+            "easy",
+            [
+                View("view-01", (-380, 180, 190), (-720, 450, 50), 75),
+                View("view-02", (-480, 340, 200), (-680, 540, 50), 80),
+            ],
+            "image-to-scene/indoor",
+        ),
         RepairCase(
-            "indoor-office-02-cafe-intruders", scene.scene_id, "A coat stand too many, a wrong chair at the cafe table",
-            [author.insertion(_mesh(OFFICE_FOLDER, "Storage", "CoatStand"), (-490, 470, 2)),
-             author.replacement("VisitorChair_02", _mesh(OFFICE_FOLDER, "Seating", "ConferenceChair"))],
-            "Lifecycle", "medium",
-            [View("view-01", (-130, 250, 190), (-420, 400, 50), 70),
-             View("view-02", (-560, 240, 190), (-360, 430, 50), 75)],
-            "image-to-scene/indoor"),
+            "indoor-office-02-cafe-intruders",
+            scene.scene_id,
+            "A coat stand too many, a wrong chair at the cafe table",
+            [
+                author.insertion(_mesh(OFFICE_FOLDER, "Storage", "CoatStand"), (-490, 470, 2)),
+                author.replacement("VisitorChair_02", _mesh(OFFICE_FOLDER, "Seating", "ConferenceChair")),
+            ],
+            "Lifecycle",
+            "medium",
+            [
+                View("view-01", (-130, 250, 190), (-420, 400, 50), 70),
+                View("view-02", (-560, 240, 190), (-360, 430, 50), 75),
+            ],
+            "image-to-scene/indoor",
+        ),
         RepairCase(
-            "indoor-office-03-meeting-room", scene.scene_id, "Four changes in the meeting room",
-            [author.move("LowCabinet_01", by_cm=(330, 0, 0)), author.rotate("ConferenceChair_02", 65),
-             author.rescale("TallPlant_01", 1.5), author.removal("Laptop_05")], "Layout", "hard",
-            [View("view-01", (330, 230, 230), (650, 430, 60), 85),
-             View("view-02", (880, 225, 230), (520, 480, 50), 85)],
-            "image-to-scene/indoor")]
+            "indoor-office-03-meeting-room",
+            scene.scene_id,
+            "Four changes in the meeting room",
+            [
+                author.move("LowCabinet_01", by_cm=(330, 0, 0)),
+                author.rotate("ConferenceChair_02", 65),
+                author.rescale("TallPlant_01", 1.5),
+                author.removal("Laptop_05"),
+            ],
+            "Layout",
+            "hard",
+            [
+                View("view-01", (330, 230, 230), (650, 430, 60), 85),
+                View("view-02", (880, 225, 230), (520, 480, 50), 85),
+            ],
+            "image-to-scene/indoor",
+        ),
+    ]
 
 
 def flat_cases(scene: Scene) -> list[RepairCase]:
@@ -60,24 +89,49 @@ def flat_cases(scene: Scene) -> list[RepairCase]:
     author = Author(scene.level, scene.scene_id)
     return [
         RepairCase(
-            "indoor-flat-01-mirrored-bath", scene.scene_id, "The bathtub is the wrong way round",
-            [author.mirror("Bathtub_01", "x")], "Symmetry", "easy",
-            [View("view-01", (184, 214, 225), (80, 365, 45), 90),
-             View("view-02", (16, 212, 225), (125, 370, 45), 90)],
-            "image-to-scene/indoor"),
+            "indoor-flat-01-mirrored-bath",
+            scene.scene_id,
+            "The bathtub is the wrong way round",
+            [author.mirror("Bathtub_01", "x")],
+            "Symmetry",
+            "easy",
+            [View("view-01", (184, 214, 225), (80, 365, 45), 90), View("view-02", (16, 212, 225), (125, 370, 45), 90)],
+            "image-to-scene/indoor",
+        ),
         RepairCase(
-            "indoor-flat-02-living-room", scene.scene_id, "Turned armchair, small television, chair out of its place",
-            [author.rotate("Armchair_01", 110), author.rescale("Television_01", 0.55),
-             author.move("DiningChair_04", by_cm=(110, -45, 0))], "Transform", "medium",
-            [View("view-01", (-560, -60, 190), (-150, -250, 50), 85),
-             View("view-02", (-40, 180, 210), (-260, -110, 30), 85)],
-            "image-to-scene/indoor"),
+            "indoor-flat-02-living-room",
+            scene.scene_id,
+            "Turned armchair, small television, chair out of its place",
+            [
+                author.rotate("Armchair_01", 110),
+                author.rescale("Television_01", 0.55),
+                author.move("DiningChair_04", by_cm=(110, -45, 0)),
+            ],
+            "Transform",
+            "medium",
+            [
+                View("view-01", (-560, -60, 190), (-150, -250, 50), 85),
+                View("view-02", (-40, 180, 210), (-260, -110, 30), 85),
+            ],
+            "image-to-scene/indoor",
+        ),
         RepairCase(
-            "indoor-flat-03-child-room", scene.scene_id, "Five changes in the child's room",
-            [author.duplication("TeddyBear_01", (300, -40, 2), yaw_deg=-120), author.removal("ToyBlocks_01"),
-             author.replacement("DiningChair_05", _mesh(HOME_FOLDER, "Seating", "KitchenStool")),
-             author.move("ChildChair_01", to_cm=(300, -355, 2)),
-             author.rescale("DeskGlobe_02", 1.5)], "Lifecycle", "hard",
-            [View("view-01", (590, -225, 215), (330, -200, 20), 95),
-             View("view-02", (320, -18, 215), (410, -330, 40), 85)],
-            "image-to-scene/indoor")]
+            "indoor-flat-03-child-room",
+            scene.scene_id,
+            "Five changes in the child's room",
+            [
+                author.duplication("TeddyBear_01", (300, -40, 2), yaw_deg=-120),
+                author.removal("ToyBlocks_01"),
+                author.replacement("DiningChair_05", _mesh(HOME_FOLDER, "Seating", "KitchenStool")),
+                author.move("ChildChair_01", to_cm=(300, -355, 2)),
+                author.rescale("DeskGlobe_02", 1.5),
+            ],
+            "Lifecycle",
+            "hard",
+            [
+                View("view-01", (590, -225, 215), (330, -200, 20), 95),
+                View("view-02", (320, -18, 215), (410, -330, 40), 85),
+            ],
+            "image-to-scene/indoor",
+        ),
+    ]

@@ -61,8 +61,9 @@ class LevelBuilder(Stage):
         finally:
             self.outliner_folder = before
 
-    def place(self, asset: str, x: float, y: float, z: float | None = None, yaw: float = 0.0,
-              scale: float | Vector = 1.0) -> str:
+    def place(
+        self, asset: str, x: float, y: float, z: float | None = None, yaw: float = 0.0, scale: float | Vector = 1.0
+    ) -> str:
         """Place an asset; ``z`` (cm) is above the floor of the level plus a small gap, 0 when left out.
 
         Returns the object name, ``<asset>_<number>``.
@@ -80,13 +81,24 @@ class LevelBuilder(Stage):
     def point_light(self, x: float, y: float, z: float, *, intensity: float = 3000.0, radius_cm: float = 700.0) -> str:
         """A warm point light; intensity in the engine's unitless measure."""
         location, _ = self._world(x, y, 0)
-        return self.add_light(self._name("LightPoint"), "PointLight", Transform(location_cm=(*location, z)),
-                              intensity=intensity, attenuation_radius=radius_cm, light_color=[255, 238, 214, 255])
+        return self.add_light(
+            self._name("LightPoint"),
+            "PointLight",
+            Transform(location_cm=(*location, z)),
+            intensity=intensity,
+            attenuation_radius=radius_cm,
+            light_color=[255, 238, 214, 255],
+        )
 
     def daylight(self, *, yaw: float, pitch: float = -52.0, intensity: float = 4.0) -> None:
         """A sun that shines along ``yaw`` and ``pitch`` (degrees), and the light of the sky."""
-        self.add_light(self._name("LightSun"), "DirectionalLight", Transform(
-            location_cm=(0.0, 0.0, 600.0), rotation_deg=(pitch, yaw, 0.0)), intensity=intensity, light_source_angle=2.0)
+        self.add_light(
+            self._name("LightSun"),
+            "DirectionalLight",
+            Transform(location_cm=(0.0, 0.0, 600.0), rotation_deg=(pitch, yaw, 0.0)),
+            intensity=intensity,
+            light_source_angle=2.0,
+        )
         self.add_light(self._name("LightSky"), "SkyLight", Transform(location_cm=(0.0, 0.0, 650.0)), intensity=1.0)
 
     def level(self) -> Level:
@@ -106,10 +118,20 @@ class LevelBuilder(Stage):
 
     def _parts(self, spec: BlueprintSpec) -> list[LevelComponent]:
         root = LevelComponent(name="DefaultSceneRoot", class_path=SCENE_COMPONENT)
-        return [root, *(LevelComponent(
-            name=f"{part.asset}{number}", class_path=STATIC_MESH_COMPONENT, static_mesh=self.paths[part.asset],
-            relative=Transform(location_cm=part.location_cm, rotation_deg=(0.0, part.yaw_deg, 0.0), scale=part.scale))
-            for number, part in enumerate(spec.parts))]
+        return [
+            root,
+            *(
+                LevelComponent(
+                    name=f"{part.asset}{number}",
+                    class_path=STATIC_MESH_COMPONENT,
+                    static_mesh=self.paths[part.asset],
+                    relative=Transform(
+                        location_cm=part.location_cm, rotation_deg=(0.0, part.yaw_deg, 0.0), scale=part.scale
+                    ),
+                )
+                for number, part in enumerate(spec.parts)
+            ),
+        ]
 
 
 def wall_run(level: LevelBuilder, modules: Sequence[str], start: tuple[float, float], yaw: float) -> None:

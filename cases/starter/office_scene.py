@@ -46,10 +46,25 @@ def _building(level: LevelBuilder) -> None:
         for row in range(6):
             tile = "FloorPlanks200" if column >= 6 and row >= 4 else "FloorCarpet200"
             level.place(tile, -800 + 200 * column, -500 + 200 * row)
-    wall_run(level, ["OfficeWall100"] * 2 + ["OfficeWallDoorway200"] + ["OfficeWall100"] * 2
-             + ["OfficeWallWindow300"] * 4, (-900, -606), 0)
-    wall_run(level, ["OfficeWall300", "OfficeWall300", "OfficeWallWindow300", "OfficeWallWindow300", "BrickWall300",
-                     "BrickWall300"], (900, 606), 180)
+    wall_run(
+        level,
+        ["OfficeWall100"] * 2 + ["OfficeWallDoorway200"] + ["OfficeWall100"] * 2 + ["OfficeWallWindow300"] * 4,
+        (-900, -606),
+        0,
+    )
+    wall_run(
+        level,
+        [
+            "OfficeWall300",
+            "OfficeWall300",
+            "OfficeWallWindow300",
+            "OfficeWallWindow300",
+            "BrickWall300",
+            "BrickWall300",
+        ],
+        (900, 606),
+        180,
+    )
     wall_run(level, ["OfficeWall300", "OfficeWallWindow300", "OfficeWall300", "OfficeWall300"], (906, -600), 90)
     wall_run(level, ["BrickWall300", "OfficeWall300", "OfficeWallWindow300", "OfficeWall300"], (-906, 600), -90)
     for x in (-906, 906):
@@ -86,8 +101,15 @@ def _workplace(level: LevelBuilder, number: int) -> None:
         level.place("DrawerPedestal", 48, 0)
     else:
         level.place("ComputerTower", 60, -4)
-    extras = (("DeskPhone", 52, -10), ("PaperTray", 58, -12), ("DeskPlant", 64, -24), ("DeskLamp", -60, -20),
-              ("BookStack", -66, 14), ("CoffeeMug", 46, 18), ("PenCup", -46, -28))
+    extras = (
+        ("DeskPhone", 52, -10),
+        ("PaperTray", 58, -12),
+        ("DeskPlant", 64, -24),
+        ("DeskLamp", -60, -20),
+        ("BookStack", -66, 14),
+        ("CoffeeMug", 46, 18),
+        ("PenCup", -46, -28),
+    )
     for step in (0, 3):
         name, x, y = extras[(2 * number + step) % 7]
         level.place(name, x, y, DESK_TOP)

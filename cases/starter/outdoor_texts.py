@@ -19,7 +19,8 @@ HARBOUR_TEXT = (
     "along the quay, and a wooden jetty reaches out between them. A red and white lighthouse stands at the far end "
     "of a stone mole. Add street lamps and benches along the promenade, leafy trees between the lamps, iron "
     "bollards at regular intervals along the edge, and a few parked cars on the road. Keep the quayside dense with "
-    "barrels, crates and nets, but leave the road itself open.")
+    "barrels, crates and nets, but leave the road itself open."
+)
 
 
 def harbour_text() -> TextCase:
@@ -52,81 +53,198 @@ def harbour_text() -> TextCase:
         Entity("cars", "parked cars", ("car", "van", "vehicle"), collection=True),
         Entity("barrels", "barrels", ("barrel",), collection=True),
         Entity("crates", "crates", ("wooden crate", "crate"), collection=True),
-        Entity("nets", "nets", ("net pile", "fishing net"), collection=True))
+        Entity("nets", "nets", ("net pile", "fishing net"), collection=True),
+    )
     has = _existence
     predicates = (
         Predicate("scene_identity", "scene is a northern harbour street", "northern harbour street", "harbour street"),
-        Predicate("environment", "clear day", "on a clear day", "harbour street",
-                  qualifiers=(("lighting", "clear day"),)),
-        Predicate("environment", "harbour is colourful", "colourful", "harbour street",
-                  qualifiers=(("atmosphere", "colourful"),)),
-        has("stone quay", "quay"), has("calm blue water", "water"), has("broad cobbled promenade", "promenade"),
-        has("asphalt road", "road"), has("pavement of pale stone", "pavement"),
-        Predicate("quantity", "roughly seventeen townhouses", "roughly seventeen attached townhouses", "townhouses",
-                  quantity=Quantity("approximately", 17)),
-        Predicate("attribute", "townhouses are red and cream", "red and cream plaster", "townhouses",
-                  qualifiers=(("color", "red"), ("color", "cream"))),
-        Predicate("material", "townhouses of plaster and brick", "plaster and dark brick", "townhouses",
-                  qualifiers=(("material", "plaster"), ("material", "brick"))),
-        Predicate("material", "roofs of slate and tile", "slate and tiled roofs", "townhouses",
-                  qualifiers=(("material", "slate"), ("material", "tiled"))),
-        Predicate("distribution", "townhouses form one row", "in one continuous row", "townhouses",
-                  relation="in_row", qualifiers=(("layout", "row"),)),
-        Predicate("spatial_relation", "townhouses behind the pavement", "Behind the pavement stand roughly seventeen "
-                  "attached townhouses", "townhouses", "pavement", "behind"),
+        Predicate(
+            "environment", "clear day", "on a clear day", "harbour street", qualifiers=(("lighting", "clear day"),)
+        ),
+        Predicate(
+            "environment",
+            "harbour is colourful",
+            "colourful",
+            "harbour street",
+            qualifiers=(("atmosphere", "colourful"),),
+        ),
+        has("stone quay", "quay"),
+        has("calm blue water", "water"),
+        has("broad cobbled promenade", "promenade"),
+        has("asphalt road", "road"),
+        has("pavement of pale stone", "pavement"),
+        Predicate(
+            "quantity",
+            "roughly seventeen townhouses",
+            "roughly seventeen attached townhouses",
+            "townhouses",
+            quantity=Quantity("approximately", 17),
+        ),
+        Predicate(
+            "attribute",
+            "townhouses are red and cream",
+            "red and cream plaster",
+            "townhouses",
+            qualifiers=(("color", "red"), ("color", "cream")),
+        ),
+        Predicate(
+            "material",
+            "townhouses of plaster and brick",
+            "plaster and dark brick",
+            "townhouses",
+            qualifiers=(("material", "plaster"), ("material", "brick")),
+        ),
+        Predicate(
+            "material",
+            "roofs of slate and tile",
+            "slate and tiled roofs",
+            "townhouses",
+            qualifiers=(("material", "slate"), ("material", "tiled")),
+        ),
+        Predicate(
+            "distribution",
+            "townhouses form one row",
+            "in one continuous row",
+            "townhouses",
+            relation="in_row",
+            qualifiers=(("layout", "row"),),
+        ),
+        Predicate(
+            "spatial_relation",
+            "townhouses behind the pavement",
+            "Behind the pavement stand roughly seventeen attached townhouses",
+            "townhouses",
+            "pavement",
+            "behind",
+        ),
         has("narrow canal", "canal"),
         Predicate("quantity", "two bridges", "two stone bridges", "bridges", quantity=Quantity("exact", 2)),
-        Predicate("spatial_relation", "bridges cross the canal", "is crossed by two stone bridges", "bridges", "canal",
-                  "across"),
-        Predicate("quantity", "seven market stalls", "seven market stalls", "market stalls",
-                  quantity=Quantity("exact", 7)),
-        Predicate("attribute", "awnings are striped", "striped awnings", "market stalls",
-                  qualifiers=(("attribute", "striped"),)),
-        Predicate("distribution", "stalls in a line", "stand in a line facing the water", "market stalls",
-                  relation="in_line", qualifiers=(("layout", "line"),)),
-        Predicate("spatial_relation", "stalls on the promenade", "On the promenade seven market stalls",
-                  "market stalls", "promenade", "on"),
-        has("cafe tables", "cafe tables"), has("parasols", "parasols"),
-        Predicate("spatial_relation", "cafe next to the kiosk", "next to a green kiosk", "cafe tables", "kiosk",
-                  "near"),
+        Predicate(
+            "spatial_relation",
+            "bridges cross the canal",
+            "is crossed by two stone bridges",
+            "bridges",
+            "canal",
+            "across",
+        ),
+        Predicate(
+            "quantity", "seven market stalls", "seven market stalls", "market stalls", quantity=Quantity("exact", 7)
+        ),
+        Predicate(
+            "attribute",
+            "awnings are striped",
+            "striped awnings",
+            "market stalls",
+            qualifiers=(("attribute", "striped"),),
+        ),
+        Predicate(
+            "distribution",
+            "stalls in a line",
+            "stand in a line facing the water",
+            "market stalls",
+            relation="in_line",
+            qualifiers=(("layout", "line"),),
+        ),
+        Predicate(
+            "spatial_relation",
+            "stalls on the promenade",
+            "On the promenade seven market stalls",
+            "market stalls",
+            "promenade",
+            "on",
+        ),
+        has("cafe tables", "cafe tables"),
+        has("parasols", "parasols"),
+        Predicate(
+            "spatial_relation", "cafe next to the kiosk", "next to a green kiosk", "cafe tables", "kiosk", "near"
+        ),
         Predicate("attribute", "kiosk is green", "green kiosk", "kiosk", qualifiers=(("color", "green"),)),
         has("tall yellow crane", "crane"),
         Predicate("attribute", "crane is yellow", "yellow crane", "crane", qualifiers=(("color", "yellow"),)),
         has("stacked shipping containers", "containers"),
-        Predicate("spatial_relation", "crane beside the warehouse", "beside a brick warehouse", "crane", "warehouse",
-                  "beside"),
-        Predicate("material", "warehouse of brick", "brick warehouse", "warehouse",
-                  qualifiers=(("material", "brick"),)),
-        Predicate("quantity", "several fishing boats", "Several fishing boats", "fishing boats",
-                  quantity=Quantity("qualitative", qualitative="several")),
+        Predicate(
+            "spatial_relation", "crane beside the warehouse", "beside a brick warehouse", "crane", "warehouse", "beside"
+        ),
+        Predicate(
+            "material", "warehouse of brick", "brick warehouse", "warehouse", qualifiers=(("material", "brick"),)
+        ),
+        Predicate(
+            "quantity",
+            "several fishing boats",
+            "Several fishing boats",
+            "fishing boats",
+            quantity=Quantity("qualitative", qualitative="several"),
+        ),
         has("sailing boats", "sailing boats"),
         Predicate("spatial_relation", "boats on the water", "float on the water", "fishing boats", "water", "on"),
         Predicate("spatial_relation", "boats along the quay", "along the quay", "fishing boats", "quay", "along"),
         has("wooden jetty", "jetty"),
         Predicate("material", "jetty of wood", "wooden jetty", "jetty", qualifiers=(("material", "wooden"),)),
-        Predicate("quantity", "one lighthouse", "A red and white lighthouse", "lighthouse",
-                  quantity=Quantity("exact", 1)),
-        Predicate("attribute", "lighthouse is red and white", "red and white", "lighthouse",
-                  qualifiers=(("color", "red"), ("color", "white"))),
-        has("street lamps", "street lamps"), has("benches", "benches"),
-        Predicate("spatial_relation", "lamps along the promenade", "street lamps and benches along the promenade",
-                  "street lamps", "promenade", "along"),
+        Predicate(
+            "quantity", "one lighthouse", "A red and white lighthouse", "lighthouse", quantity=Quantity("exact", 1)
+        ),
+        Predicate(
+            "attribute",
+            "lighthouse is red and white",
+            "red and white",
+            "lighthouse",
+            qualifiers=(("color", "red"), ("color", "white")),
+        ),
+        has("street lamps", "street lamps"),
+        has("benches", "benches"),
+        Predicate(
+            "spatial_relation",
+            "lamps along the promenade",
+            "street lamps and benches along the promenade",
+            "street lamps",
+            "promenade",
+            "along",
+        ),
         has("leafy trees", "trees"),
-        Predicate("spatial_relation", "trees between the lamps", "leafy trees between the lamps", "trees",
-                  "street lamps", "between"),
-        Predicate("distribution", "bollards at regular intervals", "iron bollards at regular intervals", "bollards",
-                  relation="regular", qualifiers=(("layout", "regular intervals"),)),
+        Predicate(
+            "spatial_relation",
+            "trees between the lamps",
+            "leafy trees between the lamps",
+            "trees",
+            "street lamps",
+            "between",
+        ),
+        Predicate(
+            "distribution",
+            "bollards at regular intervals",
+            "iron bollards at regular intervals",
+            "bollards",
+            relation="regular",
+            qualifiers=(("layout", "regular intervals"),),
+        ),
         Predicate("spatial_relation", "bollards along the edge", "along the edge", "bollards", "quay", "along"),
-        Predicate("quantity", "a few cars", "a few parked cars", "cars",
-                  quantity=Quantity("qualitative", qualitative="few")),
+        Predicate(
+            "quantity", "a few cars", "a few parked cars", "cars", quantity=Quantity("qualitative", qualitative="few")
+        ),
         Predicate("spatial_relation", "cars on the road", "on the road", "cars", "road", "on"),
-        has("barrels", "barrels"), has("crates", "crates"), has("nets", "nets"),
-        Predicate("composition", "dense quayside, open road",
-                  "Keep the quayside dense with barrels, crates and nets, but leave the road itself open",
-                  "harbour street", qualifiers=(("density", "dense"), ("layout", "open"))))
+        has("barrels", "barrels"),
+        has("crates", "crates"),
+        has("nets", "nets"),
+        Predicate(
+            "composition",
+            "dense quayside, open road",
+            "Keep the quayside dense with barrels, crates and nets, but leave the road itself open",
+            "harbour street",
+            qualifiers=(("density", "dense"), ("layout", "open")),
+        ),
+    )
     ground = [HARBOUR[name] for name in ("CobbleTile", "PavingTile", "RoadTile")]
-    return TextCase("text-harbour-street", harbour_scene.SCENE_ID, "Harbour street", HARBOUR_TEXT,
-                    RequirementSpec(entities, predicates), 200.0, "hard", ground=ground, minimum_actors=20)
+    return TextCase(
+        "text-harbour-street",
+        harbour_scene.SCENE_ID,
+        "Harbour street",
+        HARBOUR_TEXT,
+        RequirementSpec(entities, predicates),
+        200.0,
+        "hard",
+        ground=ground,
+        minimum_actors=20,
+    )
 
 
 FARM_TEXT = (
@@ -139,7 +257,8 @@ FARM_TEXT = (
     "water trough. A regular grid of apple trees forms an orchard to the east of the pasture, and a pond with "
     "boulders and bushes on its bank lies between them. Park a red tractor in the yard and a hay cart on the track, "
     "put pigs in a fenced pen, and let white hens pick around a chicken coop. Stack hay bales near the tool shed "
-    "and line the northern edge with tall poplars. The yard should look busy and the fields orderly.")
+    "and line the northern edge with tall poplars. The yard should look busy and the fields orderly."
+)
 
 
 def farm_text() -> TextCase:
@@ -176,76 +295,177 @@ def farm_text() -> TextCase:
         Entity("coop", "chicken coop", ("chicken coop", "hen house")),
         Entity("hay bales", "hay bales", ("hay bale", "bale"), collection=True),
         Entity("shed", "tool shed", ("tool shed", "shed")),
-        Entity("poplars", "tall poplars", ("poplar",), collection=True))
+        Entity("poplars", "tall poplars", ("poplar",), collection=True),
+    )
     has = _existence
     predicates = (
         Predicate("scene_identity", "scene is a small farm", "small sunny farm", "farm"),
-        Predicate("environment", "late summer sun", "sunny farm seen in late summer", "farm",
-                  qualifiers=(("lighting", "sunny"), ("atmosphere", "late summer"))),
+        Predicate(
+            "environment",
+            "late summer sun",
+            "sunny farm seen in late summer",
+            "farm",
+            qualifiers=(("lighting", "sunny"), ("atmosphere", "late summer")),
+        ),
         has("yard of trodden earth", "yard"),
         Predicate("quantity", "one well", "a round stone well", "well", quantity=Quantity("exact", 1)),
         Predicate("material", "well of stone", "stone well", "well", qualifiers=(("material", "stone"),)),
         Predicate("spatial_relation", "well in the middle of the yard", "in the middle", "well", "yard", "in"),
         has("white two-storey farmhouse", "farmhouse"),
-        Predicate("attribute", "farmhouse is white", "white two-storey farmhouse", "farmhouse",
-                  qualifiers=(("color", "white"),)),
-        Predicate("material", "farmhouse roof is tiled", "red tiled roof", "farmhouse",
-                  qualifiers=(("color", "red"), ("material", "tiled"))),
-        Predicate("spatial_relation", "farmhouse north of the yard", "on the north side of the yard", "farmhouse",
-                  "yard", "north_of"),
+        Predicate(
+            "attribute",
+            "farmhouse is white",
+            "white two-storey farmhouse",
+            "farmhouse",
+            qualifiers=(("color", "white"),),
+        ),
+        Predicate(
+            "material",
+            "farmhouse roof is tiled",
+            "red tiled roof",
+            "farmhouse",
+            qualifiers=(("color", "red"), ("material", "tiled")),
+        ),
+        Predicate(
+            "spatial_relation",
+            "farmhouse north of the yard",
+            "on the north side of the yard",
+            "farmhouse",
+            "yard",
+            "north_of",
+        ),
         has("large red barn", "barn"),
         Predicate("attribute", "barn is red", "red barn", "barn", qualifiers=(("color", "red"),)),
         Predicate("spatial_relation", "barn east of the yard", "red barn on the east side", "barn", "yard", "east_of"),
         Predicate("quantity", "two silos", "Two steel silos", "silos", quantity=Quantity("exact", 2)),
         Predicate("material", "silos of steel", "steel silos", "silos", qualifiers=(("material", "steel"),)),
         has("stone windmill", "windmill"),
-        Predicate("spatial_relation", "silos and windmill behind the barn", "rise behind the barn", "silos", "barn",
-                  "behind"),
+        Predicate(
+            "spatial_relation", "silos and windmill behind the barn", "rise behind the barn", "silos", "barn", "behind"
+        ),
         has("gravel track", "track"),
-        Predicate("spatial_relation", "track south of the yard", "passes south of the yard", "track", "yard",
-                  "south_of"),
+        Predicate(
+            "spatial_relation", "track south of the yard", "passes south of the yard", "track", "yard", "south_of"
+        ),
         has("ploughed fields", "fields"),
-        Predicate("spatial_relation", "fields west of the farmhouse", "West of the farmhouse lie ploughed fields",
-                  "fields", "farmhouse", "west_of"),
-        Predicate("distribution", "crops in straight rows", "long straight rows of corn, cabbages and pumpkins", "corn",
-                  relation="in_rows", qualifiers=(("layout", "straight rows"),)),
-        has("corn", "corn"), has("cabbages", "cabbages"), has("pumpkins", "pumpkins"),
+        Predicate(
+            "spatial_relation",
+            "fields west of the farmhouse",
+            "West of the farmhouse lie ploughed fields",
+            "fields",
+            "farmhouse",
+            "west_of",
+        ),
+        Predicate(
+            "distribution",
+            "crops in straight rows",
+            "long straight rows of corn, cabbages and pumpkins",
+            "corn",
+            relation="in_rows",
+            qualifiers=(("layout", "straight rows"),),
+        ),
+        has("corn", "corn"),
+        has("cabbages", "cabbages"),
+        has("pumpkins", "pumpkins"),
         has("patches of golden wheat", "wheat"),
         Predicate("attribute", "wheat is golden", "golden wheat", "wheat", qualifiers=(("color", "golden"),)),
         has("scarecrow", "scarecrow"),
-        Predicate("spatial_relation", "fence encloses the pasture", "a wooden fence encloses a green pasture", "fence",
-                  "pasture", "encloses"),
+        Predicate(
+            "spatial_relation",
+            "fence encloses the pasture",
+            "a wooden fence encloses a green pasture",
+            "fence",
+            "pasture",
+            "encloses",
+        ),
         Predicate("attribute", "pasture is green", "green pasture", "pasture", qualifiers=(("color", "green"),)),
         Predicate("quantity", "four cows", "four cows", "cows", quantity=Quantity("exact", 4)),
-        Predicate("quantity", "several sheep", "several sheep", "sheep",
-                  quantity=Quantity("qualitative", qualitative="several")),
+        Predicate(
+            "quantity",
+            "several sheep",
+            "several sheep",
+            "sheep",
+            quantity=Quantity("qualitative", qualitative="several"),
+        ),
         Predicate("quantity", "two horses", "two horses", "horses", quantity=Quantity("exact", 2)),
-        Predicate("spatial_relation", "animals around the trough", "around a wooden water trough", "sheep", "trough",
-                  "around"),
+        Predicate(
+            "spatial_relation", "animals around the trough", "around a wooden water trough", "sheep", "trough", "around"
+        ),
         has("apple trees", "apple trees"),
-        Predicate("distribution", "orchard is a grid", "A regular grid of apple trees", "apple trees", relation="grid",
-                  qualifiers=(("layout", "regular grid"),)),
-        Predicate("spatial_relation", "orchard east of the pasture", "to the east of the pasture", "apple trees",
-                  "pasture", "east_of"),
+        Predicate(
+            "distribution",
+            "orchard is a grid",
+            "A regular grid of apple trees",
+            "apple trees",
+            relation="grid",
+            qualifiers=(("layout", "regular grid"),),
+        ),
+        Predicate(
+            "spatial_relation",
+            "orchard east of the pasture",
+            "to the east of the pasture",
+            "apple trees",
+            "pasture",
+            "east_of",
+        ),
         has("pond", "pond"),
-        Predicate("spatial_relation", "boulders at the pond", "a pond with boulders and bushes on its bank", "boulders",
-                  "pond", "near"),
+        Predicate(
+            "spatial_relation",
+            "boulders at the pond",
+            "a pond with boulders and bushes on its bank",
+            "boulders",
+            "pond",
+            "near",
+        ),
         Predicate("attribute", "tractor is red", "red tractor", "tractor", qualifiers=(("color", "red"),)),
         Predicate("spatial_relation", "tractor in the yard", "a red tractor in the yard", "tractor", "yard", "in"),
         Predicate("spatial_relation", "cart on the track", "a hay cart on the track", "hay cart", "track", "on"),
         Predicate("spatial_relation", "pigs in a fenced pen", "pigs in a fenced pen", "pigs", "fence", "inside"),
         has("white hens", "hens"),
-        Predicate("spatial_relation", "hens around the coop", "white hens pick around a chicken coop", "hens", "coop",
-                  "around"),
-        Predicate("spatial_relation", "hay bales near the shed", "Stack hay bales near the tool shed", "hay bales",
-                  "shed", "near"),
-        Predicate("distribution", "poplars line the northern edge", "line the northern edge with tall poplars",
-                  "poplars", relation="in_line", qualifiers=(("layout", "line"),)),
-        Predicate("composition", "busy yard, orderly fields", "The yard should look busy and the fields orderly",
-                  "farm", qualifiers=(("density", "busy"), ("layout", "orderly"))))
+        Predicate(
+            "spatial_relation",
+            "hens around the coop",
+            "white hens pick around a chicken coop",
+            "hens",
+            "coop",
+            "around",
+        ),
+        Predicate(
+            "spatial_relation",
+            "hay bales near the shed",
+            "Stack hay bales near the tool shed",
+            "hay bales",
+            "shed",
+            "near",
+        ),
+        Predicate(
+            "distribution",
+            "poplars line the northern edge",
+            "line the northern edge with tall poplars",
+            "poplars",
+            relation="in_line",
+            qualifiers=(("layout", "line"),),
+        ),
+        Predicate(
+            "composition",
+            "busy yard, orderly fields",
+            "The yard should look busy and the fields orderly",
+            "farm",
+            qualifiers=(("density", "busy"), ("layout", "orderly")),
+        ),
+    )
     ground = [FARM[name] for name in ("GrassTile", "GravelPath", "FieldTile")]
-    return TextCase("text-small-farm", farm_scene.SCENE_ID, "Small farm", FARM_TEXT,
-                    RequirementSpec(entities, predicates), 130.0, "medium", ground=ground, minimum_actors=20)
+    return TextCase(
+        "text-small-farm",
+        farm_scene.SCENE_ID,
+        "Small farm",
+        FARM_TEXT,
+        RequirementSpec(entities, predicates),
+        130.0,
+        "medium",
+        ground=ground,
+        minimum_actors=20,
+    )
 
 
 def _existence(words: str, subject: str) -> Predicate:

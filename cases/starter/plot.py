@@ -22,8 +22,16 @@ class Plot(Stage):
         self.random = random.Random(seed)
         self._numbers: dict[str, int] = {}
 
-    def add(self, asset: str, x: float, y: float, z: float = 0.0, *, yaw: float = 0.0,
-            scale: float | tuple[float, float, float] = 1.0) -> str:
+    def add(
+        self,
+        asset: str,
+        x: float,
+        y: float,
+        z: float = 0.0,
+        *,
+        yaw: float = 0.0,
+        scale: float | tuple[float, float, float] = 1.0,
+    ) -> str:
         """Place an asset by its name (``Bench``) and return the actor's object name.
 
         Numbers are given with gaps, so that an actor that appears or is missing cannot be told by its number.
@@ -32,13 +40,25 @@ class Plot(Stage):
         number = self._numbers.get(stem, 0) + 1
         number += int(hashlib.sha256(f"{self.scene_id}{stem}{number}".encode()).hexdigest(), 16) % 5 == 0
         self._numbers[stem] = number
-        return self.add_mesh(f"{stem}_{number}", asset, Transform(
-            location_cm=(round(x, 3), round(y, 3), round(z, 3)),
-            rotation_deg=(0.0, round(normalize_axis(yaw), 3), 0.0),
-            scale=(scale, scale, scale) if isinstance(scale, float | int) else scale))
+        return self.add_mesh(
+            f"{stem}_{number}",
+            asset,
+            Transform(
+                location_cm=(round(x, 3), round(y, 3), round(z, 3)),
+                rotation_deg=(0.0, round(normalize_axis(yaw), 3), 0.0),
+                scale=(scale, scale, scale) if isinstance(scale, float | int) else scale,
+            ),
+        )
 
-    def grid(self, asset: str, xs: Iterable[float], ys: Iterable[float], z: float = 0.0, *,
-             scale: float | tuple[float, float, float] = 1.0) -> None:
+    def grid(
+        self,
+        asset: str,
+        xs: Iterable[float],
+        ys: Iterable[float],
+        z: float = 0.0,
+        *,
+        scale: float | tuple[float, float, float] = 1.0,
+    ) -> None:
         """Place an asset at every crossing of ``xs`` and ``ys``."""
         rows = list(ys)
         for x in xs:
@@ -47,8 +67,12 @@ class Plot(Stage):
 
     def daylight(self, pitch: float, yaw: float) -> None:
         """A sun that shines along [pitch, yaw], and the light of the sky."""
-        self.add_light("DirectionalLight_0", "DirectionalLight", Transform(
-            location_cm=(0.0, 0.0, 3000.0), rotation_deg=(pitch, yaw, 0.0)), intensity=4.0)
+        self.add_light(
+            "DirectionalLight_0",
+            "DirectionalLight",
+            Transform(location_cm=(0.0, 0.0, 3000.0), rotation_deg=(pitch, yaw, 0.0)),
+            intensity=4.0,
+        )
         self.add_light("SkyLight_0", "SkyLight", Transform(location_cm=(0.0, 0.0, 3100.0)))
 
     def level(self) -> Level:

@@ -30,21 +30,41 @@ class Stage:
 
     def add_actor(self, name: str, class_path: str, place: Transform, components: list[LevelComponent]) -> str:
         """Add an actor under an object name that is also its label; returns the name."""
-        self.actors.append(LevelActor(name=name, label=name, class_path=class_path, transform=place,
-                                      guid=guid_of(f"{self.scene_id}|{name}"), components=components,
-                                      folder=self.outliner_folder))
+        self.actors.append(
+            LevelActor(
+                name=name,
+                label=name,
+                class_path=class_path,
+                transform=place,
+                guid=guid_of(f"{self.scene_id}|{name}"),
+                components=components,
+                folder=self.outliner_folder,
+            )
+        )
         return name
 
     def add_mesh(self, name: str, asset: str, place: Transform) -> str:
         """Add a static mesh actor that shows an asset."""
-        return self.add_actor(name, STATIC_MESH_ACTOR, place, [LevelComponent(
-            name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=self.path(asset))])
+        return self.add_actor(
+            name,
+            STATIC_MESH_ACTOR,
+            place,
+            [
+                LevelComponent(
+                    name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=self.path(asset)
+                )
+            ],
+        )
 
     def add_light(self, name: str, kind: str, place: Transform, **properties: Any) -> str:
         """Add a light: ``kind`` is its class (``PointLight``), ``properties`` those of its component."""
         component = "SkyLightComponent0" if kind == "SkyLight" else "LightComponent0"
-        return self.add_actor(name, f"/Script/Engine.{kind}", place, [LevelComponent(
-            name=component, class_path=f"/Script/Engine.{kind}Component", properties=properties)])
+        return self.add_actor(
+            name,
+            f"/Script/Engine.{kind}",
+            place,
+            [LevelComponent(name=component, class_path=f"/Script/Engine.{kind}Component", properties=properties)],
+        )
 
 
 def asset_path(content_folder: str, category: str, name: str) -> str:

@@ -23,13 +23,18 @@ def definition() -> SuiteDefinition:
     """Scenes and cases of the suite."""
     indoor, outdoor = indoor_cases.scenes(), outdoor_cases.scenes()
     return SuiteDefinition(
-        SUITE_ID, "Starter suite",
+        SUITE_ID,
+        "Starter suite",
         "Made for c4s: an office, a flat, a harbour street and a small farm, with texts to build and damage to repair.",
-        tuple(STARTER), (*indoor, *outdoor), (*indoor_cases.cases(indoor), *outdoor_cases.cases(outdoor)))
+        tuple(STARTER),
+        (*indoor, *outdoor),
+        (*indoor_cases.cases(indoor), *outdoor_cases.cases(outdoor)),
+    )
 
 
 def build_packs(root: Path, progress: Progress = print) -> None:
     """Build the four packs under ``root`` where they are not there yet; the same sources give the same bytes."""
+
     def build(pack_id: str) -> None:
         progress(f"pack {pack_id}")
         ensure_pack(pack_id, root)

@@ -100,8 +100,9 @@ def framed_box(points: Points, frame: Points) -> BoxBody | None:
     inner = np.minimum(np.abs(local - low), np.abs(local - high)).max()
     if inner > SQUARE * max(1.0, float(np.max(high - low))):
         return None
-    return BoxBody(center=_vector(frame @ ((low + high) / 2)), rotation_deg=rotator(frame),
-                   half_extent=_vector((high - low) / 2))
+    return BoxBody(
+        center=_vector(frame @ ((low + high) / 2)), rotation_deg=rotator(frame), half_extent=_vector((high - low) / 2)
+    )
 
 
 def _upright(axes: Points) -> Points:
@@ -155,5 +156,9 @@ def capsule(points: Points) -> CapsuleBody | None:
     side /= np.linalg.norm(side)
     frame = np.stack([side, np.cross(axis, side), axis], axis=1)
     upright = abs(float(axis[2])) > 1 - 1e-6
-    return CapsuleBody(center=_vector(middle), rotation_deg=(0.0, 0.0, 0.0) if upright else rotator(frame),
-                       radius=round(radius, 4), length=round(2 * half, 4))
+    return CapsuleBody(
+        center=_vector(middle),
+        rotation_deg=(0.0, 0.0, 0.0) if upright else rotator(frame),
+        radius=round(radius, 4),
+        length=round(2 * half, 4),
+    )

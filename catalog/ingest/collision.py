@@ -41,8 +41,11 @@ class HullChoice:
             pattern, _, how = rule.rpartition("=")
             found = next((one for one in get_args(How) if one == how), None)
             if not pattern or found is None:
-                raise BadInput("not a rule like bench*=decompose", where=f"--hulls-of {rule}",
-                               todo=f"write PATTERN=HOW with HOW one of {', '.join(get_args(How))}")
+                raise BadInput(
+                    "not a rule like bench*=decompose",
+                    where=f"--hulls-of {rule}",
+                    todo=f"write PATTERN=HOW with HOW one of {', '.join(get_args(How))}",
+                )
             pairs.append((pattern, found))
         return cls(default, tuple(pairs))
 
@@ -52,9 +55,11 @@ class HullChoice:
 
     def how(self, relative: str) -> How:
         """The choice for a file of the folder."""
-        fitting = [how for pattern, how in self.of
-                   if fnmatch(relative.lower(), pattern.lower()) or fnmatch(Path(relative).stem.lower(),
-                                                                            pattern.lower())]
+        fitting = [
+            how
+            for pattern, how in self.of
+            if fnmatch(relative.lower(), pattern.lower()) or fnmatch(Path(relative).stem.lower(), pattern.lower())
+        ]
         return fitting[-1] if fitting else self.default
 
 
@@ -81,8 +86,10 @@ def collision_of(path: Path, root: Path, parts: list[SourcePart], how: How, *, s
         return AssetCollision(shown, [], "none", notes)
     if how == "decompose":
         offsets = np.cumsum([0] + [len(part.vertices) for part in shown[:-1]])
-        cut, more = decompose(np.concatenate([part.vertices for part in shown]), np.concatenate(
-            [part.faces + offset for part, offset in zip(shown, offsets, strict=True)]))
+        cut, more = decompose(
+            np.concatenate([part.vertices for part in shown]),
+            np.concatenate([part.faces + offset for part, offset in zip(shown, offsets, strict=True)]),
+        )
         return AssetCollision(shown, [hull(points) for points in cut], "decomposition", notes + more)
     per: HullPer = how
     made = bodies([(part.node, part.vertices, part.faces) for part in shown], per)

@@ -12,12 +12,29 @@ from PIL import Image
 from catalog.ingest.surface import SourcePart, linear_of
 
 NAMED: dict[str, tuple[int, int, int]] = {
-    "black": (22, 22, 24), "dark grey": (70, 72, 75), "grey": (128, 128, 128), "light grey": (190, 192, 195),
-    "white": (245, 245, 243), "red": (200, 40, 40), "dark red": (115, 30, 35), "orange": (230, 130, 45),
-    "brown": (120, 78, 48), "dark brown": (70, 46, 34), "light brown": (178, 130, 90), "beige": (222, 200, 165),
-    "yellow": (240, 205, 60), "olive": (120, 120, 50), "green": (80, 150, 70), "dark green": (35, 80, 50),
-    "light green": (160, 205, 120), "teal": (45, 135, 135), "light blue": (140, 190, 225), "blue": (50, 95, 190),
-    "dark blue": (35, 50, 100), "purple": (120, 70, 150), "pink": (235, 150, 175),
+    "black": (22, 22, 24),
+    "dark grey": (70, 72, 75),
+    "grey": (128, 128, 128),
+    "light grey": (190, 192, 195),
+    "white": (245, 245, 243),
+    "red": (200, 40, 40),
+    "dark red": (115, 30, 35),
+    "orange": (230, 130, 45),
+    "brown": (120, 78, 48),
+    "dark brown": (70, 46, 34),
+    "light brown": (178, 130, 90),
+    "beige": (222, 200, 165),
+    "yellow": (240, 205, 60),
+    "olive": (120, 120, 50),
+    "green": (80, 150, 70),
+    "dark green": (35, 80, 50),
+    "light green": (160, 205, 120),
+    "teal": (45, 135, 135),
+    "light blue": (140, 190, 225),
+    "blue": (50, 95, 190),
+    "dark blue": (35, 50, 100),
+    "purple": (120, 70, 150),
+    "pink": (235, 150, 175),
 }
 """Display (sRGB) colours."""
 LEAST_SHARE = 0.12
@@ -30,8 +47,10 @@ def _lab(shown: NDArray[np.float64]) -> NDArray[np.float64]:
     xyz = linear_of(shown) @ np.array([[0.4124, 0.2126, 0.0193], [0.3576, 0.7152, 0.1192], [0.1805, 0.0722, 0.9505]])
     ratio = xyz / [0.9505, 1.0, 1.089]
     curve = np.where(ratio > 0.008856, np.cbrt(ratio), 7.787 * ratio + 16 / 116)
-    return np.stack([116 * curve[..., 1] - 16, 500 * (curve[..., 0] - curve[..., 1]),
-                     200 * (curve[..., 1] - curve[..., 2])], axis=-1)
+    return np.stack(
+        [116 * curve[..., 1] - 16, 500 * (curve[..., 0] - curve[..., 1]), 200 * (curve[..., 1] - curve[..., 2])],
+        axis=-1,
+    )
 
 
 _LAB = _lab(np.array(list(NAMED.values())) / 255)

@@ -23,9 +23,18 @@ from c4s.home import cache_root
 from catalog.ingest.hulls import Points, connected
 
 Faces = NDArray[np.int64]
-PARAMETERS: dict[str, Any] = {"threshold": 0.05, "max_convex_hull": 32, "preprocess_mode": "auto", "seed": 0,
-                              "preprocess_resolution": 30, "resolution": 1000, "mcts_iterations": 60, "mcts_nodes": 20,
-                              "mcts_max_depth": 3, "merge": True}
+PARAMETERS: dict[str, Any] = {
+    "threshold": 0.05,
+    "max_convex_hull": 32,
+    "preprocess_mode": "auto",
+    "seed": 0,
+    "preprocess_resolution": 30,
+    "resolution": 1000,
+    "mcts_iterations": 60,
+    "mcts_nodes": 20,
+    "mcts_max_depth": 3,
+    "merge": True,
+}
 """coacd's, with fewer search steps than its defaults: a quarter of the time, and about as many parts."""
 MOST_SECONDS = 300.0
 """Of cutting a mesh, all its pieces together; what is left whole then keeps one hull a piece."""
@@ -49,8 +58,11 @@ def decompose(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
         BadInput: coacd is needed and not installed.
     """
     corners, welded = _weld(vertices, faces)
-    pieces = [_piece(corners, welded[rows]) for rows in connected(welded, np.zeros(len(welded), np.int64))] \
-        if len(welded) else []
+    pieces = (
+        [_piece(corners, welded[rows]) for rows in connected(welded, np.zeros(len(welded), np.int64))]
+        if len(welded)
+        else []
+    )
     if not pieces:
         return [vertices], ["it has no triangles with an area: one hull"]
     if len(pieces) > MOST_PIECES:
@@ -80,7 +92,7 @@ def is_convex(points: Points, faces: Faces) -> bool:
     normals, a = normals[areas > 0] / areas[areas > 0, None], a[areas > 0]
     allowed = max(FINE_CM, BULGE * float(np.linalg.norm(np.ptp(points, axis=0))))
     for start in range(0, len(a), 512):
-        heights = (points[None] - a[start:start + 512, None]) @ normals[start:start + 512, :, None]
+        heights = (points[None] - a[start : start + 512, None]) @ normals[start : start + 512, :, None]
         if (np.minimum(heights.max(axis=1), -heights.min(axis=1)) > allowed).any():
             return False
     return True
@@ -132,8 +144,13 @@ def _run(points: Points, faces: Faces, deadline: float) -> tuple[bytes | None, s
     sent = io.BytesIO()
     np.savez(sent, vertices=points, faces=faces.astype(np.int32), parameters=np.array(json.dumps(PARAMETERS)))
     try:
-        done = subprocess.run([sys.executable, "-m", "catalog.ingest.coacd_run"], input=sent.getvalue(),
-                              capture_output=True, timeout=max(0.0, deadline - time.monotonic()), check=False)
+        done = subprocess.run(
+            [sys.executable, "-m", "catalog.ingest.coacd_run"],
+            input=sent.getvalue(),
+            capture_output=True,
+            timeout=max(0.0, deadline - time.monotonic()),
+            check=False,
+        )
     except subprocess.TimeoutExpired:
         return None, late
     if done.returncode:
@@ -157,5 +174,8 @@ def _version() -> str:
     try:
         return metadata.version("coacd")
     except metadata.PackageNotFoundError:
-        raise BadInput("cutting a mesh into convex parts needs coacd", where="--hulls decompose",
-                       todo="pip install coacd, or choose another --hulls") from None
+        raise BadInput(
+            "cutting a mesh into convex parts needs coacd",
+            where="--hulls decompose",
+            todo="pip install coacd, or choose another --hulls",
+        ) from None

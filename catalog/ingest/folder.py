@@ -24,8 +24,27 @@ from catalog.ingest.vocabulary import is_compound, kind_of, readable, search_wor
 from catalog.ingest.writer import PackWriter, identifier
 from catalog.starter import STARTER
 
-PLAIN_FOLDERS = {"assets", "gltf", "glb", "obj", "dae", "models", "model", "meshes", "mesh", "source", "visual",
-                 "format", "export", "exports", "fbx", "files", "textured", "untextured", "lowpoly"}
+PLAIN_FOLDERS = {
+    "assets",
+    "gltf",
+    "glb",
+    "obj",
+    "dae",
+    "models",
+    "model",
+    "meshes",
+    "mesh",
+    "source",
+    "visual",
+    "format",
+    "export",
+    "exports",
+    "fbx",
+    "files",
+    "textured",
+    "untextured",
+    "lowpoly",
+}
 """Folder names that say nothing about what is inside."""
 STAMP = "build.json"
 """Beside the manifest: what the pack was built from, and the report."""
@@ -59,9 +78,18 @@ def _telling(part: str) -> bool:
     return bool(set(words(part)) - PLAIN_FOLDERS)
 
 
-def ingest(folder: Path, pack_id: str, root: Path, *, scale: float = 1.0, title: str | None = None,
-           up: Up | None = None, hulls: How = "asset", hulls_of: Sequence[str] = (),
-           progress: Callable[[int, int, str], None] | None = None) -> dict[str, Any]:
+def ingest(
+    folder: Path,
+    pack_id: str,
+    root: Path,
+    *,
+    scale: float = 1.0,
+    title: str | None = None,
+    up: Up | None = None,
+    hulls: How = "asset",
+    hulls_of: Sequence[str] = (),
+    progress: Callable[[int, int, str], None] | None = None,
+) -> dict[str, Any]:
     """Build the pack ``root/<pack_id>`` of all mesh files under ``folder`` and return the report.
 
     Args:
@@ -88,17 +116,29 @@ def ingest(folder: Path, pack_id: str, root: Path, *, scale: float = 1.0, title:
     wanted = digest([sources_digest(), inputs_digest(folder), scale, title, up, choice.plain(), folder.name])
     stamp = root / pack_id / STAMP
     known = read_json(stamp) if stamp.is_file() else {}
-    if known.get("inputs") == wanted and (root / pack_id / "pack.json").is_file() \
-            and Pack.read(root / pack_id / "pack.json").sha256() == known["report"]["sha256"]:
+    if (
+        known.get("inputs") == wanted
+        and (root / pack_id / "pack.json").is_file()
+        and Pack.read(root / pack_id / "pack.json").sha256() == known["report"]["sha256"]
+    ):
         return {**known["report"], "folder": str(root / pack_id), "cached": True}
     report = _built(found.files, found.skipped, folder, pack_id, root, scale, title, up, choice, progress)
     write_json(stamp, {"inputs": wanted, "report": report})
     return {**report, "folder": str(root / pack_id), "cached": False}
 
 
-def _built(files: list[Path], skipped: list[dict[str, str]], folder: Path, pack_id: str, root: Path, scale: float,
-           title: str | None, up: Up | None, hulls: HullChoice, progress: Callable[[int, int, str], None] | None
-           ) -> dict[str, Any]:
+def _built(
+    files: list[Path],
+    skipped: list[dict[str, str]],
+    folder: Path,
+    pack_id: str,
+    root: Path,
+    scale: float,
+    title: str | None,
+    up: Up | None,
+    hulls: HullChoice,
+    progress: Callable[[int, int, str], None] | None,
+) -> dict[str, Any]:
     (rows, notes), kinds, sizes, described = table(folder), categories(files, folder), [], 0
     name, text = licence(folder)
     if name == UNKNOWN:
@@ -121,25 +161,48 @@ def _built(files: list[Path], skipped: list[dict[str, str]], folder: Path, pack_
             row = rows.get(relative) or rows.get(path.name) or rows.get(path.stem) or Row()
             described += row != Row()
             asset = writer.add(
-                path.stem, collision.shown, collision.bodies, source=collision.source,
-                readable=row.name or readable(path.stem), category=row.category or kinds[path],
+                path.stem,
+                collision.shown,
+                collision.bodies,
+                source=collision.source,
+                readable=row.name or readable(path.stem),
+                category=row.category or kinds[path],
                 tags=list(dict.fromkeys([*row.tags, *_tags(path, folder)])),
-                description=row.description or _description(path, kinds[path], collision.shown))
+                description=row.description or _description(path, kinds[path], collision.shown),
+            )
             sizes.append((path.stem, max(asset.size_m)))
         if not writer.assets:
             first = skipped[0]
-            raise BadInput(f"none of {len(files)} mesh files can be used; {first['file']}: {first['reason']}",
-                           where=str(folder))
-        pack = writer.finish(title=title or readable(folder.resolve().name), license_id=name, license_text=text,
-                             description=f"{len(writer.assets)} assets")
+            raise BadInput(
+                f"none of {len(files)} mesh files can be used; {first['file']}: {first['reason']}", where=str(folder)
+            )
+        pack = writer.finish(
+            title=title or readable(folder.resolve().name),
+            license_id=name,
+            license_text=text,
+            description=f"{len(writer.assets)} assets",
+        )
     if any(row != Row() for row in rows.values()):
         notes.append({"file": "", "note": f"{described} assets are described by a table of the folder"})
     check = check_units(sizes)
-    return {"pack": pack.pack_id, "title": pack.title, "license": pack.license,
-            "sha256": pack.sha256(), "files": len(files), "assets": len(pack.assets), "materials": len(pack.materials),
-            "scale": scale, "skipped": sorted(skipped, key=lambda row: row["file"]), "notes": notes,
-            "units": {"known": check.known, "implausible": check.implausible, "reason": check.reason,
-                      "proposed_scale": float(f"{check.proposed * scale:.2g}") if check.proposed else None}}
+    return {
+        "pack": pack.pack_id,
+        "title": pack.title,
+        "license": pack.license,
+        "sha256": pack.sha256(),
+        "files": len(files),
+        "assets": len(pack.assets),
+        "materials": len(pack.materials),
+        "scale": scale,
+        "skipped": sorted(skipped, key=lambda row: row["file"]),
+        "notes": notes,
+        "units": {
+            "known": check.known,
+            "implausible": check.implausible,
+            "reason": check.reason,
+            "proposed_scale": float(f"{check.proposed * scale:.2g}") if check.proposed else None,
+        },
+    }
 
 
 def _tags(path: Path, folder: Path) -> list[str]:
@@ -155,7 +218,12 @@ def _description(path: Path, category: str, parts: list[SourcePart]) -> str:
     name = readable(path.stem)
     what = name if kind in name.lower() else f"{name} ({kind})"
     looks = sorted({identifier(part.surface.name).replace("_", " ") for part in parts if part.surface.texture is None})
-    telling = [look for look in looks if kind_of(look) is None and len(look) > 2 and not look.lower().startswith(
-        ("material", "default", "plain", "mat ", "lambert", "phong", "color", "vertex"))]
+    telling = [
+        look
+        for look in looks
+        if kind_of(look) is None
+        and len(look) > 2
+        and not look.lower().startswith(("material", "default", "plain", "mat ", "lambert", "phong", "color", "vertex"))
+    ]
     made = f"; materials {', '.join(telling[:5])}" if telling else ""
     return f"{what}; {', '.join(colours_of(parts))}; {size[0]:.2f} x {size[1]:.2f} x {size[2]:.2f} m{made}"

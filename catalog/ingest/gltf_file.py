@@ -18,10 +18,24 @@ from catalog.ingest.resolver import FolderResolver
 COMPONENT = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 MAX_ELEMENTS = 50_000_000
-READ = ("KHR_draco_mesh_compression", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu",
-        "EXT_texture_webp", "EXT_texture_avif", "EXT_mesh_gpu_instancing", "KHR_lights_punctual", "KHR_node_visibility",
-        "KHR_animation_pointer", "KHR_xmp_json_ld", "MSFT_lod", "KHR_physics_rigid_bodies", "KHR_implicit_shapes",
-        "OMI_physics_body", "OMI_physics_shape")
+READ = (
+    "KHR_draco_mesh_compression",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "KHR_texture_basisu",
+    "EXT_texture_webp",
+    "EXT_texture_avif",
+    "EXT_mesh_gpu_instancing",
+    "KHR_lights_punctual",
+    "KHR_node_visibility",
+    "KHR_animation_pointer",
+    "KHR_xmp_json_ld",
+    "MSFT_lod",
+    "KHR_physics_rigid_bodies",
+    "KHR_implicit_shapes",
+    "OMI_physics_body",
+    "OMI_physics_shape",
+)
 """Extensions that a file may require; those of materials (``KHR_materials_*``) may be required too."""
 MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 
@@ -76,7 +90,7 @@ class GltfFile:
             size, kind = struct.unpack_from("<II", data, place)
             if place + 8 + size > length:
                 raise self.bad("the file is cut off: a chunk reaches past its end")
-            chunk = data[place + 8:place + 8 + size]
+            chunk = data[place + 8 : place + 8 + size]
             if kind == 0x4E4F534A and not text:
                 text = chunk
             elif kind == 0x004E4942 and self.binary is None:
@@ -87,8 +101,10 @@ class GltfFile:
     def _check_extensions(self) -> None:
         for name in self.tree.get("extensionsRequired", []):
             if name in MESHOPT:
-                raise self.bad(f"its meshes are compressed with {name}, which is not read; write the file again "
-                               "without it (gltfpack without -c, or gltf-transform copy)")
+                raise self.bad(
+                    f"its meshes are compressed with {name}, which is not read; write the file again "
+                    "without it (gltfpack without -c, or gltf-transform copy)"
+                )
             if name not in READ and not str(name).startswith("KHR_materials_"):
                 raise self.bad(f"it requires the extension {name}, which is not read")
 
@@ -143,7 +159,7 @@ class GltfFile:
         data = self.buffer(record.get("buffer"))
         if start < 0 or length < 0 or start + length > len(data):
             raise self.bad(f"buffer view {index} reaches past the end of its buffer")
-        return data[start:start + length]
+        return data[start : start + length]
 
     def array(self, index: Any) -> NDArray[Any]:
         """An accessor as (count, width): integers as they are, normalised ones and floats as float64."""
@@ -156,8 +172,11 @@ class GltfFile:
             values = self._plain(record, kind, width, count, index)
             if "sparse" in record:
                 values = self._sparse(record["sparse"], values, kind, width, index)
-            self._accessors[index] = _scaled(values) if record.get("normalized") else (
-                values.astype(np.float64) if values.dtype.kind == "f" else values)
+            self._accessors[index] = (
+                _scaled(values)
+                if record.get("normalized")
+                else (values.astype(np.float64) if values.dtype.kind == "f" else values)
+            )
         return self._accessors[index]
 
     def _plain(self, record: dict[str, Any], kind: Any, width: int, count: int, index: Any) -> NDArray[Any]:
@@ -170,8 +189,9 @@ class GltfFile:
             return np.zeros((0, width), kind)
         if start < 0 or stride < 1 or start + stride * (count - 1) + size > len(data):
             raise self.bad(f"accessor {index} reaches past the end of its data")
-        return np.ndarray((count, width), np.dtype(kind).newbyteorder("<"), data, start,
-                          (stride, np.dtype(kind).itemsize)).astype(kind)
+        return np.ndarray(
+            (count, width), np.dtype(kind).newbyteorder("<"), data, start, (stride, np.dtype(kind).itemsize)
+        ).astype(kind)
 
     def _sparse(self, record: dict[str, Any], values: NDArray[Any], kind: Any, width: int, index: Any) -> NDArray[Any]:
         count, places, news = int(record.get("count", 0)), record.get("indices", {}), record.get("values", {})

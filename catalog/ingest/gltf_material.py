@@ -63,8 +63,15 @@ class GltfMaterials:
         mode = record.get("alphaMode", "OPAQUE")
         glass = min(1.0, max(0.0, float(extensions.get("KHR_materials_transmission", {}).get("transmissionFactor", 0))))
         opacity = (factor[3] if mode == "BLEND" else 1.0) * (1 - (1 - GLASS_OPACITY) * glass)
-        frame, pictures = self._frame(name, {"base colour": base, "roughness": shine, "normal": record.get(
-            "normalTexture"), "emissive": record.get("emissiveTexture")})
+        frame, pictures = self._frame(
+            name,
+            {
+                "base colour": base,
+                "roughness": shine,
+                "normal": record.get("normalTexture"),
+                "emissive": record.get("emissiveTexture"),
+            },
+        )
         image = pictures.get("base colour")
         cut = image is not None and mode in ("MASK", "BLEND") and has_alpha(image)
         strength = float(extensions.get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1))
@@ -74,14 +81,24 @@ class GltfMaterials:
             return texture_png(pictures[kind]) if kind in pictures else None
 
         surface = Surface(
-            name, color_of(factor), _unit(roughness), _unit(metallic), _glow(glow), _unit(opacity),
+            name,
+            color_of(factor),
+            _unit(roughness),
+            _unit(metallic),
+            _glow(glow),
+            _unit(opacity),
             texture_png(image, alpha=cut) if image is not None else None,
-            ("mask" if mode == "MASK" else "blend") if cut else "opaque", _unit(record.get("alphaCutoff", 0.5)),
-            png("normal"), png("roughness"), png("emissive") if glow.any() else None)
+            ("mask" if mode == "MASK" else "blend") if cut else "opaque",
+            _unit(record.get("alphaCutoff", 0.5)),
+            png("normal"),
+            png("roughness"),
+            png("emissive") if glow.any() else None,
+        )
         return GltfSurface(surface, *frame)
 
-    def _frame(self, name: str, references: dict[str, Any]
-               ) -> tuple[tuple[int, NDArray[np.float64] | None], dict[str, Image.Image]]:
+    def _frame(
+        self, name: str, references: dict[str, Any]
+    ) -> tuple[tuple[int, NDArray[np.float64] | None], dict[str, Image.Image]]:
         """The texture coordinates of the first texture, and the pictures of all that share them."""
         frame: tuple[int, NDArray[np.float64] | None] | None = None
         pictures: dict[str, Image.Image] = {}
@@ -91,8 +108,9 @@ class GltfMaterials:
                 continue
             own = _coordinates(reference)
             frame = frame or own
-            if own[0] == frame[0] and np.array_equal(np.eye(3) if own[1] is None else own[1],
-                                                     np.eye(3) if frame[1] is None else frame[1]):
+            if own[0] == frame[0] and np.array_equal(
+                np.eye(3) if own[1] is None else own[1], np.eye(3) if frame[1] is None else frame[1]
+            ):
                 pictures[kind] = picture
             else:
                 self._note(f"material {name!r}: its {kind} texture lies differently from the others and is left out")
@@ -104,12 +122,14 @@ class GltfMaterials:
             return None
         texture = self.file.item("textures", reference.get("index"))
         extensions = texture.get("extensions", {})
-        source = next((extensions[name].get("source") for name in OTHER_FORMATS if name in extensions),
-                      texture.get("source"))
+        source = next(
+            (extensions[name].get("source") for name in OTHER_FORMATS if name in extensions), texture.get("source")
+        )
         if source is None:
             if COMPRESSED in extensions:
-                self._note(f"a texture is compressed with {COMPRESSED} (KTX2), which is not read: "
-                           "the plain colour is used")
+                self._note(
+                    f"a texture is compressed with {COMPRESSED} (KTX2), which is not read: the plain colour is used"
+                )
             return None
         if source not in self._pictures:
             self._pictures[source] = self._decoded(source)
@@ -119,8 +139,11 @@ class GltfMaterials:
         record = self.file.item("images", index)
         named = str(record.get("uri") or record.get("name") or f"image {index}")[:80]
         try:
-            data = bytes(self.file.view(record["bufferView"])) if "bufferView" in record else self.file.bytes_of(
-                record.get("uri"))
+            data = (
+                bytes(self.file.view(record["bufferView"]))
+                if "bufferView" in record
+                else self.file.bytes_of(record.get("uri"))
+            )
         except BadInput:
             self._note(f"file {named!r} is missing: the plain colour is used")
             return None

@@ -92,8 +92,11 @@ class GltfMeshes:
                     normals = normals + weight * self.file.array(target["NORMAL"])
         looks = self.materials.surface(record.get("material"))
         uvs = values(f"TEXCOORD_{looks.uv_set}")
-        flat = np.zeros((len(points), 2)) if uvs is None or uvs.shape != (len(points), 2) else np.nan_to_num(
-            np.asarray(uvs, float))
+        flat = (
+            np.zeros((len(points), 2))
+            if uvs is None or uvs.shape != (len(points), 2)
+            else np.nan_to_num(np.asarray(uvs, float))
+        )
         if looks.surface.texture and uvs is None:
             self._note(f"mesh {name!r} has a texture and no texture coordinates")
         if looks.uv_transform is not None:
@@ -102,8 +105,9 @@ class GltfMeshes:
         surface, colors = _coloured(looks.surface, values("COLOR_0"), faces, len(points))
         if normals is None or normals.shape != points.shape:
             return _flat(Primitive(surface, points, faces, np.zeros_like(points), flat, colors, joints, shares))
-        return Primitive(surface, points, faces, np.nan_to_num(np.asarray(normals, float)), flat, colors, joints,
-                         shares)
+        return Primitive(
+            surface, points, faces, np.nan_to_num(np.asarray(normals, float)), flat, colors, joints, shares
+        )
 
     def _skinning(self, values: Any, count: int) -> tuple[NDArray[np.int64] | None, Floats | None]:
         joints, shares, number = [], [], 0
@@ -138,8 +142,11 @@ class GltfMeshes:
             name = names.get(attribute["unique_id"])
             if name is not None:
                 data = np.asarray(attribute["data"])
-                described = self.file.item("accessors", record["attributes"][name]) if name in record.get(
-                    "attributes", {}) else {}
+                described = (
+                    self.file.item("accessors", record["attributes"][name])
+                    if name in record.get("attributes", {})
+                    else {}
+                )
                 whole = described.get("normalized") and data.dtype.kind in "ui"
                 found[name] = data / np.iinfo(data.dtype).max if whole else data
         if getattr(mesh, "faces", None) is not None:
@@ -151,8 +158,9 @@ class GltfMeshes:
             self.file.notes.append(text)
 
 
-def _coloured(surface: Surface, colors: NDArray[Any] | None, faces: NDArray[np.int64], count: int
-              ) -> tuple[Surface, Floats | None]:
+def _coloured(
+    surface: Surface, colors: NDArray[Any] | None, faces: NDArray[np.int64], count: int
+) -> tuple[Surface, Floats | None]:
     """Linear colours of vertices; those that are all alike go into the surface."""
     if colors is None or len(colors) != count:
         return surface, None
@@ -165,7 +173,7 @@ def _coloured(surface: Surface, colors: NDArray[Any] | None, faces: NDArray[np.i
 def _triangles(corners: NDArray[np.int64], mode: int) -> NDArray[np.int64]:
     """Triangles of a list (4), strip (5) or fan (6) of corners; those with two equal corners in strips are left out."""
     if mode == 4:
-        return corners[:len(corners) // 3 * 3].reshape(-1, 3)
+        return corners[: len(corners) // 3 * 3].reshape(-1, 3)
     if len(corners) < 3:
         return np.zeros((0, 3), np.int64)
     if mode == 5:
@@ -181,10 +189,16 @@ def _triangles(corners: NDArray[np.int64], mode: int) -> NDArray[np.int64]:
 def _unwelded(made: Primitive) -> Primitive:
     """Every triangle with corners of its own."""
     each = made.faces.reshape(-1)
-    return Primitive(made.surface, made.points[each], np.arange(len(each)).reshape(-1, 3), made.normals[each],
-                     made.uvs[each], None if made.colors is None else made.colors[each],
-                     None if made.joints is None else made.joints[each],
-                     None if made.weights is None else made.weights[each])
+    return Primitive(
+        made.surface,
+        made.points[each],
+        np.arange(len(each)).reshape(-1, 3),
+        made.normals[each],
+        made.uvs[each],
+        None if made.colors is None else made.colors[each],
+        None if made.joints is None else made.joints[each],
+        None if made.weights is None else made.weights[each],
+    )
 
 
 def _flat(made: Primitive) -> Primitive:

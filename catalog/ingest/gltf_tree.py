@@ -113,8 +113,9 @@ class GltfTree:
                 yield Placed(index, path, node["mesh"], self.worlds[index], weights, skin)
                 continue
             for number, local in enumerate(self._instances(instancing)):
-                yield Placed(index, (*path[:-1], f"{path[-1]}_{number}"), node["mesh"], self.worlds[index] @ local,
-                             weights)
+                yield Placed(
+                    index, (*path[:-1], f"{path[-1]}_{number}"), node["mesh"], self.worlds[index] @ local, weights
+                )
 
     def _instances(self, record: dict[str, Any]) -> Iterator[Matrix]:
         attributes = {key: self.file.array(index) for key, index in record.get("attributes", {}).items()}
@@ -122,8 +123,13 @@ class GltfTree:
         if len(count) != 1:
             raise self.file.bad(f"{INSTANCING} needs places of one count")
         for number in range(count.pop()):
-            yield _local({name.lower(): attributes[name][number] for name in ("TRANSLATION", "ROTATION", "SCALE")
-                          if name in attributes})
+            yield _local(
+                {
+                    name.lower(): attributes[name][number]
+                    for name in ("TRANSLATION", "ROTATION", "SCALE")
+                    if name in attributes
+                }
+            )
 
     def triangles(self, placed: Placed) -> list[tuple[Primitive, Matrix]]:
         """The primitives of a placed mesh, each with the matrix that is still to be applied.
@@ -137,9 +143,11 @@ class GltfTree:
         joints = np.stack([self._joint_worlds[index] for index in skin.get("joints", [])])
         if "inverseBindMatrices" in skin:
             inverse = self.file.array(skin["inverseBindMatrices"]).reshape(-1, 4, 4).transpose(0, 2, 1)
-            joints = joints @ inverse[:len(joints)]
-        return [_skinned(self.file, primitive, joints) if primitive.joints is not None else (primitive, placed.matrix)
-                for primitive in primitives]
+            joints = joints @ inverse[: len(joints)]
+        return [
+            _skinned(self.file, primitive, joints) if primitive.joints is not None else (primitive, placed.matrix)
+            for primitive in primitives
+        ]
 
     def lights(self) -> Iterator[PlacedRecord]:
         """The lights of KHR_lights_punctual."""

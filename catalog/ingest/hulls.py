@@ -69,7 +69,7 @@ def pieces(vertices: Points, faces: NDArray[np.int64]) -> list[Points]:
         points = vertices[np.unique(faces[part])]
         found += _sides(vertices, faces[part], welded[part]) if _hollow(vertices[faces[part]], points) else [points]
     found.sort(key=lambda points: -float(np.linalg.norm(np.ptp(points, axis=0))))
-    return found if len(found) <= MAX_PIECES else [*found[:MAX_PIECES - 1], np.concatenate(found[MAX_PIECES - 1:])]
+    return found if len(found) <= MAX_PIECES else [*found[: MAX_PIECES - 1], np.concatenate(found[MAX_PIECES - 1 :])]
 
 
 def connected(welded: NDArray[np.int64], group: NDArray[np.int64]) -> list[NDArray[np.int64]]:

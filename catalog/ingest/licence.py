@@ -6,12 +6,16 @@ import re
 from pathlib import Path
 
 FILES = re.compile(r"(licen[cs]e|copying|source|notice)[^/]*(\.(txt|md))?", re.IGNORECASE)
-KNOWN = (("CC0-1.0", r"CC0|creative commons zero|public domain"), ("CC-BY-4.0", r"CC[- ]BY[- ]4\.0|attribution 4\.0"),
-         ("CC-BY-3.0", r"CC[- ]BY[- ]3\.0"), ("Apache-2.0", r"Apache License|Apache-2\.0"),
-         ("MIT-0", r"MIT-0|MIT No Attribution"),
-         ("MIT", r"\bMIT\b|above copyright notice and this permission notice"),
-         ("MIT-0", r"Permission is hereby granted, free of charge"),
-         ("BSD-3-Clause", r"Redistribution and use in"))
+KNOWN = (
+    ("CC0-1.0", r"CC0|creative commons zero|public domain"),
+    ("CC-BY-4.0", r"CC[- ]BY[- ]4\.0|attribution 4\.0"),
+    ("CC-BY-3.0", r"CC[- ]BY[- ]3\.0"),
+    ("Apache-2.0", r"Apache License|Apache-2\.0"),
+    ("MIT-0", r"MIT-0|MIT No Attribution"),
+    ("MIT", r"\bMIT\b|above copyright notice and this permission notice"),
+    ("MIT-0", r"Permission is hereby granted, free of charge"),
+    ("BSD-3-Clause", r"Redistribution and use in"),
+)
 UNKNOWN = "unknown"
 
 

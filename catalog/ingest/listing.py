@@ -14,12 +14,38 @@ from c4s.files import digest, digest_file
 from catalog.ingest.source import SUFFIXES
 
 NOT_READ = {
-    ".fbx": "FBX", ".blend": "Blender", ".usd": "USD", ".usda": "USD", ".usdc": "USD", ".usdz": "USD",
-    ".max": "3ds Max", ".3ds": "3D Studio", ".ma": "Maya", ".mb": "Maya", ".c4d": "Cinema 4D", ".stl": "STL",
-    ".ply": "PLY", ".abc": "Alembic",
-    ".uasset": "Unreal asset", ".umap": "Unreal map", ".vrm": "VRM", ".x3d": "X3D", ".wrl": "VRML", ".skp": "SketchUp",
-    ".lwo": "LightWave", ".step": "STEP", ".stp": "STEP", ".iges": "IGES", ".vox": "MagicaVoxel", ".off": "OFF",
-    ".3mf": "3MF", ".ase": "ASE", ".ms3d": "MilkShape", ".md2": "MD2", ".b3d": "Blitz3D", ".x": "DirectX",
+    ".fbx": "FBX",
+    ".blend": "Blender",
+    ".usd": "USD",
+    ".usda": "USD",
+    ".usdc": "USD",
+    ".usdz": "USD",
+    ".max": "3ds Max",
+    ".3ds": "3D Studio",
+    ".ma": "Maya",
+    ".mb": "Maya",
+    ".c4d": "Cinema 4D",
+    ".stl": "STL",
+    ".ply": "PLY",
+    ".abc": "Alembic",
+    ".uasset": "Unreal asset",
+    ".umap": "Unreal map",
+    ".vrm": "VRM",
+    ".x3d": "X3D",
+    ".wrl": "VRML",
+    ".skp": "SketchUp",
+    ".lwo": "LightWave",
+    ".step": "STEP",
+    ".stp": "STEP",
+    ".iges": "IGES",
+    ".vox": "MagicaVoxel",
+    ".off": "OFF",
+    ".3mf": "3MF",
+    ".ase": "ASE",
+    ".ms3d": "MilkShape",
+    ".md2": "MD2",
+    ".b3d": "Blitz3D",
+    ".x": "DirectX",
 }
 ARCHIVES = (".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz", ".unitypackage")
 BETTER = (".glb", ".gltf", ".dae", ".obj")
@@ -48,8 +74,11 @@ def listing(folder: Path) -> Listing:
     if folder.is_file():
         kind = folder.suffix.lower()
         if kind in ARCHIVES:
-            raise BadInput("this is an archive, not a folder", where=str(folder),
-                           todo=f"unpack it and give the folder: unzip {folder.name} -d {folder.stem}")
+            raise BadInput(
+                "this is an archive, not a folder",
+                where=str(folder),
+                todo=f"unpack it and give the folder: unzip {folder.name} -d {folder.stem}",
+            )
         raise BadInput("this is a file, not a folder", where=str(folder), todo=f"give its folder: {folder.parent}")
     if not folder.is_dir():
         raise BadInput("no such folder", where=str(folder))
@@ -75,8 +104,10 @@ def listing(folder: Path) -> Listing:
     kept = _one_format(folder, sorted(meshes))
     found.files = [path for path in sorted(meshes) if path in kept.values()]
     things = {_thing(folder, path) for path in found.files}
-    others = [(path, SAME_THING if path.suffix.lower() in NOT_READ and _thing(folder, path) in things else reason)
-              for path, reason in others] + [(path, SAME_THING) for path in meshes if path not in kept.values()]
+    others = [
+        (path, SAME_THING if path.suffix.lower() in NOT_READ and _thing(folder, path) in things else reason)
+        for path, reason in others
+    ] + [(path, SAME_THING) for path in meshes if path not in kept.values()]
     found.skipped = [{"file": path.relative_to(folder).as_posix(), "reason": reason} for path, reason in sorted(others)]
     if not found.files:
         first = f"; {found.skipped[0]['file']}: {found.skipped[0]['reason']}" if found.skipped else ""
@@ -124,8 +155,11 @@ def table(folder: Path) -> tuple[dict[str, Row], list[dict[str, str]]]:
                     if row.get("file"):
                         said = {key: (row.get(key) or "").strip() for key in TOLD}
                         rows[str(row["file"]).strip()] = Row(
-                            said["name"], said["category"], said["description"],
-                            tuple(tag.strip() for tag in re.split(r"[;,|]", said["tags"]) if tag.strip()))
+                            said["name"],
+                            said["category"],
+                            said["description"],
+                            tuple(tag.strip() for tag in re.split(r"[;,|]", said["tags"]) if tag.strip()),
+                        )
         except (UnicodeDecodeError, csv.Error) as error:
             notes.append({"file": path.name, "note": f"this table cannot be read and is left out: {error}"})
     return rows, notes

@@ -8,8 +8,21 @@ from pathlib import Path
 from catalog.ingest.resolver import FolderResolver
 from catalog.ingest.surface import color_of, linear
 
-MAP_OPTIONS = {"-blendu": 1, "-blendv": 1, "-bm": 1, "-boost": 1, "-cc": 1, "-clamp": 1, "-imfchan": 1, "-mm": 2,
-               "-o": 3, "-s": 3, "-t": 3, "-texres": 1, "-type": 1}
+MAP_OPTIONS = {
+    "-blendu": 1,
+    "-blendv": 1,
+    "-bm": 1,
+    "-boost": 1,
+    "-cc": 1,
+    "-clamp": 1,
+    "-imfchan": 1,
+    "-mm": 2,
+    "-o": 3,
+    "-s": 3,
+    "-t": 3,
+    "-texres": 1,
+    "-type": 1,
+}
 """Options of a map and how many values stand behind each (at most: ``-o``, ``-s`` and ``-t`` take one to three)."""
 
 
@@ -27,8 +40,9 @@ class ObjResolver(FolderResolver):
             return data
         text = data.decode("utf-8-sig", errors="replace")
         self.libraries.append(text)
-        return re.sub(r"(?im)^([ \t]*map_kd[ \t]+)(.*)$", lambda found: found.group(1) + _map_file(found.group(2)),
-                      text).encode()
+        return re.sub(
+            r"(?im)^([ \t]*map_kd[ \t]+)(.*)$", lambda found: found.group(1) + _map_file(found.group(2)), text
+        ).encode()
 
 
 def _map_file(arguments: str) -> str:
@@ -52,8 +66,10 @@ def glow_and_opacity(resolver: ObjResolver) -> dict[str, tuple[tuple[float, floa
             solid = re.search(r"(?m)^[ \t]*(d|Tr)[ \t]+([0-9.eE+-]+)", block)
             opacity = 1.0 if solid is None else _number(solid.group(2))
             emissive = color_of([linear(min(1.0, _number(value))) for value in glow.groups()]) if glow else (0.0,) * 3
-            found[name] = (emissive[0], emissive[1], emissive[2]), round(min(1.0, max(
-                0.0, 1 - opacity if solid is not None and solid.group(1) == "Tr" else opacity)), 4)
+            found[name] = (
+                (emissive[0], emissive[1], emissive[2]),
+                round(min(1.0, max(0.0, 1 - opacity if solid is not None and solid.group(1) == "Tr" else opacity)), 4),
+            )
     return found
 
 

@@ -32,8 +32,7 @@ def stated_bodies(path: Path, root: Path, *, scale: float = 1.0) -> tuple[list[C
 
     ``scale``: factor from the file's units to metres. Other formats state none.
     """
-    if path.suffix.lower() not in GLTF or not any(
-            name.encode() in path.read_bytes() for name in BODY_EXTENSIONS):
+    if path.suffix.lower() not in GLTF or not any(name.encode() in path.read_bytes() for name in BODY_EXTENSIONS):
         return [], []
     file = GltfFile(path, root)
     tree = GltfTree(file)
@@ -59,8 +58,9 @@ def _colliders(node: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _shapes(file: GltfFile) -> list[dict[str, Any]]:
-    return [shape for name in SHAPE_EXTENSIONS
-            for shape in file.tree.get("extensions", {}).get(name, {}).get("shapes", [])]
+    return [
+        shape for name in SHAPE_EXTENSIONS for shape in file.tree.get("extensions", {}).get(name, {}).get("shapes", [])
+    ]
 
 
 def _body(file: GltfFile, tree: GltfTree, collider: dict[str, Any], matrix: _Matrix) -> CollisionBody:
@@ -76,14 +76,18 @@ def _body(file: GltfFile, tree: GltfTree, collider: dict[str, Any], matrix: _Mat
         return (framed_box(points, frame) if frame is not None else None) or hull(points)
     if kind == "sphere":
         return _round(matrix, float(numbers.get("radius", 0.5)), 0.0) or hull(
-            _moved(matrix, _rings(0.0, float(numbers.get("radius", 0.5)), float(numbers.get("radius", 0.5)))))
+            _moved(matrix, _rings(0.0, float(numbers.get("radius", 0.5)), float(numbers.get("radius", 0.5))))
+        )
     if kind in ("capsule", "cylinder"):
         height = float(numbers.get("height", 0.5 if kind == "capsule" else 2.0))
-        bottom, top = (float(numbers.get(name, numbers.get("radius", 0.25 if kind == "capsule" else 0.5)))
-                       for name in ("radiusBottom", "radiusTop"))
+        bottom, top = (
+            float(numbers.get(name, numbers.get("radius", 0.25 if kind == "capsule" else 0.5)))
+            for name in ("radiusBottom", "radiusTop")
+        )
         made = _round(matrix, bottom, height) if kind == "capsule" and bottom == top else None
-        return made or hull(_moved(matrix, _rings(height, bottom, top) if kind == "capsule"
-                                   else _ends(height, bottom, top)))
+        return made or hull(
+            _moved(matrix, _rings(height, bottom, top) if kind == "capsule" else _ends(height, bottom, top))
+        )
     if kind in ("convex", "trimesh"):
         return _mesh(tree, numbers.get("mesh", shape.get("mesh")), matrix)
     raise ValueError(f"unknown shape {kind!r}")
@@ -118,20 +122,32 @@ def _round(matrix: _Matrix, radius: float, height: float) -> CollisionBody | Non
     x, y, z = (round(float(value), 4) + 0.0 for value in matrix[:3, 3])
     if height <= 0:
         return SphereBody(center=(x, y, z), radius=round(radius * size, 4))
-    return CapsuleBody(center=(x, y, z), rotation_deg=rotator(frame), radius=round(radius * size, 4),
-                       length=round(height * size, 4))
+    return CapsuleBody(
+        center=(x, y, z), rotation_deg=rotator(frame), radius=round(radius * size, 4), length=round(height * size, 4)
+    )
 
 
 def _rings(height: float, bottom: float, top: float) -> Points:
     """Points on a capsule with two radii along Y."""
-    rows = [[radius * np.cos(rise) * np.cos(turn), end * height / 2 + end * radius * np.sin(rise),
-             radius * np.cos(rise) * np.sin(turn)]
-            for end, radius in ((-1, bottom), (1, top)) for rise in np.linspace(0, np.pi / 2, 5)
-            for turn in np.arange(_RING) * 2 * np.pi / _RING]
+    rows = [
+        [
+            radius * np.cos(rise) * np.cos(turn),
+            end * height / 2 + end * radius * np.sin(rise),
+            radius * np.cos(rise) * np.sin(turn),
+        ]
+        for end, radius in ((-1, bottom), (1, top))
+        for rise in np.linspace(0, np.pi / 2, 5)
+        for turn in np.arange(_RING) * 2 * np.pi / _RING
+    ]
     return np.array(rows)
 
 
 def _ends(height: float, bottom: float, top: float) -> Points:
     """Points on the two ends of a cylinder along Y."""
-    return np.array([[radius * np.cos(turn), end * height / 2, radius * np.sin(turn)]
-                     for end, radius in ((-1, bottom), (1, top)) for turn in np.arange(_RING) * 2 * np.pi / _RING])
+    return np.array(
+        [
+            [radius * np.cos(turn), end * height / 2, radius * np.sin(turn)]
+            for end, radius in ((-1, bottom), (1, top))
+            for turn in np.arange(_RING) * 2 * np.pi / _RING
+        ]
+    )

@@ -45,8 +45,11 @@ class FolderResolver(Resolver):
         parts = [part.lower() for part in clean.split("/") if part not in ("", ".", "..")]
         if not parts:
             return None
-        named = [path for path in sorted(self.root.rglob("*")) if path.name.lower() == parts[-1] and path.is_file()
-                 and path.resolve().is_relative_to(self.root)]
+        named = [
+            path
+            for path in sorted(self.root.rglob("*"))
+            if path.name.lower() == parts[-1] and path.is_file() and path.resolve().is_relative_to(self.root)
+        ]
 
         def shared(path: Path) -> int:
             count = 0

@@ -42,8 +42,11 @@ def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = N
         BadInput: the file cannot be read, holds no triangles of any size, or numbers that are not finite.
     """
     notes: list[str] = []
-    made = _gltf_parts(path, root, scale, up, notes) if path.suffix.lower() in GLTF else _other_parts(
-        path, root, scale, up, notes)
+    made = (
+        _gltf_parts(path, root, scale, up, notes)
+        if path.suffix.lower() in GLTF
+        else _other_parts(path, root, scale, up, notes)
+    )
     parts, count = [], 0
     for part in made:
         parts.append(part)
@@ -66,8 +69,19 @@ def _gltf_parts(path: Path, root: Path, scale: float, up: Up | None, notes: list
     try:
         for placed in tree.placed():
             for one, matrix in tree.triangles(placed):
-                yield part_of(placed.path[-1], one.surface, one.points, one.faces, one.normals, one.uvs, one.colors,
-                              matrix, axes, scale, path)
+                yield part_of(
+                    placed.path[-1],
+                    one.surface,
+                    one.points,
+                    one.faces,
+                    one.normals,
+                    one.uvs,
+                    one.colors,
+                    matrix,
+                    axes,
+                    scale,
+                    path,
+                )
     finally:
         notes += file.notes
 
@@ -86,8 +100,19 @@ def _other_parts(path: Path, root: Path, scale: float, up: Up | None, notes: lis
         notes += file.notes
 
 
-def part_of(node: str, surface: Surface, points: Floats, faces: NDArray[np.int64], normals: Floats, uvs: Floats,
-            colors: Floats | None, matrix: Floats, axes: Floats, scale: float, path: Path) -> SourcePart:
+def part_of(
+    node: str,
+    surface: Surface,
+    points: Floats,
+    faces: NDArray[np.int64],
+    normals: Floats,
+    uvs: Floats,
+    colors: Floats | None,
+    matrix: Floats,
+    axes: Floats,
+    scale: float,
+    path: Path,
+) -> SourcePart:
     """A part from arrays of a file: its points (file's axes and units) under ``matrix``, turned by ``axes``.
 
     Triangles of a matrix that mirrors are turned round. ``BadInput`` for numbers that are not finite and for a matrix

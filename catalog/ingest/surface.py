@@ -90,8 +90,9 @@ def _encoded(mode: str, size: tuple[int, int], data: bytes) -> bytes:
     image = Image.frombytes(mode, size, data)
     if max(image.size) > MAX_TEXTURE:
         factor = MAX_TEXTURE / max(image.size)
-        image = image.resize((max(1, round(image.width * factor)), max(1, round(image.height * factor))),
-                             Image.Resampling.BOX)
+        image = image.resize(
+            (max(1, round(image.width * factor)), max(1, round(image.height * factor))), Image.Resampling.BOX
+        )
     out = io.BytesIO()
     image.save(out, format="PNG")
     return out.getvalue()

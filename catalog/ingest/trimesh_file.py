@@ -53,10 +53,15 @@ class SurfaceReader:
         emissive = np.zeros(3) if material.emissiveFactor is None else np.asarray(material.emissiveFactor, dtype=float)
         see_through = material.alphaMode == "BLEND" and len(base) > 3
         texture = self._texture(material.baseColorTexture, notes)
-        return Surface(name, color_of([linear(max(0.0, float(c))) for c in base[:3]]),
-                       round(_number(material.roughnessFactor, 1.0), 4),
-                       round(_number(material.metallicFactor, 0.0), 4),
-                       color_of(emissive[:3]), round(float(base[3]), 4) if see_through else 1.0, texture)
+        return Surface(
+            name,
+            color_of([linear(max(0.0, float(c))) for c in base[:3]]),
+            round(_number(material.roughnessFactor, 1.0), 4),
+            round(_number(material.metallicFactor, 0.0), 4),
+            color_of(emissive[:3]),
+            round(float(base[3]), 4) if see_through else 1.0,
+            texture,
+        )
 
     def _texture(self, image: Any, notes: list[str]) -> bytes | None:
         if image is None:
@@ -93,8 +98,9 @@ class TrimeshFile:
             self.up = axis.group(1).lower() if axis else "y"
         options: dict[str, Any] = {"split_objects": True, "group_material": False} if kind == ".obj" else {}
         try:
-            self.scene = trimesh.load_scene(_content(path), file_type=kind[1:], resolver=resolver, process=False,
-                                            **options)
+            self.scene = trimesh.load_scene(
+                _content(path), file_type=kind[1:], resolver=resolver, process=False, **options
+            )
         except Exception as error:  # trimesh's readers raise whatever their format's parser raises
             lost = f"; missing {', '.join(resolver.missing)}" if resolver.missing else ""
             raise BadInput(f"cannot read this mesh: {type(error).__name__}: {error}{lost}", where=str(path)) from None
@@ -127,8 +133,14 @@ class TrimeshFile:
             return Surface("vertex_colors", (1.0, 1.0, 1.0)), points, faces, normals, np.zeros((len(points), 2)), colors
         raw = getattr(visual, "uv", None)
         fits = raw is not None and np.shape(raw) == (len(points), 2) and np.isfinite(raw).all()
-        return surface, points, faces, normals, (np.asarray(raw, float) * [1, -1] + [0, 1] if fits
-                                                 else np.zeros((len(points), 2))), None
+        return (
+            surface,
+            points,
+            faces,
+            normals,
+            (np.asarray(raw, float) * [1, -1] + [0, 1] if fits else np.zeros((len(points), 2))),
+            None,
+        )
 
 
 def _content(path: Path) -> io.BytesIO:

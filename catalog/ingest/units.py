@@ -8,16 +8,55 @@ from dataclasses import dataclass
 from statistics import median
 
 TYPICAL_M: dict[str, tuple[float, float]] = {
-    "chair": (0.7, 1.3), "armchair": (0.8, 1.3), "stool": (0.35, 1.0), "couch": (1.5, 2.6), "sofa": (1.5, 2.6),
-    "bed": (1.8, 2.3), "desk": (1.0, 2.0), "table": (0.7, 2.2), "cabinet": (0.6, 2.1), "shelf": (0.6, 2.2),
-    "bookcase": (0.8, 2.2), "wardrobe": (1.7, 2.4), "lamp": (0.3, 1.9), "door": (1.9, 2.4), "book": (0.15, 0.35),
-    "fridge": (1.2, 2.0), "oven": (0.6, 1.2), "stove": (0.6, 1.2), "sink": (0.4, 1.2), "toilet": (0.6, 0.9),
-    "bathtub": (1.4, 1.9), "plate": (0.15, 0.35), "pot": (0.15, 0.45), "pan": (0.25, 0.6), "knife": (0.15, 0.4),
-    "bottle": (0.15, 0.35), "mug": (0.08, 0.15), "bowl": (0.12, 0.35), "crate": (0.3, 1.0), "barrel": (0.6, 1.1),
-    "pallet": (0.8, 1.4), "car": (3.5, 5.2), "taxi": (3.8, 5.2), "truck": (5.0, 9.0), "bus": (8.0, 13.0),
-    "streetlight": (3.5, 10.0), "trafficlight": (2.5, 6.0), "bench": (1.2, 2.2), "firehydrant": (0.6, 1.2),
-    "hydrant": (0.6, 1.2), "dumpster": (1.5, 3.0), "building": (5.0, 40.0), "house": (5.0, 20.0), "tree": (2.0, 15.0),
-    "sign": (1.8, 3.5), "rug": (1.2, 3.0), "pillow": (0.35, 0.7), "monitor": (0.4, 0.8), "computer": (0.3, 0.8),
+    "chair": (0.7, 1.3),
+    "armchair": (0.8, 1.3),
+    "stool": (0.35, 1.0),
+    "couch": (1.5, 2.6),
+    "sofa": (1.5, 2.6),
+    "bed": (1.8, 2.3),
+    "desk": (1.0, 2.0),
+    "table": (0.7, 2.2),
+    "cabinet": (0.6, 2.1),
+    "shelf": (0.6, 2.2),
+    "bookcase": (0.8, 2.2),
+    "wardrobe": (1.7, 2.4),
+    "lamp": (0.3, 1.9),
+    "door": (1.9, 2.4),
+    "book": (0.15, 0.35),
+    "fridge": (1.2, 2.0),
+    "oven": (0.6, 1.2),
+    "stove": (0.6, 1.2),
+    "sink": (0.4, 1.2),
+    "toilet": (0.6, 0.9),
+    "bathtub": (1.4, 1.9),
+    "plate": (0.15, 0.35),
+    "pot": (0.15, 0.45),
+    "pan": (0.25, 0.6),
+    "knife": (0.15, 0.4),
+    "bottle": (0.15, 0.35),
+    "mug": (0.08, 0.15),
+    "bowl": (0.12, 0.35),
+    "crate": (0.3, 1.0),
+    "barrel": (0.6, 1.1),
+    "pallet": (0.8, 1.4),
+    "car": (3.5, 5.2),
+    "taxi": (3.8, 5.2),
+    "truck": (5.0, 9.0),
+    "bus": (8.0, 13.0),
+    "streetlight": (3.5, 10.0),
+    "trafficlight": (2.5, 6.0),
+    "bench": (1.2, 2.2),
+    "firehydrant": (0.6, 1.2),
+    "hydrant": (0.6, 1.2),
+    "dumpster": (1.5, 3.0),
+    "building": (5.0, 40.0),
+    "house": (5.0, 20.0),
+    "tree": (2.0, 15.0),
+    "sign": (1.8, 3.5),
+    "rug": (1.2, 3.0),
+    "pillow": (0.35, 0.7),
+    "monitor": (0.4, 0.8),
+    "computer": (0.3, 0.8),
 }
 """Longest side in metres of things as they are usually made."""
 OTHER_UNITS = (0.01, 0.001, 0.0254, 100.0, 10.0)
@@ -59,13 +98,22 @@ def check_units(sizes_m: Iterable[tuple[str, float]]) -> UnitCheck:
     if len(named) >= 3:
         factor = median((low * high) ** 0.5 / side for side, (low, high) in named)
         if not 1 / FREE_FACTOR <= factor <= FREE_FACTOR:
-            return UnitCheck(len(named), len(wrong), _two_digits(factor), f"{len(named)} things whose names tell their "
-                             f"size are {1 / factor:.2g} times as long as real ones (median)")
+            return UnitCheck(
+                len(named),
+                len(wrong),
+                _two_digits(factor),
+                f"{len(named)} things whose names tell their "
+                f"size are {1 / factor:.2g} times as long as real ones (median)",
+            )
     middle = median(sides) if sides else 1.0
     if not named and not 0.02 <= middle <= 60:
         fitting = [unit for unit in OTHER_UNITS if 0.1 <= middle * unit <= 10]
-        return UnitCheck(0, 0, fitting[0] if fitting else _two_digits(1 / middle),
-                         f"the middle of the longest sides is {middle:.4g} m")
+        return UnitCheck(
+            0,
+            0,
+            fitting[0] if fitting else _two_digits(1 / middle),
+            f"the middle of the longest sides is {middle:.4g} m",
+        )
     return UnitCheck(len(named), len(wrong), None, "sizes are plausible" if named else "no name tells a size")
 
 

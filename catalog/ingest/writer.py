@@ -41,15 +41,16 @@ def identifier(text: str) -> str:
     name = re.sub(r"_+", "_", re.sub(r"[^A-Za-z0-9]+", "_", plain)).strip("_")
     if not name or (len(name) < 3 and not text.isascii()):
         name = f"{name}_{digest(text)[:8]}".strip("_") if text.strip() else "Unnamed"
-    return name if len(name) <= MAX_NAME else f"{name[:MAX_NAME - 9]}_{digest(text)[:8]}"
+    return name if len(name) <= MAX_NAME else f"{name[: MAX_NAME - 9]}_{digest(text)[:8]}"
 
 
 def _colors(parts: list[SourcePart]) -> NDArray[np.float32] | None:
     """Colours of the vertices of all parts, white where a part has none; ``None`` when none has."""
     if all(part.colors is None for part in parts):
         return None
-    return np.concatenate([np.ones((len(part.vertices), 3)) if part.colors is None else part.colors
-                           for part in parts]).astype(np.float32)
+    return np.concatenate(
+        [np.ones((len(part.vertices), 3)) if part.colors is None else part.colors for part in parts]
+    ).astype(np.float32)
 
 
 class PackWriter:
@@ -72,12 +73,20 @@ class PackWriter:
 
     def material(self, surface: Surface) -> str:
         """Path of the material of a surface; surfaces that look alike share one."""
-        record = Material(path="", base_color=surface.color, roughness=surface.roughness, metallic=surface.metallic,
-                          emissive=surface.emissive, opacity=surface.opacity, texture=self._texture(surface.texture),
-                          alpha=surface.alpha, alpha_cutoff=surface.alpha_cutoff,
-                          normal_texture=self._texture(surface.normal_texture),
-                          roughness_metal_texture=self._texture(surface.roughness_metal_texture),
-                          emissive_texture=self._texture(surface.emissive_texture))
+        record = Material(
+            path="",
+            base_color=surface.color,
+            roughness=surface.roughness,
+            metallic=surface.metallic,
+            emissive=surface.emissive,
+            opacity=surface.opacity,
+            texture=self._texture(surface.texture),
+            alpha=surface.alpha,
+            alpha_cutoff=surface.alpha_cutoff,
+            normal_texture=self._texture(surface.normal_texture),
+            roughness_metal_texture=self._texture(surface.roughness_metal_texture),
+            emissive_texture=self._texture(surface.emissive_texture),
+        )
         key = digest([surface.name, record.plain()])
         if key not in self._by_surface:
             name = self._free(f"M_{identifier(surface.name)}")
@@ -95,9 +104,18 @@ class PackWriter:
             write_bytes(self.folder / name, png)
         return name
 
-    def add(self, name: str, parts: list[SourcePart], collision: list[CollisionBody], *, category: str,
-            readable: str = "", description: str = "", tags: list[str] | None = None,
-            source: Literal["authored", "hull", "decomposition", "none"] = "hull") -> Asset:
+    def add(
+        self,
+        name: str,
+        parts: list[SourcePart],
+        collision: list[CollisionBody],
+        *,
+        category: str,
+        readable: str = "",
+        description: str = "",
+        tags: list[str] | None = None,
+        source: Literal["authored", "hull", "decomposition", "none"] = "hull",
+    ) -> Asset:
         """Add a static mesh of these parts; names that are taken get a number.
 
         ``readable`` is the name for people, made of ``name`` when left out; ``source`` says where the bodies come from.
@@ -110,13 +128,18 @@ class PackWriter:
                 order[path] = len(slots)
                 slots.append(MaterialSlot(name=path.rsplit(".", 1)[-1][2:], material=path))
         offsets = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
-        mesh = Mesh(vertices=np.concatenate([part.vertices for part in parts]).round(3).astype(np.float32),
-                    faces=np.concatenate([part.faces + offset for part, offset in zip(parts, offsets, strict=True)]
-                                         ).astype(np.int32),
-                    normals=np.concatenate([part.normals for part in parts]).round(5).astype(np.float32),
-                    uvs=np.concatenate([part.uvs for part in parts]).round(6).astype(np.float32),
-                    face_slots=np.concatenate([np.full(len(part.faces), order[self.material(part.surface)], np.int32)
-                                               for part in parts]), colors=_colors(parts))
+        mesh = Mesh(
+            vertices=np.concatenate([part.vertices for part in parts]).round(3).astype(np.float32),
+            faces=np.concatenate([part.faces + offset for part, offset in zip(parts, offsets, strict=True)]).astype(
+                np.int32
+            ),
+            normals=np.concatenate([part.normals for part in parts]).round(5).astype(np.float32),
+            uvs=np.concatenate([part.uvs for part in parts]).round(6).astype(np.float32),
+            face_slots=np.concatenate(
+                [np.full(len(part.faces), order[self.material(part.surface)], np.int32) for part in parts]
+            ),
+            colors=_colors(parts),
+        )
         stem = self._free(f"SM_{identifier(name)}")
         identity = stem[3:].lower()
         colors = {slot.name: self.materials[slot.material].base_color for slot in slots}
@@ -124,20 +147,37 @@ class PackWriter:
         write_bytes(self.folder / f"meshes/{identity}.glb", data)
         low, high = mesh.bounds_cm
         section = identifier(category.title())
-        asset = Asset(id=identity, name=readable or stem[3:].replace("_", " "), category=category,
-                      description=description, tags=tags or [], bounds_min_cm=low,
-                      path=f"/Game/{self.folder_name}/{section}/{stem}.{stem}",
-                      bounds_max_cm=high, mesh=f"meshes/{identity}.glb", mesh_sha256=digest_bytes(data), slots=slots,
-                      collision=collision, collision_source=source if collision else "none")
+        asset = Asset(
+            id=identity,
+            name=readable or stem[3:].replace("_", " "),
+            category=category,
+            description=description,
+            tags=tags or [],
+            bounds_min_cm=low,
+            path=f"/Game/{self.folder_name}/{section}/{stem}.{stem}",
+            bounds_max_cm=high,
+            mesh=f"meshes/{identity}.glb",
+            mesh_sha256=digest_bytes(data),
+            slots=slots,
+            collision=collision,
+            collision_source=source if collision else "none",
+        )
         self.assets.append(asset)
         return asset
 
     def finish(self, *, title: str, license_id: str, description: str, license_text: str) -> Pack:
         """Write the manifest and put the folder in place of what was there."""
         categories = sorted({asset.category for asset in self.assets})
-        pack = Pack(pack_id=self.pack_id, content_folder=self.folder_name, title=title, license=license_id,
-                    description=description, assets=self.assets, materials=list(self.materials.values()),
-                    category_descriptions={name: self._told(name) for name in categories})
+        pack = Pack(
+            pack_id=self.pack_id,
+            content_folder=self.folder_name,
+            title=title,
+            license=license_id,
+            description=description,
+            assets=self.assets,
+            materials=list(self.materials.values()),
+            category_descriptions={name: self._told(name) for name in categories},
+        )
         pack.write(self.folder / "pack.json")
         pack = write_previews(self.folder)
         if license_text:

@@ -13,16 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from c4s.files import digest_bytes, write_bytes
-from c4s.packs.manifest import (
-    Asset,
-    BlueprintPart,
-    BoxBody,
-    CollisionBody,
-    HullBody,
-    Material,
-    MaterialSlot,
-    Pack,
-)
+from c4s.packs.manifest import Asset, BlueprintPart, BoxBody, CollisionBody, HullBody, Material, MaterialSlot, Pack
 from c4s.packs.meshes import Mesh
 from c4s.scene.level import Vector
 from catalog.build import glb
@@ -31,8 +22,13 @@ from catalog.proxy.colours import Colour, accent, base_colour
 from catalog.proxy.shapes import shaper
 from catalog.shapes import Builder, Shape
 
-FIXED: dict[str, Colour] = {"Leaf": (0.09, 0.24, 0.06), "Trunk": (0.16, 0.09, 0.05), "Pane": (0.10, 0.16, 0.22),
-                            "Roof": (0.30, 0.10, 0.06), "Glow": (1.0, 0.82, 0.5)}
+FIXED: dict[str, Colour] = {
+    "Leaf": (0.09, 0.24, 0.06),
+    "Trunk": (0.16, 0.09, 0.05),
+    "Pane": (0.10, 0.16, 0.22),
+    "Roof": (0.30, 0.10, 0.06),
+    "Glow": (1.0, 0.82, 0.5),
+}
 
 
 @dataclass(frozen=True)
@@ -46,8 +42,9 @@ class PaletteEntry:
     path: str
 
 
-def build_proxy_pack(pack_id: str, title: str, entries: Sequence[PaletteEntry], root: Path,
-                     progress: Callable[[str], None]) -> Pack:
+def build_proxy_pack(
+    pack_id: str, title: str, entries: Sequence[PaletteEntry], root: Path, progress: Callable[[str], None]
+) -> Pack:
     """Write ``root/<pack_id>`` with a proxy and a preview for every entry; the same entries give the same bytes."""
     folder = root / pack_id
     materials: dict[str, Material] = {}
@@ -56,10 +53,16 @@ def build_proxy_pack(pack_id: str, title: str, entries: Sequence[PaletteEntry], 
         if index % 25 == 0:
             progress(f"{pack_id}: {index} of {len(entries)} proxies")
         assets += _assets(entry, folder, pack_id, materials)
-    pack = Pack(pack_id=pack_id, content_folder=pack_id, title=title, license="CC0-1.0 (generated stand-ins)",
-                description="Stand-ins for content that is not here: right sizes, right paths, plain shapes.",
-                assets=assets, materials=list(materials.values()),
-                category_descriptions={asset.category: f"{asset.category} assets" for asset in assets})
+    pack = Pack(
+        pack_id=pack_id,
+        content_folder=pack_id,
+        title=title,
+        license="CC0-1.0 (generated stand-ins)",
+        description="Stand-ins for content that is not here: right sizes, right paths, plain shapes.",
+        assets=assets,
+        materials=list(materials.values()),
+        category_descriptions={asset.category: f"{asset.category} assets" for asset in assets},
+    )
     pack.write(folder / "pack.json")
     progress(f"{pack_id}: previews")
     return write_previews(folder)
@@ -86,24 +89,50 @@ def _assets(entry: PaletteEntry, folder: Path, pack_id: str, materials: dict[str
     for name in shape.materials:
         owner = entry.id if name not in FIXED else "shared"
         path = f"/Game/C4SProxy/{pack_id}/M_{owner}_{name}.M_{owner}_{name}"
-        materials.setdefault(path, Material(path=path, base_color=colours[name],
-                                            emissive=(2.0, 1.6, 1.0) if name == "Glow" else (0.0, 0.0, 0.0)))
+        materials.setdefault(
+            path,
+            Material(
+                path=path, base_color=colours[name], emissive=(2.0, 1.6, 1.0) if name == "Glow" else (0.0, 0.0, 0.0)
+            ),
+        )
         slots.append(MaterialSlot(name=name, material=path))
     low, high = mesh.bounds_cm
     blueprint = entry.path.endswith("_C")
     path = entry.path[:-2] if blueprint else entry.path
-    asset = Asset(id=entry.id, name=entry.name, path=path, category=entry.category,
-                  description=f"Stand-in for {entry.name}", tags=sorted(set(words)), bounds_min_cm=low,
-                  bounds_max_cm=high, mesh=file, mesh_sha256=digest_bytes(data), slots=slots, collision=bodies,
-                  collision_source="authored" if bodies else "none")
+    asset = Asset(
+        id=entry.id,
+        name=entry.name,
+        path=path,
+        category=entry.category,
+        description=f"Stand-in for {entry.name}",
+        tags=sorted(set(words)),
+        bounds_min_cm=low,
+        bounds_max_cm=high,
+        mesh=file,
+        mesh_sha256=digest_bytes(data),
+        slots=slots,
+        collision=bodies,
+        collision_source="authored" if bodies else "none",
+    )
     if not blueprint:
         return [asset]
     leaf = path.rsplit("/", 1)[-1].split(".")[0]
     body_path = f"{path.rsplit('/', 1)[0]}/{leaf}_Body.{leaf}_Body"
     body = asset.model_copy(update={"id": f"{entry.id}_body", "path": body_path, "category": "blueprint parts"})
-    return [body, asset.model_copy(update={"kind": "blueprint", "mesh": None, "mesh_sha256": None, "slots": [],
-                                           "collision": [], "collision_source": "none",
-                                           "parts": [BlueprintPart(name="Body", asset=body_path)]})]
+    return [
+        body,
+        asset.model_copy(
+            update={
+                "kind": "blueprint",
+                "mesh": None,
+                "mesh_sha256": None,
+                "slots": [],
+                "collision": [],
+                "collision_source": "none",
+                "parts": [BlueprintPart(name="Body", asset=body_path)],
+            }
+        ),
+    ]
 
 
 def _fit(shape: Shape, size: Vector) -> tuple[Mesh, list[CollisionBody]]:
@@ -117,16 +146,18 @@ def _fit(shape: Shape, size: Vector) -> tuple[Mesh, list[CollisionBody]]:
     def move(points: np.ndarray) -> np.ndarray:
         return np.asarray(np.round((points - middle) * factor, 3))
 
-    mesh = Mesh(move(vertices).astype(np.float32), shape.mesh.faces, shape.mesh.normals, shape.mesh.uvs,
-                shape.mesh.face_slots)
+    mesh = Mesh(
+        move(vertices).astype(np.float32), shape.mesh.faces, shape.mesh.normals, shape.mesh.uvs, shape.mesh.face_slots
+    )
     bodies: list[CollisionBody] = []
     if min(size) > 0:
         for body in shape.collision:
             if isinstance(body, BoxBody):
                 turned = round(body.rotation_deg[1]) % 180 == 90
                 half = np.asarray(body.half_extent)[[1, 0, 2]] if turned else np.asarray(body.half_extent)
-                bodies.append(BoxBody(center=_vector(move(np.asarray(body.center))),
-                                      half_extent=_vector(half * factor)))
+                bodies.append(
+                    BoxBody(center=_vector(move(np.asarray(body.center))), half_extent=_vector(half * factor))
+                )
             elif isinstance(body, HullBody):
                 bodies.append(HullBody(vertices=[_vector(move(np.asarray(v))) for v in body.vertices]))
     return mesh, bodies

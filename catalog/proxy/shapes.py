@@ -90,8 +90,12 @@ def house(b: Builder, w: float, d: float, h: float) -> None:
         for index in range(count):
             x = (index + 0.5) / count * w * 0.88 - w * 0.44
             for side in (-1, 1):
-                b.box(ACCENT, (w * 0.88 / count * 0.42, d * 0.02, eaves / storeys * 0.45), (x, side * d * 0.475, z),
-                      body=None)
+                b.box(
+                    ACCENT,
+                    (w * 0.88 / count * 0.42, d * 0.02, eaves / storeys * 0.45),
+                    (x, side * d * 0.475, z),
+                    body=None,
+                )
     if pitched:
         b.gable("Roof", (w, d, h - eaves), (0, 0, eaves))
     else:
@@ -132,8 +136,10 @@ def awning(b: Builder, w: float, d: float, h: float) -> None:
     stripes = 6
     for index in range(stripes):
         x0, x1 = (w * (index + k) / stripes - w / 2 for k in (0, 1))
-        b.quad(MAIN if index % 2 else ACCENT, [(x0, d / 2, h - drop), (x1, d / 2, h - drop), (x1, -d / 2, h),
-                                               (x0, -d / 2, h)])
+        b.quad(
+            MAIN if index % 2 else ACCENT,
+            [(x0, d / 2, h - drop), (x1, d / 2, h - drop), (x1, -d / 2, h), (x0, -d / 2, h)],
+        )
     if drop < h:
         for x in (-1, 1):
             post = min(6.0, w * 0.05, d * 0.2)
@@ -239,8 +245,13 @@ def door(b: Builder, w: float, d: float, h: float) -> None:
 
 def rock(b: Builder, w: float, d: float, h: float) -> None:
     """A faceted boulder."""
-    b.lathe(MAIN, [(0, 0), (w * 0.46, 0), (w * 0.5, h * 0.3), (w * 0.36, h * 0.8), (0, h)], segments=7, smooth=False,
-            squash=d / w)
+    b.lathe(
+        MAIN,
+        [(0, 0), (w * 0.46, 0), (w * 0.5, h * 0.3), (w * 0.36, h * 0.8), (0, h)],
+        segments=7,
+        smooth=False,
+        squash=d / w,
+    )
 
 
 def vehicle(b: Builder, w: float, d: float, h: float) -> None:
@@ -257,8 +268,13 @@ def vehicle(b: Builder, w: float, d: float, h: float) -> None:
 def boat(b: Builder, w: float, d: float, h: float) -> None:
     """A pointed hull with a cabin, along the longer side."""
     length, width = max(w, d), min(w, d)
-    outline = [(-length / 2, -width * 0.4), (length * 0.2, -width / 2), (length / 2, 0), (length * 0.2, width / 2),
-               (-length / 2, width * 0.4)]
+    outline = [
+        (-length / 2, -width * 0.4),
+        (length * 0.2, -width / 2),
+        (length / 2, 0),
+        (length * 0.2, width / 2),
+        (-length / 2, width * 0.4),
+    ]
     with b.moved((0, 0, 0), (0, 0.0 if w >= d else 90.0, 0)):
         b.extrude(MAIN, outline, h * 0.45)
         b.box(ACCENT, (length * 0.35, width * 0.6, h * 0.55), (-length * 0.15, 0, h * 0.45))
@@ -285,8 +301,27 @@ KINDS: tuple[tuple[tuple[str, ...], Shaper], ...] = (
     (("car", "truck", "van", "vehicle", "lorean", "bus", "auto"), vehicle),
     (("boat", "ship", "gondola"), boat),
     (("rock", "stone", "boulder", "cliff", "rubble"), rock),
-    (("road", "floor", "ground", "tile", "plane", "pavement", "path", "carpet", "rug", "street", "dock", "pattern",
-      "patch", "water", "river", "basicshapes"), slab),
+    (
+        (
+            "road",
+            "floor",
+            "ground",
+            "tile",
+            "plane",
+            "pavement",
+            "path",
+            "carpet",
+            "rug",
+            "street",
+            "dock",
+            "pattern",
+            "patch",
+            "water",
+            "river",
+            "basicshapes",
+        ),
+        slab,
+    ),
     (("house", "building", "cottage", "barn", "shed", "shop", "hut", "townhouse", "block", "mill", "pavilion"), house),
     (("roof",), gable_roof),
     (("wall", "facade", "teeth", "trim", "partition", "curb"), wall),

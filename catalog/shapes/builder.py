@@ -62,8 +62,16 @@ class Builder:
             turn = quat_multiply(quat_from_rotator(angles), turn)
         return matrix, rotator_from_quat(turn)
 
-    def add(self, material: str, patch: Patch, at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0), *,
-            body: Body | None = "hull", fit: bool = False) -> None:
+    def add(
+        self,
+        material: str,
+        patch: Patch,
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        body: Body | None = "hull",
+        fit: bool = False,
+    ) -> None:
         """Add any patch; ``fit`` says that its texture coordinates run from 0 to 1."""
         matrix, angles = self._pose(at, rot)
         points = patch.vertices @ matrix[:3, :3].T + matrix[:3, 3]
@@ -71,8 +79,11 @@ class Builder:
         low, high = patch.vertices.min(axis=0), patch.vertices.max(axis=0)
         centre, half = matrix[:3, :3] @ ((low + high) / 2) + matrix[:3, 3], (high - low) / 2
         if body == "box":
-            self._bodies.append(BoxBody(center=_rounded(centre), rotation_deg=_rounded(angles),
-                                        half_extent=_rounded(np.maximum(half, 0.05))))
+            self._bodies.append(
+                BoxBody(
+                    center=_rounded(centre), rotation_deg=_rounded(angles), half_extent=_rounded(np.maximum(half, 0.05))
+                )
+            )
         elif body == "sphere":
             self._bodies.append(SphereBody(center=_rounded(centre), radius=round(float(half.max()), 3)))
         elif body == "hull":
@@ -83,44 +94,105 @@ class Builder:
         corners = np.unique(np.round(points, 3), axis=0)
         self._bodies.append(HullBody(vertices=[_rounded(corners[i]) for i in sorted(ConvexHull(corners).vertices)]))
 
-    def box(self, material: str, size: Point3, at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0), *,
-            bevel: float = 0.0, body: Body | None = "box") -> None:
+    def box(
+        self,
+        material: str,
+        size: Point3,
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        bevel: float = 0.0,
+        body: Body | None = "box",
+    ) -> None:
         """A box, with bevelled edges where ``bevel`` (cm) is given."""
         self.add(material, patches.box(size, bevel), at, rot, body=body)
 
-    def cylinder(self, material: str, radius: float, height: float, at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0), *,
-                 top: float | None = None, segments: int = 20, squash: float = 1.0, body: Body | None = "hull") -> None:
+    def cylinder(
+        self,
+        material: str,
+        radius: float,
+        height: float,
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        top: float | None = None,
+        segments: int = 20,
+        squash: float = 1.0,
+        body: Body | None = "hull",
+    ) -> None:
         """A cylinder, or a frustum with upper radius ``top`` (0 for a cone)."""
         self.add(material, patches.cylinder(radius, height, segments, top=top, squash=squash), at, rot, body=body)
 
-    def ellipsoid(self, material: str, size: Point3, at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0), *,
-                  segments: int = 16, body: Body | None = "hull") -> None:
+    def ellipsoid(
+        self,
+        material: str,
+        size: Point3,
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        segments: int = 16,
+        body: Body | None = "hull",
+    ) -> None:
         """An ellipsoid of the given diameters, standing on ``at``."""
         self.add(material, patches.ellipsoid(size, segments), at, rot, body=body)
 
-    def lathe(self, material: str, profile: Sequence[Point2], at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0), *,
-              segments: int = 20, smooth: bool = True, squash: float = 1.0, body: Body | None = "hull") -> None:
+    def lathe(
+        self,
+        material: str,
+        profile: Sequence[Point2],
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        segments: int = 20,
+        smooth: bool = True,
+        squash: float = 1.0,
+        body: Body | None = "hull",
+    ) -> None:
         """A turned shape through (radius, z) points."""
         self.add(material, patches.revolve(profile, segments, smooth=smooth, squash=squash), at, rot, body=body)
 
-    def extrude(self, material: str, outline: Sequence[Point2], height: float, at: Point3 = (0, 0, 0),
-                rot: Point3 = (0, 0, 0), *, body: Body | None = "hull") -> None:
+    def extrude(
+        self,
+        material: str,
+        outline: Sequence[Point2],
+        height: float,
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        body: Body | None = "hull",
+    ) -> None:
         """A prism on an outline in the XY plane."""
         self.add(material, patches.extrude(outline, height), at, rot, body=body)
 
-    def tube(self, material: str, path: Sequence[Point3], radius: float, *, segments: int = 8,
-             body: Body | None = None) -> None:
+    def tube(
+        self, material: str, path: Sequence[Point3], radius: float, *, segments: int = 8, body: Body | None = None
+    ) -> None:
         """A round tube along points."""
         self.add(material, patches.tube(path, radius, segments), body=body)
 
-    def wedge(self, material: str, size: Point3, at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0), *,
-              body: Body | None = "hull") -> None:
+    def wedge(
+        self,
+        material: str,
+        size: Point3,
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        body: Body | None = "hull",
+    ) -> None:
         """A ramp that rises along +X."""
         x = size[0] / 2
         self.add(material, patches.prism([(-x, 0), (x, 0), (x, size[2])], size[1]), at, rot, body=body)
 
-    def arch(self, material: str, size: Point3, opening: Point2, at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0), *,
-             body: bool = True) -> None:
+    def arch(
+        self,
+        material: str,
+        size: Point3,
+        opening: Point2,
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        body: bool = True,
+    ) -> None:
         """A wall of ``size`` with a round-topped opening (width, height); the bodies are two posts and a lintel."""
         outline = patches.arch_outline(size[0], size[2], *opening)
         self.add(material, patches.prism(outline, size[1]), at, rot, body=None)
@@ -131,8 +203,15 @@ class Builder:
                     self.body_box((post, size[1], size[2]), (side * (size[0] - post) / 2, 0, 0))
                 self.body_box((opening[0], size[1], size[2] - opening[1]), (0, 0, opening[1]))
 
-    def gable(self, material: str, size: Point3, at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0), *,
-              body: Body | None = "hull") -> None:
+    def gable(
+        self,
+        material: str,
+        size: Point3,
+        at: Point3 = (0, 0, 0),
+        rot: Point3 = (0, 0, 0),
+        *,
+        body: Body | None = "hull",
+    ) -> None:
         """A gable roof: ridge along Y, ``size`` = width, length, height."""
         x = size[0] / 2
         self.add(material, patches.prism([(-x, 0), (x, 0), (0, size[2])], size[1]), at, rot, body=body)
@@ -151,23 +230,33 @@ class Builder:
         """A collision box without a visible part; ``at`` is the middle of its bottom."""
         matrix, angles = self._pose(at, rot)
         centre = matrix[:3, :3] @ np.array([0, 0, size[2] / 2]) + matrix[:3, 3]
-        self._bodies.append(BoxBody(center=_rounded(centre), rotation_deg=_rounded(angles),
-                                    half_extent=_rounded(np.array(size) / 2)))
+        self._bodies.append(
+            BoxBody(center=_rounded(centre), rotation_deg=_rounded(angles), half_extent=_rounded(np.array(size) / 2))
+        )
 
     def body_capsule(self, radius: float, height: float, at: Point3 = (0, 0, 0), rot: Point3 = (0, 0, 0)) -> None:
         """A collision capsule of total ``height``; ``at`` is its lowest point."""
         matrix, angles = self._pose(at, rot)
         centre = matrix[:3, :3] @ np.array([0, 0, height / 2]) + matrix[:3, 3]
-        self._bodies.append(CapsuleBody(center=_rounded(centre), rotation_deg=_rounded(angles), radius=radius,
-                                        length=round(max(0.0, height - 2 * radius), 3)))
+        self._bodies.append(
+            CapsuleBody(
+                center=_rounded(centre),
+                rotation_deg=_rounded(angles),
+                radius=radius,
+                length=round(max(0.0, height - 2 * radius), 3),
+            )
+        )
 
     def shape(self) -> Shape:
         """Join all parts. Coordinates are rounded to 0.001 cm so that every machine builds the same bytes."""
         names = list(dict.fromkeys(material for material, _, _ in self._parts))
         whole = patches.join([patch for _, patch, _ in self._parts])
-        mesh = Mesh(np.round(whole.vertices, 3).astype(np.float32) + np.float32(0), whole.faces.astype(np.int32),
-                    np.round(whole.normals, 4).astype(np.float32) + np.float32(0),
-                    np.round(whole.uvs, 5).astype(np.float32) + np.float32(0),
-                    np.concatenate([np.full(len(p.faces), names.index(m), np.int32) for m, p, _ in self._parts]))
+        mesh = Mesh(
+            np.round(whole.vertices, 3).astype(np.float32) + np.float32(0),
+            whole.faces.astype(np.int32),
+            np.round(whole.normals, 4).astype(np.float32) + np.float32(0),
+            np.round(whole.uvs, 5).astype(np.float32) + np.float32(0),
+            np.concatenate([np.full(len(p.faces), names.index(m), np.int32) for m, p, _ in self._parts]),
+        )
         fitted = np.concatenate([np.full(len(p.vertices), fit) for _, p, fit in self._parts])
         return Shape(mesh, names, list(self._bodies), fitted)

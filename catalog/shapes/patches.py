@@ -33,9 +33,12 @@ class Patch:
 def join(patches: Sequence[Patch]) -> Patch:
     """All patches as one."""
     offsets = np.cumsum([0] + [len(p.vertices) for p in patches[:-1]])
-    return Patch(np.concatenate([p.vertices for p in patches]),
-                 np.concatenate([p.faces + o for p, o in zip(patches, offsets, strict=True)]),
-                 np.concatenate([p.normals for p in patches]), np.concatenate([p.uvs for p in patches]))
+    return Patch(
+        np.concatenate([p.vertices for p in patches]),
+        np.concatenate([p.faces + o for p, o in zip(patches, offsets, strict=True)]),
+        np.concatenate([p.normals for p in patches]),
+        np.concatenate([p.uvs for p in patches]),
+    )
 
 
 def _box_uvs(points: Array, normals: Array) -> Array:
@@ -98,17 +101,34 @@ def revolve(profile: Sequence[Point2], segments: int = 20, *, smooth: bool = Fal
     rings = []
     for i in range(len(steps)):
         radius = np.array([points[i, 0], points[i + 1, 0]])
-        normal = joint[i:i + 2] if smooth else np.repeat(outward[i:i + 1], 2, axis=0)
-        vertices = np.stack([np.outer(cosine, radius), np.outer(sine, radius) * squash,
-                             np.broadcast_to(points[i:i + 2, 1], (segments + 1, 2))], axis=-1).reshape(-1, 3)
-        normals = np.stack([np.outer(cosine, normal[:, 0]), np.outer(sine, normal[:, 0]) / squash,
-                            np.broadcast_to(normal[:, 1], (segments + 1, 2))], axis=-1).reshape(-1, 3)
+        normal = joint[i : i + 2] if smooth else np.repeat(outward[i : i + 1], 2, axis=0)
+        vertices = np.stack(
+            [
+                np.outer(cosine, radius),
+                np.outer(sine, radius) * squash,
+                np.broadcast_to(points[i : i + 2, 1], (segments + 1, 2)),
+            ],
+            axis=-1,
+        ).reshape(-1, 3)
+        normals = np.stack(
+            [
+                np.outer(cosine, normal[:, 0]),
+                np.outer(sine, normal[:, 0]) / squash,
+                np.broadcast_to(normal[:, 1], (segments + 1, 2)),
+            ],
+            axis=-1,
+        ).reshape(-1, 3)
         girth = angles * max(radius.max(), 1e-6)
-        uvs = np.stack([np.repeat(girth[:, None], 2, axis=1),
-                        np.broadcast_to(-along[i:i + 2], (segments + 1, 2))], axis=-1).reshape(-1, 2) / 100
+        uvs = (
+            np.stack(
+                [np.repeat(girth[:, None], 2, axis=1), np.broadcast_to(-along[i : i + 2], (segments + 1, 2))], axis=-1
+            ).reshape(-1, 2)
+            / 100
+        )
         first = 2 * np.arange(segments)
-        faces = np.concatenate([np.column_stack([first, first + 2, first + 1]),
-                                np.column_stack([first + 1, first + 2, first + 3])])
+        faces = np.concatenate(
+            [np.column_stack([first, first + 2, first + 1]), np.column_stack([first + 1, first + 2, first + 3])]
+        )
         corners = vertices[faces]
         area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
@@ -116,11 +136,13 @@ def revolve(profile: Sequence[Point2], segments: int = 20, *, smooth: bool = Fal
     return join([ring for ring in rings if len(ring.faces)])
 
 
-def cylinder(radius: float, height: float, segments: int = 20, *, top: float | None = None, squash: float = 1.0
-             ) -> Patch:
+def cylinder(
+    radius: float, height: float, segments: int = 20, *, top: float | None = None, squash: float = 1.0
+) -> Patch:
     """A cylinder, or a cone frustum when ``top`` (its upper radius) is given."""
-    return revolve([(0, 0), (radius, 0), (radius if top is None else top, height), (0, height)], segments,
-                   squash=squash)
+    return revolve(
+        [(0, 0), (radius, 0), (radius if top is None else top, height), (0, height)], segments, squash=squash
+    )
 
 
 def ellipsoid(size: Point3, segments: int = 16) -> Patch:
@@ -134,9 +156,14 @@ def ellipsoid(size: Point3, segments: int = 16) -> Patch:
 def extrude(outline: Sequence[Point2] | shapely.Polygon, height: float) -> Patch:
     """A prism on a polygon in the XY plane (holes allowed), from z = 0 to ``height``."""
     polygon = shapely.geometry.polygon.orient(
-        outline if isinstance(outline, shapely.Polygon) else shapely.Polygon(outline))
-    top = np.array([np.asarray(shapely.geometry.polygon.orient(piece).exterior.coords)[:3]
-                    for piece in shapely.constrained_delaunay_triangles(polygon).geoms])
+        outline if isinstance(outline, shapely.Polygon) else shapely.Polygon(outline)
+    )
+    top = np.array(
+        [
+            np.asarray(shapely.geometry.polygon.orient(piece).exterior.coords)[:3]
+            for piece in shapely.constrained_delaunay_triangles(polygon).geoms
+        ]
+    )
     upper = np.concatenate([top, np.full((len(top), 3, 1), height)], axis=2)
     lower = np.concatenate([top[:, ::-1], np.zeros((len(top), 3, 1))], axis=2)
     sides = []
@@ -166,17 +193,32 @@ def tube(path: Sequence[Point3], radius: float, segments: int = 10) -> Patch:
         rings.append(point + radius * out)
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     count = segments + 1
-    uvs = np.stack([np.tile(angles * radius, (len(points), 1)),
-                    np.tile(along[:, None], (1, count))], axis=-1).reshape(-1, 2) / 100
-    faces = [face for i in range(len(points) - 1) for j in range(segments)
-             for a in (i * count + j,) for face in ((a, a + 1, a + count), (a + 1, a + count + 1, a + count))]
+    uvs = (
+        np.stack([np.tile(angles * radius, (len(points), 1)), np.tile(along[:, None], (1, count))], axis=-1).reshape(
+            -1, 2
+        )
+        / 100
+    )
+    faces = [
+        face
+        for i in range(len(points) - 1)
+        for j in range(segments)
+        for a in (i * count + j,)
+        for face in ((a, a + 1, a + count), (a + 1, a + count + 1, a + count))
+    ]
     body = Patch(np.concatenate(rings), np.array(faces), np.concatenate(outs), uvs)
     caps = []
     for centre, ring, tangent in ((points[0], rings[0], -tangents[0]), (points[-1], rings[-1], tangents[-1])):
         cap = np.array([(centre, ring[j], ring[j + 1]) for j in range(segments)])
         normals = np.tile(tangent, (3 * segments, 1))
-        caps.append(Patch(cap.reshape(-1, 3), np.arange(3 * segments).reshape(-1, 3), normals,
-                          _box_uvs(cap.reshape(-1, 3), normals)))
+        caps.append(
+            Patch(
+                cap.reshape(-1, 3),
+                np.arange(3 * segments).reshape(-1, 3),
+                normals,
+                _box_uvs(cap.reshape(-1, 3), normals),
+            )
+        )
     return join([body, *caps])
 
 
@@ -189,8 +231,9 @@ def prism(outline: Sequence[Point2], depth: float) -> Patch:
     return Patch(points, solid.faces, normals, _box_uvs(points, normals))
 
 
-def arch_outline(width: float, height: float, opening_width: float, opening_height: float, steps: int = 12
-                 ) -> list[Point2]:
+def arch_outline(
+    width: float, height: float, opening_width: float, opening_height: float, steps: int = 12
+) -> list[Point2]:
     """Outline (x, z) of a wall with a round-topped opening that reaches the floor."""
     half, radius = width / 2, opening_width / 2
     spring = opening_height - radius
@@ -204,5 +247,9 @@ def quad(corners: Sequence[Point3], *, fit: bool = True) -> Patch:
     sheet = flat(np.array([(a, b, c), (a, c, d)]))
     if not fit:
         return sheet
-    return Patch(sheet.vertices, sheet.faces, sheet.normals,
-                 np.array([(0, 1), (1, 1), (1, 0), (0, 1), (1, 0), (0, 0)], dtype=float))
+    return Patch(
+        sheet.vertices,
+        sheet.faces,
+        sheet.normals,
+        np.array([(0, 1), (1, 1), (1, 0), (0, 1), (1, 0), (0, 0)], dtype=float),
+    )

@@ -81,12 +81,15 @@ class Kit:
     def __init__(self) -> None:
         self.assets: list[AssetSpec] = []
 
-    def asset(self, name: str, category: str, description: str, tags: str = ""
-              ) -> Callable[[Callable[[Builder], None]], Callable[[Builder], None]]:
+    def asset(
+        self, name: str, category: str, description: str, tags: str = ""
+    ) -> Callable[[Callable[[Builder], None]], Callable[[Builder], None]]:
         """Register a builder function as asset ``SM_<name>``; ``tags`` are words in one string."""
+
         def register(build: Callable[[Builder], None]) -> Callable[[Builder], None]:
             self.assets.append(AssetSpec(name, category, description, tuple(tags.split()), build))
             return build
+
         return register
 
 

@@ -26,8 +26,12 @@ def _slopes(b: Builder, material: str, points: list[tuple[float, float]], length
             b.add(material, prism(outline, length), body=None)
 
 
-@KIT.asset("Barn", "buildings", "Red gambrel barn with double doors and a hay loft, 12 x 16 m, front to +Y",
-           "barn building farm red")
+@KIT.asset(
+    "Barn",
+    "buildings",
+    "Red gambrel barn with double doors and a hay loft, 12 x 16 m, front to +Y",
+    "barn building farm red",
+)
 def barn(b: Builder) -> None:
     outline = [(-600, 0), (600, 0), (600, 450), (420, 750), (0, 920), (-420, 750), (-600, 450)]
     b.add("BarnRed", prism(outline, 1600))
@@ -48,8 +52,12 @@ def barn(b: Builder) -> None:
         _window(b, 90, 90, (-602, y, 200), 90)
 
 
-@KIT.asset("Farmhouse", "buildings", "Two-storey farmhouse with a porch and a tiled roof, 11 x 8 m, front to +Y",
-           "house farmhouse building home")
+@KIT.asset(
+    "Farmhouse",
+    "buildings",
+    "Two-storey farmhouse with a porch and a tiled roof, 11 x 8 m, front to +Y",
+    "house farmhouse building home",
+)
 def farmhouse(b: Builder) -> None:
     b.box("Plaster", (1100, 800, 560))
     b.box("Stone", (1108, 808, 60), body=None)
@@ -85,8 +93,9 @@ def silo(b: Builder) -> None:
         b.tube("Iron", [(-22, 238, z), (22, 238, z)], 2, segments=5)
 
 
-@KIT.asset("Windmill", "buildings", "Stone tower windmill with four sails, 12 m high, sails to +Y",
-           "windmill mill tower sails")
+@KIT.asset(
+    "Windmill", "buildings", "Stone tower windmill with four sails, 12 m high, sails to +Y", "windmill mill tower sails"
+)
 def windmill(b: Builder) -> None:
     b.cylinder("Stone", 330, 820, top=230, segments=20)
     b.lathe("Thatch", [(262, 820), (240, 930), (120, 1040), (0, 1070)], segments=20)
@@ -104,8 +113,12 @@ def windmill(b: Builder) -> None:
     b.body_box((30, 30, 1120), (0, 318, 320), (0, 0, 0))
 
 
-@KIT.asset("ChickenCoop", "buildings", "Wooden hen house on legs with a ramp, 2.4 x 1.8 m, ramp to +Y",
-           "chicken coop hen house")
+@KIT.asset(
+    "ChickenCoop",
+    "buildings",
+    "Wooden hen house on legs with a ramp, 2.4 x 1.8 m, ramp to +Y",
+    "chicken coop hen house",
+)
 def coop(b: Builder) -> None:
     for x in (-105, 105):
         for y in (-75, 75):
@@ -126,8 +139,12 @@ def shed(b: Builder) -> None:
     _window(b, 70, 60, (-90, 150, 110))
 
 
-@KIT.asset("Greenhouse", "buildings", "Small glass greenhouse on a brick base, 3 x 5 m, ridge along Y",
-           "greenhouse glass building")
+@KIT.asset(
+    "Greenhouse",
+    "buildings",
+    "Small glass greenhouse on a brick base, 3 x 5 m, ridge along Y",
+    "greenhouse glass building",
+)
 def greenhouse(b: Builder) -> None:
     b.box("Brick", (300, 500, 60))
     b.box("Glass", (290, 490, 130), (0, 0, 60))

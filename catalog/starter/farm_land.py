@@ -21,8 +21,12 @@ def grass(b: Builder) -> None:
     _slab(b, "Grass", 1000, 1000)
 
 
-@KIT.asset("FieldTile", "ground", "Ploughed field with furrows along X, 10 x 10 m, top at the pivot",
-           "ground floor soil field ploughed tile")
+@KIT.asset(
+    "FieldTile",
+    "ground",
+    "Ploughed field with furrows along X, 10 x 10 m, top at the pivot",
+    "ground floor soil field ploughed tile",
+)
 def field(b: Builder) -> None:
     _slab(b, "Soil", 1000, 1000)
 
@@ -32,8 +36,9 @@ def gravel(b: Builder) -> None:
     _slab(b, "Gravel", 500, 500)
 
 
-@KIT.asset("EarthGround", "ground", "Trodden earth of a yard, 5 x 5 m, top at the pivot",
-           "ground floor earth yard tile")
+@KIT.asset(
+    "EarthGround", "ground", "Trodden earth of a yard, 5 x 5 m, top at the pivot", "ground floor earth yard tile"
+)
 def earth(b: Builder) -> None:
     _slab(b, "Earth", 500, 500)
 
@@ -43,8 +48,12 @@ def flagstone(b: Builder) -> None:
     _slab(b, "Flagstone", 250, 250)
 
 
-@KIT.asset("PondTile", "ground", "Pond of still water with an earth bank, 10 x 10 m, top at the pivot",
-           "pond water ground tile")
+@KIT.asset(
+    "PondTile",
+    "ground",
+    "Pond of still water with an earth bank, 10 x 10 m, top at the pivot",
+    "pond water ground tile",
+)
 def pond(b: Builder) -> None:
     b.box("Grass", (1000, 1000, 8), (0, 0, -10))
     b.cylinder("Earth", 470, 3, (0, 0, -2.5), segments=28, squash=0.9, body=None)
@@ -59,8 +68,11 @@ def _crown(b: Builder, material: str, balls: tuple[tuple[float, float, float, fl
 @KIT.asset("OakTree", "plants", "Broad oak, 8 m high", "tree oak plant leafy")
 def oak(b: Builder) -> None:
     b.cylinder("Bark", 38, 300, top=24, segments=10, body=None)
-    _crown(b, "Leaves", ((0, 0, 380, 480), (-160, 60, 300, 360), (150, -80, 280, 380), (60, 160, 330, 340),
-                         (-50, -160, 350, 330)))
+    _crown(
+        b,
+        "Leaves",
+        ((0, 0, 380, 480), (-160, 60, 300, 360), (150, -80, 280, 380), (60, 160, 330, 340), (-50, -160, 350, 330)),
+    )
     b.body_box((64, 64, 320))
 
 

@@ -208,8 +208,17 @@ def plough(b: Builder) -> None:
     b.body_box((260, 90, 66), (5, -20, 0))
 
 
-def _beast(b: Builder, hide: str, length: float, height: float, girth: float, neck: float, *, head: float = 1.0,
-           dark: str = "HideDark") -> None:
+def _beast(
+    b: Builder,
+    hide: str,
+    length: float,
+    height: float,
+    girth: float,
+    neck: float,
+    *,
+    head: float = 1.0,
+    dark: str = "HideDark",
+) -> None:
     """A four-legged animal, head to +X: ``height`` at the back, ``neck`` rise of the head above it (cm)."""
     leg = height - girth * 0.8
     for x in (-length * 0.36, length * 0.34):
@@ -220,8 +229,14 @@ def _beast(b: Builder, hide: str, length: float, height: float, girth: float, ne
     top = (length * 0.62, 0.0, height + neck)
     b.tube(hide, [(length * 0.34, 0, height - girth * 0.35), top], girth * 0.26)
     size = girth * 0.36 * head
-    b.ellipsoid(hide, (size * 2.1, size, size * 1.1), (top[0] + size * 0.5, 0, top[2] - size * 0.75), (20, 0, 0),
-                segments=10, body=None)
+    b.ellipsoid(
+        hide,
+        (size * 2.1, size, size * 1.1),
+        (top[0] + size * 0.5, 0, top[2] - size * 0.75),
+        (20, 0, 0),
+        segments=10,
+        body=None,
+    )
     for y in (-1, 1):
         ear = (top[0] + size * 0.1, y * size * 0.6, top[2] + size * 0.1)
         b.ellipsoid(dark, (size * 0.25, size * 0.5, size * 0.2), ear, segments=8, body=None)

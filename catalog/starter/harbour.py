@@ -12,17 +12,38 @@ from catalog.starter import harbour_buildings, harbour_ground, harbour_street, h
 
 
 def _materials() -> list[MaterialSpec]:
-    plaster = {"PlasterRed": (168, 74, 60), "PlasterOchre": (214, 168, 84), "PlasterBlue": (112, 142, 166),
-               "PlasterCream": (226, 214, 186), "PlasterGreen": (128, 152, 122)}
-    paint = {"WhitePaint": (0.82, 0.81, 0.77), "DoorGreen": (0.05, 0.16, 0.10), "DoorBlue": (0.05, 0.10, 0.22),
-             "DoorRed": (0.32, 0.04, 0.03), "CraneYellow": (0.75, 0.45, 0.04), "ContainerBlue": (0.04, 0.14, 0.32),
-             "ContainerRust": (0.36, 0.10, 0.05), "CarRed": (0.45, 0.03, 0.03), "CarTeal": (0.03, 0.22, 0.25),
-             "VanWhite": (0.75, 0.75, 0.73), "BoatBlue": (0.05, 0.15, 0.38), "BoatRed": (0.42, 0.05, 0.04),
-             "BuoyOrange": (0.80, 0.20, 0.02), "SignBlue": (0.02, 0.12, 0.45), "SignRed": (0.60, 0.03, 0.03),
-             "FruitRed": (0.55, 0.05, 0.03), "FruitYellow": (0.75, 0.50, 0.05), "FruitGreen": (0.16, 0.36, 0.05)}
+    plaster = {
+        "PlasterRed": (168, 74, 60),
+        "PlasterOchre": (214, 168, 84),
+        "PlasterBlue": (112, 142, 166),
+        "PlasterCream": (226, 214, 186),
+        "PlasterGreen": (128, 152, 122),
+    }
+    paint = {
+        "WhitePaint": (0.82, 0.81, 0.77),
+        "DoorGreen": (0.05, 0.16, 0.10),
+        "DoorBlue": (0.05, 0.10, 0.22),
+        "DoorRed": (0.32, 0.04, 0.03),
+        "CraneYellow": (0.75, 0.45, 0.04),
+        "ContainerBlue": (0.04, 0.14, 0.32),
+        "ContainerRust": (0.36, 0.10, 0.05),
+        "CarRed": (0.45, 0.03, 0.03),
+        "CarTeal": (0.03, 0.22, 0.25),
+        "VanWhite": (0.75, 0.75, 0.73),
+        "BoatBlue": (0.05, 0.15, 0.38),
+        "BoatRed": (0.42, 0.05, 0.04),
+        "BuoyOrange": (0.80, 0.20, 0.02),
+        "SignBlue": (0.02, 0.12, 0.45),
+        "SignRed": (0.60, 0.03, 0.03),
+        "FruitRed": (0.55, 0.05, 0.03),
+        "FruitYellow": (0.75, 0.50, 0.05),
+        "FruitGreen": (0.16, 0.36, 0.05),
+    }
     return [
-        *(MaterialSpec(name, texture=mottled(color, 10 + i, strength=0.05), tile_m=3.0)
-          for i, (name, color) in enumerate(plaster.items())),
+        *(
+            MaterialSpec(name, texture=mottled(color, 10 + i, strength=0.05), tile_m=3.0)
+            for i, (name, color) in enumerate(plaster.items())
+        ),
         *(MaterialSpec(name, color, roughness=0.5) for name, color in paint.items()),
         MaterialSpec("BrickRed", texture=bricks((150, 78, 58), (176, 164, 150), 1), tile_m=1.2),
         MaterialSpec("BrickDark", texture=bricks((104, 70, 60), (140, 130, 120), 2), tile_m=1.2),
@@ -55,9 +76,12 @@ def pack() -> PackSpec:
     """The specification of the pack."""
     kits = (harbour_ground.KIT, harbour_buildings.KIT, harbour_street.KIT, harbour_water.KIT)
     return PackSpec(
-        "c4s-harbour", "C4SHarbour", "Harbour street",
+        "c4s-harbour",
+        "C4SHarbour",
+        "Harbour street",
         "Ground, quays, houses, street furniture, working gear and boats of a northern harbour.",
-        _materials(), [asset for kit in kits for asset in kit.assets],
+        _materials(),
+        [asset for kit in kits for asset in kit.assets],
         category_descriptions={
             "ground": "Flat tiles whose top is at the pivot: cobbles, paving, road, planks, water.",
             "waterfront": "Quay walls, bridges, jetties, railings.",
@@ -66,4 +90,6 @@ def pack() -> PackSpec:
             "market": "Market stalls, awnings and goods.",
             "cargo": "Crates, barrels, containers and the crane.",
             "vehicles": "Cars, vans and bicycles.",
-            "boats": "Boats, buoys, nets and other gear of the water."})
+            "boats": "Boats, buoys, nets and other gear of the water.",
+        },
+    )

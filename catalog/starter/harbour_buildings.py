@@ -27,14 +27,16 @@ class House:
     depth: float = 1000.0
 
 
-HOUSES = (House("TownhouseRed", 700, 4, "PlasterRed", "RoofTile", "DoorGreen", "eaves"),
-          House("TownhouseOchre", 600, 4, "PlasterOchre", "RoofTile", "DoorBlue", "gable"),
-          House("TownhouseBlue", 650, 3, "PlasterBlue", "RoofSlate", "WhitePaint", "eaves", shop=True),
-          House("TownhouseCream", 800, 4, "PlasterCream", "RoofSlate", "DoorRed", "eaves", shop=True),
-          House("TownhouseGreen", 600, 3, "PlasterGreen", "RoofTile", "WhitePaint", "gable"),
-          House("TownhouseBrick", 700, 5, "BrickRed", "RoofSlate", "DoorGreen", "stepped"),
-          House("TownhouseDarkBrick", 800, 4, "BrickDark", "RoofTile", "DoorBlue", "stepped", shop=True),
-          House("TownhouseNarrow", 500, 5, "PlasterRed", "RoofSlate", "DoorBlue", "gable"))
+HOUSES = (
+    House("TownhouseRed", 700, 4, "PlasterRed", "RoofTile", "DoorGreen", "eaves"),
+    House("TownhouseOchre", 600, 4, "PlasterOchre", "RoofTile", "DoorBlue", "gable"),
+    House("TownhouseBlue", 650, 3, "PlasterBlue", "RoofSlate", "WhitePaint", "eaves", shop=True),
+    House("TownhouseCream", 800, 4, "PlasterCream", "RoofSlate", "DoorRed", "eaves", shop=True),
+    House("TownhouseGreen", 600, 3, "PlasterGreen", "RoofTile", "WhitePaint", "gable"),
+    House("TownhouseBrick", 700, 5, "BrickRed", "RoofSlate", "DoorGreen", "stepped"),
+    House("TownhouseDarkBrick", 800, 4, "BrickDark", "RoofTile", "DoorBlue", "stepped", shop=True),
+    House("TownhouseNarrow", 500, 5, "PlasterRed", "RoofSlate", "DoorBlue", "gable"),
+)
 
 
 def window(b: Builder, width: float, height: float, at: tuple[float, float, float], yaw: float = 0.0) -> None:
@@ -108,6 +110,7 @@ def _roof(b: Builder, house: House, height: float) -> None:
 
 def townhouse(house: House) -> AssetSpec:
     """The asset of a townhouse."""
+
     def build(b: Builder) -> None:
         height, face = house.storeys * STOREY_CM, house.depth / 2
         b.box(house.wall, (house.width, house.depth, height))
@@ -118,18 +121,28 @@ def townhouse(house: House) -> AssetSpec:
         _windows(b, house, -face, 180.0)
         _ground_floor(b, house, face)
         _roof(b, house, height)
+
     words = "house building townhouse facade row" + (" shop" if house.shop else "")
     kind = {"eaves": "dormers", "gable": "a pointed gable", "stepped": "a stepped gable"}[house.top]
-    return AssetSpec(house.name, "buildings", f"{house.storeys}-storey townhouse with {kind}"
-                     f"{' and a shop front' if house.shop else ''}, {house.width / 100:g} m wide, front to +Y",
-                     tuple(words.split()), build)
+    return AssetSpec(
+        house.name,
+        "buildings",
+        f"{house.storeys}-storey townhouse with {kind}"
+        f"{' and a shop front' if house.shop else ''}, {house.width / 100:g} m wide, front to +Y",
+        tuple(words.split()),
+        build,
+    )
 
 
 KIT.assets.extend(townhouse(house) for house in HOUSES)
 
 
-@KIT.asset("Warehouse", "buildings", "Brick warehouse with loading doors and hoist beams, 16 x 12 m, front to +Y",
-           "warehouse building storage brick harbour")
+@KIT.asset(
+    "Warehouse",
+    "buildings",
+    "Brick warehouse with loading doors and hoist beams, 16 x 12 m, front to +Y",
+    "warehouse building storage brick harbour",
+)
 def warehouse(b: Builder) -> None:
     b.box("BrickDark", (1600, 1200, 720))
     b.box("StoneDark", (1600, 1208, 80), body=None)

@@ -22,8 +22,12 @@ def paving(b: Builder) -> None:
     _slab(b, "Paving", 400, 400)
 
 
-@KIT.asset("RoadTile", "ground", "Asphalt road with a dashed centre line along X, 8 x 8 m, top at the pivot",
-           "ground floor road street asphalt tile")
+@KIT.asset(
+    "RoadTile",
+    "ground",
+    "Asphalt road with a dashed centre line along X, 8 x 8 m, top at the pivot",
+    "ground floor road street asphalt tile",
+)
 def road(b: Builder) -> None:
     _slab(b, "Asphalt", 800, 800)
     for x in (-200, 200):
@@ -32,8 +36,12 @@ def road(b: Builder) -> None:
         b.box("WhitePaint", (800, 10, 0.6), (0, y, -0.3), body=None)
 
 
-@KIT.asset("CrossingTile", "ground", "Asphalt road with a zebra crossing, 8 x 8 m, top at the pivot",
-           "ground floor road zebra crossing tile")
+@KIT.asset(
+    "CrossingTile",
+    "ground",
+    "Asphalt road with a zebra crossing, 8 x 8 m, top at the pivot",
+    "ground floor road zebra crossing tile",
+)
 def crossing(b: Builder) -> None:
     _slab(b, "Asphalt", 800, 800)
     for y in range(-350, 351, 100):
@@ -45,8 +53,12 @@ def water(b: Builder) -> None:
     b.box("Water", (800, 800, 6), (0, 0, -6), body=None)
 
 
-@KIT.asset("QuayWall", "waterfront", "Stone quay wall with a coping, 4 m long, top at the pivot, faces +Y",
-           "quay wall stone edge canal embankment")
+@KIT.asset(
+    "QuayWall",
+    "waterfront",
+    "Stone quay wall with a coping, 4 m long, top at the pivot, faces +Y",
+    "quay wall stone edge canal embankment",
+)
 def quay(b: Builder) -> None:
     b.box("StoneDark", (400, 50, 200), (0, -5, -220))
     b.box("Stone", (400, 60, 20), (0, 0, -20))
@@ -54,8 +66,12 @@ def quay(b: Builder) -> None:
         b.box("WoodDark", (24, 10, 150), (x, 25, -200), body=None)
 
 
-@KIT.asset("StoneBridge", "waterfront", "Gently arched stone bridge, 8 m span along X, 8 m wide, ends level with z = 0",
-           "bridge stone arch canal crossing")
+@KIT.asset(
+    "StoneBridge",
+    "waterfront",
+    "Gently arched stone bridge, 8 m span along X, 8 m wide, ends level with z = 0",
+    "bridge stone arch canal crossing",
+)
 def bridge(b: Builder) -> None:
     top = [(-400, 0), (-200, 30), (0, 40), (200, 30), (400, 0)]
     under = [(400, -160), (300, -90), (150, -45), (0, -35), (-150, -45), (-300, -90), (-400, -160)]
@@ -72,8 +88,12 @@ def bridge(b: Builder) -> None:
         b.body_box((760, 12, 130), (0, side, 0))
 
 
-@KIT.asset("JettyPlanks", "waterfront", "Timber jetty on piles, 4 m long along X, 3 m wide, deck at the pivot",
-           "jetty pier wooden dock planks")
+@KIT.asset(
+    "JettyPlanks",
+    "waterfront",
+    "Timber jetty on piles, 4 m long along X, 3 m wide, deck at the pivot",
+    "jetty pier wooden dock planks",
+)
 def jetty(b: Builder) -> None:
     b.box("Wood", (400, 300, 14), (0, 0, -14))
     for y in (-110, 0, 110):
@@ -92,8 +112,12 @@ def railing(b: Builder) -> None:
     b.body_box((396, 8, 110))
 
 
-@KIT.asset("QuayStairs", "waterfront", "Stone steps down to the water, 3 m wide, top at the pivot, descend to +Y",
-           "stairs steps quay stone")
+@KIT.asset(
+    "QuayStairs",
+    "waterfront",
+    "Stone steps down to the water, 3 m wide, top at the pivot, descend to +Y",
+    "stairs steps quay stone",
+)
 def stairs(b: Builder) -> None:
     for step in range(6):
         b.box("Stone", (300, 35, 220 - 22 * step), (0, 17.5 + 35 * step, -220))

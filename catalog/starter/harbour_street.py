@@ -129,14 +129,22 @@ def _stall(b: Builder, canvas: str) -> None:
                 b.ellipsoid(fruit, (19, 19, 18), (-76 + 76 * i + x, y, 96), segments=8, body=None)
 
 
-@KIT.asset("MarketStallRed", "market", "Market stall with fruit under a red striped awning, faces +Y",
-           "market stall fruit awning")
+@KIT.asset(
+    "MarketStallRed",
+    "market",
+    "Market stall with fruit under a red striped awning, faces +Y",
+    "market stall fruit awning",
+)
 def stall_red(b: Builder) -> None:
     _stall(b, "Canvas")
 
 
-@KIT.asset("MarketStallBlue", "market", "Market stall with fruit under a blue striped awning, faces +Y",
-           "market stall fruit awning")
+@KIT.asset(
+    "MarketStallBlue",
+    "market",
+    "Market stall with fruit under a blue striped awning, faces +Y",
+    "market stall fruit awning",
+)
 def stall_blue(b: Builder) -> None:
     _stall(b, "CanvasBlue")
 
@@ -187,8 +195,9 @@ def container(b: Builder) -> None:
     _container(b, "ContainerBlue")
 
 
-@KIT.asset("CargoContainerRust", "cargo", "Rust-red shipping container, 6 m long along X",
-           "container cargo shipping red")
+@KIT.asset(
+    "CargoContainerRust", "cargo", "Rust-red shipping container, 6 m long along X", "container cargo shipping red"
+)
 def container_rust(b: Builder) -> None:
     _container(b, "ContainerRust")
 
@@ -206,8 +215,12 @@ def _container(b: Builder, paint: str) -> None:
     b.body_box((606, 244, 260))
 
 
-@KIT.asset("HarbourCrane", "cargo", "Yellow harbour crane with a lattice jib that reaches to +Y, 14 m high",
-           "crane harbour dock lifting")
+@KIT.asset(
+    "HarbourCrane",
+    "cargo",
+    "Yellow harbour crane with a lattice jib that reaches to +Y, 14 m high",
+    "crane harbour dock lifting",
+)
 def crane(b: Builder) -> None:
     b.box("StoneDark", (420, 420, 40))
     for x in (-150, 150):
@@ -278,8 +291,11 @@ def car_teal(b: Builder) -> None:
 
 @KIT.asset("DeliveryVan", "vehicles", "White delivery van, 5.4 m long, front to +X", "van vehicle delivery white")
 def van(b: Builder) -> None:
-    b.add("VanWhite", prism([(-260, 30), (262, 30), (268, 70), (250, 110), (200, 120), (150, 220), (-258, 225)], 190),
-          body=None)
+    b.add(
+        "VanWhite",
+        prism([(-260, 30), (262, 30), (268, 70), (250, 110), (200, 120), (150, 220), (-258, 225)], 190),
+        body=None,
+    )
     b.add("Glass", prism([(246, 116), (202, 124), (158, 208), (170, 208)], 170), (3, 0, 0), body=None)
     for side in (-96, 96):
         b.box("Glass", (70, 3, 60), (120, side, 130), body=None)
@@ -299,8 +315,12 @@ def bicycle(b: Builder) -> None:
         for a in (0.3, 1.35, 2.4):
             dx, dz = 32 * math.cos(a), 32 * math.sin(a)
             b.tube("Steel", [(x - dx, 0, 34 - dz), (x + dx, 0, 34 + dz)], 0.5, segments=4)
-    for path in ([(-52, 0, 34), (-14, 0, 32), (36, 0, 78), (-24, 0, 74), (-14, 0, 32)], [(-52, 0, 34), (-24, 0, 74)],
-                 [(52, 0, 34), (36, 0, 78), (32, 0, 100)], [(-24, 0, 74), (-28, 0, 90)]):
+    for path in (
+        [(-52, 0, 34), (-14, 0, 32), (36, 0, 78), (-24, 0, 74), (-14, 0, 32)],
+        [(-52, 0, 34), (-24, 0, 74)],
+        [(52, 0, 34), (36, 0, 78), (32, 0, 100)],
+        [(-24, 0, 74), (-28, 0, 90)],
+    ):
         b.tube("CarTeal", path, 2, segments=6)
     b.tube("Iron", [(18, -28, 100), (32, 0, 102), (18, 28, 100)], 1.8, segments=6)
     b.box("Rubber", (26, 16, 6), (-30, 0, 90), body=None)

@@ -13,8 +13,12 @@ def _hull(b: Builder, paint: str, length: float, beam: float, depth: float, inne
     x, y = length / 2, beam / 2
     keel = [(-x * 0.9, 0.0, 0.0), (x * 0.55, 0.0, 0.0)]
     chine = [(a * x, s * c * y, depth * 0.3) for a, c in ((-0.95, 0.7), (0.4, 0.75)) for s in (-1, 1)]
-    rim = [(-x, s * y * 0.75, depth) for s in (-1, 1)] + [(0.0, s * y, depth) for s in (-1, 1)] \
-        + [(x * 0.6, s * y * 0.72, depth) for s in (-1, 1)] + [(x, 0.0, depth + 8)]
+    rim = (
+        [(-x, s * y * 0.75, depth) for s in (-1, 1)]
+        + [(0.0, s * y, depth) for s in (-1, 1)]
+        + [(x * 0.6, s * y * 0.72, depth) for s in (-1, 1)]
+        + [(x, 0.0, depth + 8)]
+    )
     b.add(paint, hull([*keel, *chine, *rim]))
     inset = [(px * 0.93, py * 0.88, depth + dz) for px, py, _ in rim for dz in (2.0, 9.0)]
     strake = [(px * 1.01, py * 1.03, depth + dz) for px, py, _ in rim for dz in (-6.0, 8.0)]
@@ -22,8 +26,12 @@ def _hull(b: Builder, paint: str, length: float, beam: float, depth: float, inne
     b.add(inner, hull(inset), body=None)
 
 
-@KIT.asset("RowingBoat", "boats", "Wooden rowing boat with two benches, 3.6 m, bow to +X, keel at the pivot",
-           "boat rowing dinghy wooden")
+@KIT.asset(
+    "RowingBoat",
+    "boats",
+    "Wooden rowing boat with two benches, 3.6 m, bow to +X, keel at the pivot",
+    "boat rowing dinghy wooden",
+)
 def rowing(b: Builder) -> None:
     _hull(b, "BoatRed", 360, 140, 60, "WoodDark")
     for x in (-80, 30):
@@ -32,8 +40,12 @@ def rowing(b: Builder) -> None:
         b.tube("Wood", [(-120, y, 76), (100, y * 1.5, 76)], 2.5)
 
 
-@KIT.asset("FishingBoat", "boats", "Blue fishing boat with a wheelhouse and mast, 8 m, bow to +X, keel at the pivot",
-           "boat fishing trawler ship")
+@KIT.asset(
+    "FishingBoat",
+    "boats",
+    "Blue fishing boat with a wheelhouse and mast, 8 m, bow to +X, keel at the pivot",
+    "boat fishing trawler ship",
+)
 def fishing(b: Builder) -> None:
     _hull(b, "BoatBlue", 800, 290, 150)
     b.box("WhitePaint", (200, 170, 190), (-150, 0, 155))
@@ -49,8 +61,12 @@ def fishing(b: Builder) -> None:
     b.ellipsoid("BuoyOrange", (40, 40, 44), (-330, 60, 158), body=None)
 
 
-@KIT.asset("SailingBoat", "boats", "White sailing boat with furled sail, 7 m, bow to +X, keel at the pivot",
-           "boat sailing yacht sail")
+@KIT.asset(
+    "SailingBoat",
+    "boats",
+    "White sailing boat with furled sail, 7 m, bow to +X, keel at the pivot",
+    "boat sailing yacht sail",
+)
 def sailing(b: Builder) -> None:
     _hull(b, "WhitePaint", 700, 220, 110)
     b.box("WhitePaint", (260, 130, 50), (0, 0, 112), bevel=8)

@@ -10,8 +10,9 @@ from catalog.starter.furniture_parts import books, crown, knob_ring, lamp_shade,
 KIT = Kit()
 
 
-@KIT.asset("TableLamp", "lighting", "Table lamp with a ceramic foot and a fabric shade, 45 cm high.",
-           "lamp table bedside")
+@KIT.asset(
+    "TableLamp", "lighting", "Table lamp with a ceramic foot and a fabric shade, 45 cm high.", "lamp table bedside"
+)
 def _table_lamp(b: Builder) -> None:
     b.lathe("VaseBlue", [(0, 0), (7, 0), (8, 3), (9, 9), (6, 17), (2, 21), (2, 25), (0, 25)])
     lamp_shade(b, 14, 10, 20, (0, 0, 25))
@@ -27,8 +28,9 @@ def _arc_lamp(b: Builder) -> None:
     b.ellipsoid("Bulb", (9, 9, 9), (0, 36, 115), segments=12, body=None)
 
 
-@KIT.asset("CeilingLamp", "lighting", "Ceiling lamp, a globe on a short rod; pivot at the ceiling.",
-           "lamp ceiling globe")
+@KIT.asset(
+    "CeilingLamp", "lighting", "Ceiling lamp, a globe on a short rod; pivot at the ceiling.", "lamp ceiling globe"
+)
 def _ceiling(b: Builder) -> None:
     b.cylinder("Brass", 6, 3, (0, 0, -3), segments=18)
     b.cylinder("Brass", 0.8, 22, (0, 0, -25), segments=8, body=None)
@@ -47,18 +49,24 @@ def _blue_rug(b: Builder) -> None:
     b.quad("BlueRug", [(-85, 60, 1.05), (85, 60, 1.05), (85, -60, 1.05), (-85, -60, 1.05)])
 
 
-@KIT.asset("Curtain", "decor", "Curtain panel in folds, 70 cm wide, 240 cm long, standing on the floor.",
-           "curtain drapes window")
+@KIT.asset(
+    "Curtain",
+    "decor",
+    "Curtain panel in folds, 70 cm wide, 240 cm long, standing on the floor.",
+    "curtain drapes window",
+)
 def _curtain(b: Builder) -> None:
     count = 36
     front = [(-35 + 70 * i / count, 3 * math.sin(i * math.pi / 3)) for i in range(count + 1)]
-    b.extrude("CurtainFabric", [(x, y - 0.5) for x, y in front] + [(x, y + 0.5) for x, y in reversed(front)], 239,
-              body="box")
+    b.extrude(
+        "CurtainFabric", [(x, y - 0.5) for x, y in front] + [(x, y + 0.5) for x, y in reversed(front)], 239, body="box"
+    )
     b.tube("Brass", [(-40, 0, 241), (40, 0, 241)], 1.2)
 
 
-@KIT.asset("HillsPicture", "decor", "Framed picture of green hills, 80 x 60 cm; pivot at the back.",
-           "picture painting wall")
+@KIT.asset(
+    "HillsPicture", "decor", "Framed picture of green hills, 80 x 60 cm; pivot at the back.", "picture painting wall"
+)
 def _picture(b: Builder) -> None:
     b.box("OakWood", (80, 3, 60), (0, 1.5, -30), bevel=0.5)
     b.panel("Painting", 70, 50, (0, 3.2, -25))
@@ -73,8 +81,11 @@ def _dusk(b: Builder) -> None:
 
 @KIT.asset("TallVase", "decor", "Slim blue vase, 34 cm high.", "vase blue")
 def _vase(b: Builder) -> None:
-    b.lathe("VaseBlue", [(0, 0), (6, 0), (9, 8), (9.5, 14), (6, 24), (3.4, 30), (4.6, 34), (3.8, 34), (2.6, 30)],
-            segments=24)
+    b.lathe(
+        "VaseBlue",
+        [(0, 0), (6, 0), (9, 8), (9.5, 14), (6, 24), (3.4, 30), (4.6, 34), (3.8, 34), (2.6, 30)],
+        segments=24,
+    )
 
 
 @KIT.asset("FlowerVase", "decor", "White vase with a bunch of pink flowers.", "vase flowers bunch")

@@ -18,15 +18,23 @@ def _counter(b: Builder, width: float, *, top: bool = True) -> None:
         b.box("Worktop", (width, 62, 4), (0, 0, 86), bevel=0.4)
 
 
-@KIT.asset("KitchenCounter", "kitchen", "Base cabinet with three drawers and a worktop, 60 x 62 cm, 90 cm high.",
-           "kitchen counter cabinet drawers")
+@KIT.asset(
+    "KitchenCounter",
+    "kitchen",
+    "Base cabinet with three drawers and a worktop, 60 x 62 cm, 90 cm high.",
+    "kitchen counter cabinet drawers",
+)
 def _drawers(b: Builder) -> None:
     _counter(b, 60)
     fronts(b, "CabinetSage", "Brass", 60, 28, 11, 74, 3)
 
 
-@KIT.asset("KitchenSink", "kitchen", "Sink cabinet with a steel basin and a tap, 80 x 62 cm, 90 cm high.",
-           "kitchen sink basin tap")
+@KIT.asset(
+    "KitchenSink",
+    "kitchen",
+    "Sink cabinet with a steel basin and a tap, 80 x 62 cm, 90 cm high.",
+    "kitchen sink basin tap",
+)
 def _sink(b: Builder) -> None:
     _counter(b, 80, top=False)
     fronts(b, "CabinetSage", "Brass", 80, 28, 11, 74, 1, 2, upright=True)
@@ -44,8 +52,12 @@ def _sink(b: Builder) -> None:
     b.tube("Steel", [(0, -25, 95), (9, -25, 98)], 0.9, segments=6)
 
 
-@KIT.asset("KitchenStove", "kitchen", "Stove with four rings, oven window and knobs, 60 x 62 cm, 90 cm high.",
-           "stove oven cooker kitchen")
+@KIT.asset(
+    "KitchenStove",
+    "kitchen",
+    "Stove with four rings, oven window and knobs, 60 x 62 cm, 90 cm high.",
+    "stove oven cooker kitchen",
+)
 def _stove(b: Builder) -> None:
     b.box("WhitePlastic", (60, 60, 88), (0, -1, 0), bevel=0.5)
     b.box("BlackPlastic", (60, 60, 2), (0, -1, 88), bevel=0.3)
@@ -69,8 +81,12 @@ def _fridge(b: Builder) -> None:
     b.body_box((59, 5, 180), (0, 28.5, 5))
 
 
-@KIT.asset("WallCabinet", "kitchen", "Kitchen wall cabinet with two doors, 80 x 35 cm, 70 cm high; pivot at the back.",
-           "kitchen cabinet wall cupboard")
+@KIT.asset(
+    "WallCabinet",
+    "kitchen",
+    "Kitchen wall cabinet with two doors, 80 x 35 cm, 70 cm high; pivot at the back.",
+    "kitchen cabinet wall cupboard",
+)
 def _wall_cabinet(b: Builder) -> None:
     b.box("CabinetSage", (80, 33, 70), (0, 16.5, -35))
     fronts(b, "CabinetSage", "Brass", 80, 33, -35, 70, 1, 2, upright=True)
@@ -98,31 +114,48 @@ def _fruit(b: Builder) -> None:
     b.lathe("Ceramic", [(0, 0), (6, 0), (6.5, 1), (11, 4), (14, 9), (13.3, 9), (10, 4.6), (0, 2)], segments=24)
     for i in range(5):
         a = i * 2 * math.pi / 5
-        b.ellipsoid("FruitOrange" if i % 2 else "FruitGreen", (7.6, 7.6, 7.4), (6 * math.cos(a), 6 * math.sin(a), 4.4),
-                    segments=12, body=None)
+        b.ellipsoid(
+            "FruitOrange" if i % 2 else "FruitGreen",
+            (7.6, 7.6, 7.4),
+            (6 * math.cos(a), 6 * math.sin(a), 4.4),
+            segments=12,
+            body=None,
+        )
     b.ellipsoid("FruitOrange", (7.8, 7.8, 7.6), (0, 0, 9.2), segments=12, body=None)
 
 
 @KIT.asset("PlateStack", "kitchen", "Stack of plates with two bowls on top.", "plates dishes kitchen")
 def _plates(b: Builder) -> None:
     for i in range(4):
-        b.lathe("Ceramic", [(0, 0), (8, 0), (13, 2), (13, 2.5), (8, 0.8), (0, 0.8)], (0, 0, i * 1.2), segments=24,
-                smooth=False, body=None)
+        b.lathe(
+            "Ceramic",
+            [(0, 0), (8, 0), (13, 2), (13, 2.5), (8, 0.8), (0, 0.8)],
+            (0, 0, i * 1.2),
+            segments=24,
+            smooth=False,
+            body=None,
+        )
     for i in range(2):
         b.lathe("VaseBlue", [(0, 0), (4, 0), (8, 5), (7.6, 5), (4, 0.6)], (0, 0, 4.6 + i * 2), segments=20, body=None)
     b.body_box((20, 20, 6))
 
 
 def _oval(width: float, depth: float, power: float = 0.5) -> list[tuple[float, float]]:
-    return [(width / 2 * math.copysign(abs(math.cos(a)) ** power, math.cos(a)),
-             depth / 2 * math.copysign(abs(math.sin(a)) ** power, math.sin(a)))
-            for a in [2 * math.pi * i / 40 for i in range(40)]]
+    return [
+        (
+            width / 2 * math.copysign(abs(math.cos(a)) ** power, math.cos(a)),
+            depth / 2 * math.copysign(abs(math.sin(a)) ** power, math.sin(a)),
+        )
+        for a in [2 * math.pi * i / 40 for i in range(40)]
+    ]
 
 
-@KIT.asset("Bathtub", "bathroom", "Bathtub with a panel, tap and some water, 170 x 75 cm, 58 cm high.",
-           "bathtub bath tub")
+@KIT.asset(
+    "Bathtub", "bathroom", "Bathtub with a panel, tap and some water, 170 x 75 cm, 58 cm high.", "bathtub bath tub"
+)
 def _bathtub(b: Builder) -> None:
     from shapely import Polygon
+
     rim = Polygon([(-85, -37.5), (85, -37.5), (85, 37.5), (-85, 37.5)], [_oval(156, 62, 0.45)[::-1]])
     b.add("Ceramic", extrude(rim, 58), body=None)
     b.box("Ceramic", (168, 73, 12), (0, 0, 1))
@@ -147,14 +180,19 @@ def _toilet(b: Builder) -> None:
     b.cylinder("Steel", 2.2, 1, (0, -24, 80), segments=14, body=None)
 
 
-@KIT.asset("Washbasin", "bathroom", "Washbasin on a vanity cabinet with a tap, 70 x 48 cm, 87 cm high.",
-           "washbasin sink vanity bathroom")
+@KIT.asset(
+    "Washbasin",
+    "bathroom",
+    "Washbasin on a vanity cabinet with a tap, 70 x 48 cm, 87 cm high.",
+    "washbasin sink vanity bathroom",
+)
 def _washbasin(b: Builder) -> None:
     b.box("WhiteLaminate", (66, 43, 52), (0, -1.5, 22))
     fronts(b, "OakWood", "Steel", 66, 20, 22, 52, 1, 2, upright=True)
     for x in (-28, 28):
         b.box("Steel", (4, 34, 22), (x, -2, 0))
     from shapely import Polygon
+
     rim = Polygon([(-35, -24), (35, -24), (35, 24), (-35, 24)], [_oval(50, 30, 0.7)[::-1]])
     b.add("Ceramic", extrude(rim, 13), (0, 0, 74), body="box")
     b.box("Ceramic", (54, 36, 1), (0, 0, 74.5), body=None)

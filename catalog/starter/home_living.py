@@ -84,8 +84,9 @@ def _bedside(b: Builder) -> None:
     fronts(b, "WhiteLaminate", "Brass", 42, 17.5, 22, 25, 1)
 
 
-@KIT.asset("WritingDesk", "tables", "Writing desk with two drawers, 120 x 60 cm, 75 cm high.",
-           "desk writing home office")
+@KIT.asset(
+    "WritingDesk", "tables", "Writing desk with two drawers, 120 x 60 cm, 75 cm high.", "desk writing home office"
+)
 def _desk(b: Builder) -> None:
     b.box("OakWood", (120, 60, 3), (0, 0, 72), bevel=0.5)
     legs(b, "OakWood", (114, 54), 72, 5)
@@ -93,8 +94,12 @@ def _desk(b: Builder) -> None:
     fronts(b, "WhiteLaminate", "Brass", 102, 23, 60, 12, 1, 2)
 
 
-@KIT.asset("DoubleBed", "bedroom", "Double bed with headboard, striped duvet and two pillows, 170 x 212 cm.",
-           "bed double pillows duvet")
+@KIT.asset(
+    "DoubleBed",
+    "bedroom",
+    "Double bed with headboard, striped duvet and two pillows, 170 x 212 cm.",
+    "bed double pillows duvet",
+)
 def _bed(b: Builder) -> None:
     b.box("WalnutWood", (170, 6, 105), (0, -103, 0), bevel=1)
     b.box("WalnutWood", (168, 203, 18), (0, 1, 14), bevel=0.8)
@@ -142,8 +147,12 @@ def _bookcase(b: Builder) -> None:
     b.box("WalnutWood", (75.8, 1, 185), (0, -13, 3))
 
 
-@KIT.asset("WallShelf", "storage", "Wall shelf on two brackets, 90 x 22 cm; pivot at the middle of the back.",
-           "shelf wall bracket")
+@KIT.asset(
+    "WallShelf",
+    "storage",
+    "Wall shelf on two brackets, 90 x 22 cm; pivot at the middle of the back.",
+    "shelf wall bracket",
+)
 def _wall_shelf(b: Builder) -> None:
     b.box("OakWood", (90, 22, 2.5), (0, 11, -1.25))
     for x in (-32, 32):
@@ -152,8 +161,12 @@ def _wall_shelf(b: Builder) -> None:
         b.tube("DarkMetal", [(x, 1, -15), (x, 16, -2.5)], 0.6)
 
 
-@KIT.asset("MediaBench", "storage", "Low media bench with two doors and an open shelf, 160 x 42 cm, 45 cm high.",
-           "media tv bench sideboard")
+@KIT.asset(
+    "MediaBench",
+    "storage",
+    "Low media bench with two doors and an open shelf, 160 x 42 cm, 45 cm high.",
+    "media tv bench sideboard",
+)
 def _media(b: Builder) -> None:
     b.box("WalnutWood", (160, 42, 3), (0, 0, 42))
     b.box("WalnutWood", (160, 42, 3), (0, 0, 10))

@@ -29,7 +29,8 @@ def _bath(b: Builder) -> None:
     tile(b, "BathTiles")
 
 
-@KIT.asset("FloorKitchen200", "architecture", "Chequered kitchen floor tile, 2 x 2 m, 2 cm thick.",
-           "floor kitchen chequered")
+@KIT.asset(
+    "FloorKitchen200", "architecture", "Chequered kitchen floor tile, 2 x 2 m, 2 cm thick.", "floor kitchen chequered"
+)
 def _kitchen(b: Builder) -> None:
     tile(b, "ChessTiles")

@@ -3,18 +3,7 @@
 from __future__ import annotations
 
 from catalog.shapes import MaterialSpec
-from catalog.shapes.textures import (
-    bricks,
-    carpet,
-    fabric,
-    mottled,
-    painting,
-    planks,
-    screen,
-    stripes,
-    tiles,
-    wood,
-)
+from catalog.shapes.textures import bricks, carpet, fabric, mottled, painting, planks, screen, stripes, tiles, wood
 
 SHARED = [
     MaterialSpec("OakWood", texture=wood((186, 148, 104), 11), roughness=0.6),
@@ -57,13 +46,17 @@ OFFICE = [
     MaterialSpec("OrangeFabric", texture=fabric((214, 122, 52), 46), tile_m=0.25),
     MaterialSpec("PartitionFelt", texture=mottled((132, 140, 146), 47, fine=0.08), tile_m=0.5),
     MaterialSpec("ScreenCode", texture=screen(48), emissive=(0.10, 0.12, 0.16)),
-    MaterialSpec("ScreenSheet", texture=screen(49, background=(222, 226, 230), bars=((70, 130, 90), (120, 130, 145))),
-                 emissive=(0.12, 0.12, 0.12)),
+    MaterialSpec(
+        "ScreenSheet",
+        texture=screen(49, background=(222, 226, 230), bars=((70, 130, 90), (120, 130, 145))),
+        emissive=(0.12, 0.12, 0.12),
+    ),
     MaterialSpec("Whiteboard", (0.88, 0.89, 0.90), 0.2),
     MaterialSpec("Cork", texture=mottled((186, 142, 96), 50, strength=0.12, fine=0.12), tile_m=0.5),
     MaterialSpec("BrickWall", texture=bricks((164, 84, 62), (190, 182, 170), 51), tile_m=0.6),
-    MaterialSpec("CeilingTile", texture=tiles((232, 232, 228), (200, 200, 196), 52, count=2, variation=0.01),
-                 tile_m=1.2),
+    MaterialSpec(
+        "CeilingTile", texture=tiles((232, 232, 228), (200, 200, 196), 52, count=2, variation=0.01), tile_m=1.2
+    ),
     MaterialSpec("LightPanel", (1.0, 1.0, 1.0), 0.5, emissive=(2.2, 2.2, 2.1)),
     MaterialSpec("WaterBlue", (0.20, 0.45, 0.70), 0.1, opacity=0.5),
     MaterialSpec("RecycleBlue", (0.03, 0.16, 0.42), 0.6),
@@ -76,15 +69,17 @@ HOME = [
     *SHARED,
     MaterialSpec("Parquet", texture=planks((168, 122, 78), 61), tile_m=1.2),
     MaterialSpec("BathTiles", texture=tiles((214, 224, 226), (170, 180, 182), 62, count=4), tile_m=1.2),
-    MaterialSpec("ChessTiles", texture=tiles((224, 222, 214), (150, 148, 142), 63, count=4, second=(92, 98, 104)),
-                 tile_m=1.2),
+    MaterialSpec(
+        "ChessTiles", texture=tiles((224, 222, 214), (150, 148, 142), 63, count=4, second=(92, 98, 104)), tile_m=1.2
+    ),
     MaterialSpec("WallGreen", texture=mottled((168, 184, 164), 64, strength=0.02, fine=0.012), tile_m=2.0),
     MaterialSpec("GreyFabric", texture=fabric((132, 134, 138), 65), tile_m=0.25),
     MaterialSpec("MustardFabric", texture=fabric((206, 158, 62), 66), tile_m=0.25),
     MaterialSpec("NavyFabric", texture=fabric((52, 66, 104), 67), tile_m=0.25),
     MaterialSpec("Linen", texture=fabric((228, 222, 208), 68), tile_m=0.25),
-    MaterialSpec("Duvet", texture=stripes([(206, 214, 226), (206, 214, 226), (120, 142, 178), (206, 214, 226)], 69),
-                 tile_m=0.5),
+    MaterialSpec(
+        "Duvet", texture=stripes([(206, 214, 226), (206, 214, 226), (120, 142, 178), (206, 214, 226)], 69), tile_m=0.5
+    ),
     MaterialSpec("CurtainFabric", texture=stripes([(196, 120, 96), (208, 136, 110)], 70, upright=True), tile_m=0.2),
     MaterialSpec("PersianRug", texture=carpet((140, 40, 42), (52, 50, 84), (214, 180, 120), 71)),
     MaterialSpec("BlueRug", texture=carpet((78, 108, 148), (226, 220, 204), (196, 204, 214), 72)),
@@ -92,8 +87,11 @@ HOME = [
     MaterialSpec("CabinetSage", (0.34, 0.44, 0.36), 0.5),
     MaterialSpec("BathLiquid", (0.35, 0.60, 0.72), 0.05, opacity=0.6),
     MaterialSpec("MirrorGlass", (0.62, 0.70, 0.74), 0.03, 0.8),
-    MaterialSpec("TvScreen", texture=painting(74, sky=(70, 130, 200), hills=((40, 90, 60), (24, 54, 40))),
-                 emissive=(0.08, 0.1, 0.12)),
+    MaterialSpec(
+        "TvScreen",
+        texture=painting(74, sky=(70, 130, 200), hills=((40, 90, 60), (24, 54, 40))),
+        emissive=(0.08, 0.1, 0.12),
+    ),
     MaterialSpec("GlobeSea", texture=mottled((46, 96, 150), 75, strength=0.45, fine=0.02, cells=5)),
     MaterialSpec("ToyRed", (0.56, 0.05, 0.04), 0.5),
     MaterialSpec("ToyYellow", (0.72, 0.50, 0.04), 0.5),

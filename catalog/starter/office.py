@@ -7,35 +7,77 @@ from catalog.starter import indoor_materials, office_equipment, office_furniture
 
 CATEGORIES = {
     "architecture": "Wall, window and doorway modules, doors, partitions, columns, floor and ceiling tiles.",
-    "desks": "Desks, tables and counters.", "seating": "Chairs, stools and sofas.",
-    "storage": "Cabinets, shelves, lockers and stands.", "equipment": "Computers, phones, printers and machines.",
+    "desks": "Desks, tables and counters.",
+    "seating": "Chairs, stools and sofas.",
+    "storage": "Cabinets, shelves, lockers and stands.",
+    "equipment": "Computers, phones, printers and machines.",
     "lighting": "Desk, floor, pendant and ceiling lamps.",
     "decor": "Plants, books, boards, clocks, bins and small things.",
-    "sets": "Compositions of several assets."}
+    "sets": "Compositions of several assets.",
+}
 
 BLUEPRINTS = (
-    BlueprintSpec("DeskSet", "sets", "A desk with monitor, keyboard, mouse, drawers and a task chair in front of it.",
-                  ("desk", "set", "workplace"), (
-                      Part("OfficeDesk"), Part("Monitor", (0, -16, 74)), Part("Keyboard", (0, 16, 74)),
-                      Part("Mouse", (32, 16, 74)), Part("DrawerPedestal", (-52, 4, 0)),
-                      Part("TaskChair", (0, 78, 0), 180.0))),
-    BlueprintSpec("MeetingSet", "sets", "A meeting table with six conference chairs.", ("meeting", "set", "table"), (
-        Part("MeetingTable"), *(Part("ConferenceChair", (x, 100, 0), 180.0) for x in (-75, 0, 75)),
-        *(Part("ConferenceChair", (x, -100, 0)) for x in (-75, 0, 75)))),
-    BlueprintSpec("LoungeSet", "sets", "A two-seat sofa and a low table with books on a rug.", ("lounge", "sofa"), (
-        Part("LoungeRug"), Part("OfficeSofa", (0, -60, 1)), Part("SideTable", (0, 45, 1)),
-        Part("BookStack", (8, 45, 42)))),
-    BlueprintSpec("ShelfWithBooks", "sets", "A tall bookshelf with three filled boards.", ("bookshelf", "books"), (
-        Part("TallBookshelf"), Part("BookRow", (-8, 0, 44.5)), Part("BookRow", (6, 0, 82.5)),
-        Part("BinderRow", (0, 0, 120.5)))),
+    BlueprintSpec(
+        "DeskSet",
+        "sets",
+        "A desk with monitor, keyboard, mouse, drawers and a task chair in front of it.",
+        ("desk", "set", "workplace"),
+        (
+            Part("OfficeDesk"),
+            Part("Monitor", (0, -16, 74)),
+            Part("Keyboard", (0, 16, 74)),
+            Part("Mouse", (32, 16, 74)),
+            Part("DrawerPedestal", (-52, 4, 0)),
+            Part("TaskChair", (0, 78, 0), 180.0),
+        ),
+    ),
+    BlueprintSpec(
+        "MeetingSet",
+        "sets",
+        "A meeting table with six conference chairs.",
+        ("meeting", "set", "table"),
+        (
+            Part("MeetingTable"),
+            *(Part("ConferenceChair", (x, 100, 0), 180.0) for x in (-75, 0, 75)),
+            *(Part("ConferenceChair", (x, -100, 0)) for x in (-75, 0, 75)),
+        ),
+    ),
+    BlueprintSpec(
+        "LoungeSet",
+        "sets",
+        "A two-seat sofa and a low table with books on a rug.",
+        ("lounge", "sofa"),
+        (
+            Part("LoungeRug"),
+            Part("OfficeSofa", (0, -60, 1)),
+            Part("SideTable", (0, 45, 1)),
+            Part("BookStack", (8, 45, 42)),
+        ),
+    ),
+    BlueprintSpec(
+        "ShelfWithBooks",
+        "sets",
+        "A tall bookshelf with three filled boards.",
+        ("bookshelf", "books"),
+        (
+            Part("TallBookshelf"),
+            Part("BookRow", (-8, 0, 44.5)),
+            Part("BookRow", (6, 0, 82.5)),
+            Part("BinderRow", (0, 0, 120.5)),
+        ),
+    ),
 )
 
 
 def pack() -> PackSpec:
     """The specification of the pack."""
     return PackSpec(
-        pack_id="c4s-office", content_folder="C4SOffice", title="c4s starter pack: office",
+        pack_id="c4s-office",
+        content_folder="C4SOffice",
+        title="c4s starter pack: office",
         description="Furniture, equipment and room modules of an office, in real sizes.",
         materials=indoor_materials.OFFICE,
         assets=[*office_rooms.KIT.assets, *office_furniture.KIT.assets, *office_equipment.KIT.assets],
-        blueprints=BLUEPRINTS, category_descriptions=CATEGORIES)
+        blueprints=BLUEPRINTS,
+        category_descriptions=CATEGORIES,
+    )

@@ -23,8 +23,9 @@ def _monitor(b: Builder) -> None:
     b.body_box((6, 4, 14), (0, -3, 0))
 
 
-@KIT.asset("WideMonitor", "equipment", "34 inch wide monitor on a stand, showing a spreadsheet.",
-           "monitor wide screen display")
+@KIT.asset(
+    "WideMonitor", "equipment", "34 inch wide monitor on a stand, showing a spreadsheet.", "monitor wide screen display"
+)
 def _wide(b: Builder) -> None:
     _display(b, "ScreenSheet", 81, 36, 13)
     b.box("Steel", (7, 3, 26), (0, -3.5, 1), body=None)
@@ -40,8 +41,12 @@ def _keyboard(b: Builder) -> None:
         for key in range(count):
             width = 30.0 / count if row != 4 or key != 3 else 12.0
             x = -20.5 + 30.0 * (key + 0.5) / count
-            b.box("GreyPlastic", (min(width - 0.3, 1.85) if key != 3 or row != 4 else 6, 1.8, 0.6),
-                  (x, 4.4 - row * 2.2, 1.5), body=None)
+            b.box(
+                "GreyPlastic",
+                (min(width - 0.3, 1.85) if key != 3 or row != 4 else 6, 1.8, 0.6),
+                (x, 4.4 - row * 2.2, 1.5),
+                body=None,
+            )
     for row in range(4):
         for key in range(4):
             b.box("GreyPlastic", (1.85, 1.8, 0.6), (12.6 + 2.3 * key, 4.4 - row * 2.2, 1.5), body=None)
@@ -64,8 +69,9 @@ def _laptop(b: Builder) -> None:
         b.panel("ScreenSheet", 31, 19.5, (0, 0.5, 1.4))
 
 
-@KIT.asset("ComputerTower", "equipment", "Desktop computer case, 20 x 45 cm, 44 cm high.",
-           "computer tower desktop case")
+@KIT.asset(
+    "ComputerTower", "equipment", "Desktop computer case, 20 x 45 cm, 44 cm high.", "computer tower desktop case"
+)
 def _tower(b: Builder) -> None:
     b.box("BlackPlastic", (20, 45, 42), (0, 0, 2), bevel=1)
     legs_y = (-18, 18)
@@ -84,12 +90,21 @@ def _phone(b: Builder) -> None:
     b.box("ScreenSheet", (9, 5, 0.4), (4, -5, 6.1), (0, 0, 19), body=None)
     for row in range(3):
         for key in range(3):
-            b.box("WhitePlastic", (2, 1.6, 0.6), (1.4 + 2.7 * key, 0.5 + row * 2.6, 4.0 - row * 0.85), (0, 0, 19),
-                  body=None)
+            b.box(
+                "WhitePlastic",
+                (2, 1.6, 0.6),
+                (1.4 + 2.7 * key, 0.5 + row * 2.6, 4.0 - row * 0.85),
+                (0, 0, 19),
+                body=None,
+            )
 
 
-@KIT.asset("OfficePrinter", "equipment", "Floor-standing copier with paper trays and a control panel, 110 cm high.",
-           "printer copier machine")
+@KIT.asset(
+    "OfficePrinter",
+    "equipment",
+    "Floor-standing copier with paper trays and a control panel, 110 cm high.",
+    "printer copier machine",
+)
 def _printer(b: Builder) -> None:
     b.box("WhitePlastic", (60, 60, 62), (0, 0, 4), bevel=1.5)
     b.box("GreyPlastic", (56, 54, 4))
@@ -105,16 +120,23 @@ def _printer(b: Builder) -> None:
     b.box("Paper", (21, 30, 1.5), (-2, 4, 67), body=None)
 
 
-@KIT.asset("WaterCooler", "equipment", "Water cooler with a blue bottle and two taps, 135 cm high.",
-           "water cooler dispenser bottle")
+@KIT.asset(
+    "WaterCooler",
+    "equipment",
+    "Water cooler with a blue bottle and two taps, 135 cm high.",
+    "water cooler dispenser bottle",
+)
 def _cooler(b: Builder) -> None:
     b.box("WhitePlastic", (32, 34, 95), bevel=2)
     b.box("GreyPlastic", (22, 2, 26), (0, 16.2, 58), bevel=0.5, body=None)
     for x, material in ((-5, "BookBlue"), (5, "AccentRed")):
         b.box(material, (3, 5, 4), (x, 18.5, 76), bevel=0.6, body=None)
     b.box("GreyPlastic", (22, 8, 2), (0, 19, 58), body=None)
-    b.lathe("WaterBlue", [(0, 93), (6, 93), (7, 97), (14, 102), (14, 116), (13.4, 117), (14, 118), (14, 131), (11, 135),
-                          (0, 135)], smooth=False)
+    b.lathe(
+        "WaterBlue",
+        [(0, 93), (6, 93), (7, 97), (14, 102), (14, 116), (13.4, 117), (14, 118), (14, 131), (11, 135), (0, 135)],
+        smooth=False,
+    )
 
 
 @KIT.asset("CoffeeMachine", "equipment", "Coffee machine with a drip tray, 28 x 40 cm.", "coffee machine kitchen")
@@ -146,8 +168,12 @@ def _floor_lamp(b: Builder) -> None:
     lamp_shade(b, 21, 14, 27, (0, 0, 133))
 
 
-@KIT.asset("PendantLamp", "lighting", "Pendant lamp on a cable, pivot at the ceiling end, hanging 90 cm.",
-           "lamp pendant ceiling light")
+@KIT.asset(
+    "PendantLamp",
+    "lighting",
+    "Pendant lamp on a cable, pivot at the ceiling end, hanging 90 cm.",
+    "lamp pendant ceiling light",
+)
 def _pendant(b: Builder) -> None:
     b.cylinder("BlackPlastic", 5, 3, (0, 0, -3), segments=16)
     b.cylinder("BlackPlastic", 0.4, 62, (0, 0, -65), segments=6, body=None)
@@ -155,8 +181,12 @@ def _pendant(b: Builder) -> None:
     b.ellipsoid("Bulb", (11, 11, 11), (0, 0, -86), segments=12, body=None)
 
 
-@KIT.asset("CeilingLightPanel", "lighting", "Flat LED ceiling panel, 120 x 30 cm, pivot at the ceiling side.",
-           "light panel ceiling led")
+@KIT.asset(
+    "CeilingLightPanel",
+    "lighting",
+    "Flat LED ceiling panel, 120 x 30 cm, pivot at the ceiling side.",
+    "light panel ceiling led",
+)
 def _panel(b: Builder) -> None:
     b.box("WhitePlastic", (120, 30, 4), (0, 0, -4), bevel=0.5)
     b.box("LightPanel", (114, 24, 0.6), (0, 0, -4.5), body=None)
@@ -171,13 +201,21 @@ def _tall_plant(b: Builder) -> None:
     b.body_capsule(16, 90, (0, 0, 45))
 
 
-@KIT.asset("SnakePlant", "decor", "Sansevieria with upright leaves in a terracotta pot, 75 cm high.",
-           "plant potted snake")
+@KIT.asset(
+    "SnakePlant", "decor", "Sansevieria with upright leaves in a terracotta pot, 75 cm high.", "plant potted snake"
+)
 def _snake(b: Builder) -> None:
     pot(b, "Terracotta", 13, 22)
     for i in range(13):
-        leaf(b, "LeafLight" if i % 4 == 0 else "Leaf", 36 + 16 * (i * 5 % 4) / 3, 7,
-             (5 * math.cos(i * 2.4), 5 * math.sin(i * 2.4), 20), i * 137.5, 76 + 8 * math.sin(i))
+        leaf(
+            b,
+            "LeafLight" if i % 4 == 0 else "Leaf",
+            36 + 16 * (i * 5 % 4) / 3,
+            7,
+            (5 * math.cos(i * 2.4), 5 * math.sin(i * 2.4), 20),
+            i * 137.5,
+            76 + 8 * math.sin(i),
+        )
     b.body_capsule(8, 55, (0, 0, 18))
 
 
@@ -206,8 +244,14 @@ def _binders(b: Builder) -> None:
 def _stack(b: Builder) -> None:
     z = 0.0
     for i in range(5):
-        b.box(BOOKS[(i * 2) % 4], (22 - i * 0.8, 16 - i * 0.5, 2.6), (0, 0, z), (0, (i * 37) % 19 - 9, 0), bevel=0.2,
-              body="box" if i in (0, 4) else None)
+        b.box(
+            BOOKS[(i * 2) % 4],
+            (22 - i * 0.8, 16 - i * 0.5, 2.6),
+            (0, 0, z),
+            (0, (i * 37) % 19 - 9, 0),
+            bevel=0.2,
+            body="box" if i in (0, 4) else None,
+        )
         z += 2.6
     b.body_box((19, 14, z))
 
@@ -256,8 +300,12 @@ def _recycling(b: Builder) -> None:
     b.body_box((40, 34, 4), (0, 0, 58))
 
 
-@KIT.asset("WallWhiteboard", "decor", "Wall whiteboard with a pen tray and drawings, 180 x 120 cm; pivot at the back.",
-           "whiteboard board wall meeting")
+@KIT.asset(
+    "WallWhiteboard",
+    "decor",
+    "Wall whiteboard with a pen tray and drawings, 180 x 120 cm; pivot at the back.",
+    "whiteboard board wall meeting",
+)
 def _whiteboard(b: Builder) -> None:
     b.box("Whiteboard", (180, 2, 120), (0, 1, -60))
     for z in (-60, 58):
@@ -277,15 +325,21 @@ def _whiteboard(b: Builder) -> None:
     b.box("BookBlue", (14, 0.2, 1), (40, 2.1, 28), body=None)
 
 
-@KIT.asset("PinBoard", "decor", "Cork pin board with notes, 120 x 90 cm; pivot at the back.",
-           "pinboard cork notes wall")
+@KIT.asset(
+    "PinBoard", "decor", "Cork pin board with notes, 120 x 90 cm; pivot at the back.", "pinboard cork notes wall"
+)
 def _pinboard(b: Builder) -> None:
     b.box("OakWood", (120, 2.5, 90), (0, 1.25, -45))
     b.box("Cork", (114, 0.4, 84), (0, 2.6, -42), body=None)
     for i in range(9):
         x, z = -42 + 21 * (i % 5) + (i * 7 % 5), 14 - 30 * (i // 5) + (i * 5 % 7)
-        b.box(("Paper", "BookOchre", "Paper", "LeafLight")[i % 4], (14, 0.3, 17), (x, 2.95, z - 10),
-              ((i * 11) % 9 - 4, 0, 0), body=None)
+        b.box(
+            ("Paper", "BookOchre", "Paper", "LeafLight")[i % 4],
+            (14, 0.3, 17),
+            (x, 2.95, z - 10),
+            ((i * 11) % 9 - 4, 0, 0),
+            body=None,
+        )
 
 
 @KIT.asset("WallClock", "decor", "Round wall clock, 34 cm across; pivot at the back.", "clock wall time")
@@ -299,8 +353,9 @@ def _clock(b: Builder) -> None:
     b.box("BlackPlastic", (1, 0.4, 12), (0, 4.8, 0), (-20, 0, 0), body=None)
 
 
-@KIT.asset("FramedPoster", "decor", "Framed landscape print, 90 x 65 cm; pivot at the back.",
-           "picture poster frame wall")
+@KIT.asset(
+    "FramedPoster", "decor", "Framed landscape print, 90 x 65 cm; pivot at the back.", "picture poster frame wall"
+)
 def _poster(b: Builder) -> None:
     b.box("BlackPlastic", (90, 3, 65), (0, 1.5, -32.5))
     b.box("Paper", (86, 0.3, 61), (0, 3.1, -30.5), body=None)

@@ -21,8 +21,12 @@ def _desk(b: Builder) -> None:
     b.box("DarkMetal", (143, 2, 30), (0, -33, 38))
 
 
-@KIT.asset("StandingDesk", "desks", "Height-adjustable desk raised for standing, white top, 140 x 70 cm, 108 cm high.",
-           "desk standing adjustable")
+@KIT.asset(
+    "StandingDesk",
+    "desks",
+    "Height-adjustable desk raised for standing, white top, 140 x 70 cm, 108 cm high.",
+    "desk standing adjustable",
+)
 def _standing(b: Builder) -> None:
     b.box("WhiteLaminate", (140, 70, 3), (0, 0, 105), bevel=0.5)
     for x in (-50, 50):
@@ -33,12 +37,20 @@ def _standing(b: Builder) -> None:
     b.box("BlackPlastic", (10, 4, 2), (50, 31, 103), body=None)
 
 
-@KIT.asset("MeetingTable", "desks", "Meeting table with rounded walnut top on two pedestals, 240 x 110 cm.",
-           "table meeting conference")
+@KIT.asset(
+    "MeetingTable",
+    "desks",
+    "Meeting table with rounded walnut top on two pedestals, 240 x 110 cm.",
+    "table meeting conference",
+)
 def _meeting(b: Builder) -> None:
-    outline = [(110 * abs(math.cos(a)) ** 0.35 * math.copysign(1, math.cos(a)) * 1.09,
-                55 * abs(math.sin(a)) ** 0.45 * math.copysign(1, math.sin(a)))
-               for a in [2 * math.pi * i / 40 for i in range(40)]]
+    outline = [
+        (
+            110 * abs(math.cos(a)) ** 0.35 * math.copysign(1, math.cos(a)) * 1.09,
+            55 * abs(math.sin(a)) ** 0.45 * math.copysign(1, math.sin(a)),
+        )
+        for a in [2 * math.pi * i / 40 for i in range(40)]
+    ]
     b.extrude("WalnutWood", outline, 4, (0, 0, 70))
     for x in (-60, 60):
         b.box("DarkMetal", (10, 40, 66), (x, 0, 4))
@@ -60,8 +72,12 @@ def _side(b: Builder) -> None:
     b.box("OakWood", (58, 38, 2), (0, 0, 14), body=None)
 
 
-@KIT.asset("ReceptionCounter", "desks", "Reception counter with a raised front and a lower desk behind, 220 cm wide.",
-           "counter reception desk")
+@KIT.asset(
+    "ReceptionCounter",
+    "desks",
+    "Reception counter with a raised front and a lower desk behind, 220 cm wide.",
+    "counter reception desk",
+)
 def _reception(b: Builder) -> None:
     b.box("OakWood", (220, 8, 108), (0, 36, 0))
     b.box("WhiteLaminate", (226, 30, 4), (0, 32, 108), bevel=0.8)
@@ -82,8 +98,12 @@ def _castor_base(b: Builder, height: float) -> None:
     b.cylinder("Steel", 2.6, height - 9, (0, 0, 9), segments=12)
 
 
-@KIT.asset("TaskChair", "seating", "Swivel task chair with arm rests and a mesh back on five castors.",
-           "chair swivel office task")
+@KIT.asset(
+    "TaskChair",
+    "seating",
+    "Swivel task chair with arm rests and a mesh back on five castors.",
+    "chair swivel office task",
+)
 def _task(b: Builder) -> None:
     _castor_base(b, 43)
     b.box("BlueFabric", (48, 47, 7), (0, 0, 43), bevel=3)
@@ -97,12 +117,26 @@ def _task(b: Builder) -> None:
         b.box("BlackPlastic", (10, 6, 2.5), (x * 0.85, 0, 45), body=None)
 
 
-@KIT.asset("ConferenceChair", "seating", "Padded conference chair on a steel cantilever frame.",
-           "chair conference meeting")
+@KIT.asset(
+    "ConferenceChair", "seating", "Padded conference chair on a steel cantilever frame.", "chair conference meeting"
+)
 def _conference(b: Builder) -> None:
     for x in (-24, 24):
-        b.tube("Steel", [(x, -22, 1.3), (x, 24, 1.3), (x, 26, 4), (x, 24, 40), (x, 22, 43), (x, -18, 43),
-                         (x, -23, 60), (x, -26, 84)], 1.3, segments=8)
+        b.tube(
+            "Steel",
+            [
+                (x, -22, 1.3),
+                (x, 24, 1.3),
+                (x, 26, 4),
+                (x, 24, 40),
+                (x, 22, 43),
+                (x, -18, 43),
+                (x, -23, 60),
+                (x, -26, 84),
+            ],
+            1.3,
+            segments=8,
+        )
         b.body_box((3, 50, 3), (x, 1, 0))
         b.body_box((3, 3, 42), (x, 25, 0))
     b.tube("Steel", [(-24, -22, 1.3), (24, -22, 1.3)], 1.3)
@@ -111,8 +145,9 @@ def _conference(b: Builder) -> None:
         b.box("TealFabric", (47, 5, 42), bevel=2)
 
 
-@KIT.asset("VisitorChair", "seating", "Stackable visitor chair with orange shell and four legs.",
-           "chair visitor stackable")
+@KIT.asset(
+    "VisitorChair", "seating", "Stackable visitor chair with orange shell and four legs.", "chair visitor stackable"
+)
 def _visitor(b: Builder) -> None:
     legs(b, "Steel", (46, 44), 43, 2.6, round_=True)
     b.box("OrangeFabric", (46, 44, 3.5), (0, 0, 43), bevel=1.4)
@@ -145,8 +180,12 @@ def _sofa(b: Builder) -> None:
         b.box("TealFabric", (12, 74, 32), (x, 0, 30), bevel=4)
 
 
-@KIT.asset("FilingCabinet", "storage", "Steel filing cabinet with four drawers, 46 x 62 cm, 132 cm high.",
-           "cabinet filing drawers steel")
+@KIT.asset(
+    "FilingCabinet",
+    "storage",
+    "Steel filing cabinet with four drawers, 46 x 62 cm, 132 cm high.",
+    "cabinet filing drawers steel",
+)
 def _filing(b: Builder) -> None:
     b.box("GreyLaminate", (46, 60, 132), (0, -1, 0), bevel=0.6)
     fronts(b, "GreyPlastic", "Steel", 45, 28.5, 4, 127, 4)
@@ -154,16 +193,21 @@ def _filing(b: Builder) -> None:
         b.box("Paper", (9, 0.4, 4), (0, 30.4, 4 + (row + 0.45) * 31.75), body=None)
 
 
-@KIT.asset("DrawerPedestal", "storage", "Under-desk pedestal with three drawers, 42 x 55 cm, 58 cm high.",
-           "drawers pedestal under-desk")
+@KIT.asset(
+    "DrawerPedestal",
+    "storage",
+    "Under-desk pedestal with three drawers, 42 x 55 cm, 58 cm high.",
+    "drawers pedestal under-desk",
+)
 def _pedestal(b: Builder) -> None:
     b.box("WhiteLaminate", (42, 53, 55), (0, -1, 3), bevel=0.5)
     fronts(b, "WhiteLaminate", "Steel", 41, 25, 4, 53, 3)
     legs(b, "BlackPlastic", (38, 48), 3, 4)
 
 
-@KIT.asset("TallBookshelf", "storage", "Oak bookshelf with five boards, 90 x 30 cm, 200 cm high.",
-           "bookshelf shelf tall")
+@KIT.asset(
+    "TallBookshelf", "storage", "Oak bookshelf with five boards, 90 x 30 cm, 200 cm high.", "bookshelf shelf tall"
+)
 def _bookshelf(b: Builder) -> None:
     for x in (-44, 44):
         b.box("OakWood", (2.5, 30, 200), (x, 0, 0))
@@ -172,8 +216,9 @@ def _bookshelf(b: Builder) -> None:
     b.box("OakWood", (85.5, 1, 195), (0, -14, 3))
 
 
-@KIT.asset("LowCabinet", "storage", "Low cabinet with two sliding doors, 120 x 45 cm, 75 cm high.",
-           "cabinet sideboard low")
+@KIT.asset(
+    "LowCabinet", "storage", "Low cabinet with two sliding doors, 120 x 45 cm, 75 cm high.", "cabinet sideboard low"
+)
 def _low(b: Builder) -> None:
     b.box("WhiteLaminate", (120, 44, 69), (0, -0.5, 4))
     b.box("OakWood", (122, 46, 2), (0, 0, 73), bevel=0.4)
@@ -181,16 +226,18 @@ def _low(b: Builder) -> None:
     fronts(b, "GreyLaminate", "Steel", 118, 21, 6, 65, 1, 2, upright=True)
 
 
-@KIT.asset("StaffLockers", "storage", "Block of six lockers in two rows, 90 x 45 cm, 180 cm high.",
-           "locker storage staff")
+@KIT.asset(
+    "StaffLockers", "storage", "Block of six lockers in two rows, 90 x 45 cm, 180 cm high.", "locker storage staff"
+)
 def _lockers(b: Builder) -> None:
     b.box("GreyLaminate", (90, 44, 172), (0, -0.5, 8))
     b.box("BlackPlastic", (86, 38, 8), (0, -1, 0))
     fronts(b, "BlueFabric", "Steel", 88, 21.5, 9, 170, 2, 3, upright=True)
 
 
-@KIT.asset("CoatStand", "storage", "Coat stand with eight hooks and a round base, 175 cm high.",
-           "coat stand rack hooks")
+@KIT.asset(
+    "CoatStand", "storage", "Coat stand with eight hooks and a round base, 175 cm high.", "coat stand rack hooks"
+)
 def _coats(b: Builder) -> None:
     b.cylinder("DarkMetal", 19, 2.5, segments=24, top=17)
     b.cylinder("WalnutWood", 2.2, 170, (0, 0, 2.5), segments=14)
@@ -198,5 +245,9 @@ def _coats(b: Builder) -> None:
     for i in range(4):
         c, s = math.cos(i * math.pi / 2), math.sin(i * math.pi / 2)
         for z, reach in ((150, 15), (115, 11)):
-            b.tube("WalnutWood", [(c, s, z), (reach * c, reach * s, z + 3), ((reach + 4) * c, (reach + 4) * s, z + 11)],
-                   1.1, segments=6)
+            b.tube(
+                "WalnutWood",
+                [(c, s, z), (reach * c, reach * s, z + 3), ((reach + 4) * c, (reach + 4) * s, z + 11)],
+                1.1,
+                segments=6,
+            )

@@ -19,8 +19,12 @@ def _door(b: Builder) -> None:
     door_leaf(b, "OakWood", "Steel")
 
 
-@KIT.asset("GlassPartition200", "architecture", "Glass partition with a dark metal frame, 2 m long, 2.4 m high.",
-           "glass partition wall meeting room")
+@KIT.asset(
+    "GlassPartition200",
+    "architecture",
+    "Glass partition with a dark metal frame, 2 m long, 2.4 m high.",
+    "glass partition wall meeting room",
+)
 def _glass(b: Builder) -> None:
     for x in (-98, 0, 98):
         b.box("DarkMetal", (4, 6, 240), (x, 0, 0))
@@ -30,8 +34,12 @@ def _glass(b: Builder) -> None:
         b.box("Glass", (94, 1.2, 232), (x, 0, 3))
 
 
-@KIT.asset("DeskPartition", "architecture", "Low felt screen between desks, 160 cm wide, 125 cm high.",
-           "partition screen divider felt cubicle")
+@KIT.asset(
+    "DeskPartition",
+    "architecture",
+    "Low felt screen between desks, 160 cm wide, 125 cm high.",
+    "partition screen divider felt cubicle",
+)
 def _partition(b: Builder) -> None:
     b.box("PartitionFelt", (156, 4, 115), (0, 0, 8), bevel=1)
     b.box("Steel", (160, 5, 2), (0, 0, 123))
@@ -40,8 +48,12 @@ def _partition(b: Builder) -> None:
         b.box("Steel", (6, 40, 2), (x, 0, 0), bevel=0.5)
 
 
-@KIT.asset("OfficeColumn", "architecture", "Square structural column with a base, 40 x 40 cm, 2.7 m high.",
-           "column pillar concrete")
+@KIT.asset(
+    "OfficeColumn",
+    "architecture",
+    "Square structural column with a base, 40 x 40 cm, 2.7 m high.",
+    "column pillar concrete",
+)
 def _column(b: Builder) -> None:
     b.box("Plaster", (40, 40, 270), bevel=1.5)
     b.box("SkirtingWhite", (44, 44, 10), body=None, bevel=1)

@@ -28,8 +28,17 @@ def opening(b: Builder, material: str, length: float, low: float, width: float, 
             b.box("SkirtingWhite", (width, 1.2, 8), (0, face * (THICK / 2 + 0.6), 0), body=None)
 
 
-def frame(b: Builder, material: str, width: float, height: float, low: float, *, bar: float = 6.0,
-          depth: float = THICK + 3, sill: bool = True) -> None:
+def frame(
+    b: Builder,
+    material: str,
+    width: float,
+    height: float,
+    low: float,
+    *,
+    bar: float = 6.0,
+    depth: float = THICK + 3,
+    sill: bool = True,
+) -> None:
     """A frame inside an opening."""
     for sx in (-1, 1):
         b.box(material, (bar, depth, height), (sx * (width - bar) / 2, 0, low), body=None)
@@ -64,6 +73,7 @@ def tile(b: Builder, material: str, side: float = 200.0, thick: float = 2.0) -> 
 
 def shell(kit: Kit, wall_material: str, prefix: str) -> None:
     """The wall modules of a pack."""
+
     @kit.asset(f"{prefix}Wall300", "architecture", "Plain wall module, 3 m long, with skirting.", "wall module")
     def _wall300(b: Builder) -> None:
         wall(b, wall_material, 300)
@@ -72,13 +82,21 @@ def shell(kit: Kit, wall_material: str, prefix: str) -> None:
     def _wall100(b: Builder) -> None:
         wall(b, wall_material, 100)
 
-    @kit.asset(f"{prefix}WallWindow300", "architecture", "Wall module with a large two-wing window, 3 m long.",
-               "wall window module glass")
+    @kit.asset(
+        f"{prefix}WallWindow300",
+        "architecture",
+        "Wall module with a large two-wing window, 3 m long.",
+        "wall window module glass",
+    )
     def _window(b: Builder) -> None:
         window(b, wall_material, 300, 200, 140, 90)
 
-    @kit.asset(f"{prefix}WallDoorway200", "architecture", "Wall module with a framed doorway (90 cm clear), 2 m long.",
-               "wall door opening module")
+    @kit.asset(
+        f"{prefix}WallDoorway200",
+        "architecture",
+        "Wall module with a framed doorway (90 cm clear), 2 m long.",
+        "wall door opening module",
+    )
     def _doorway(b: Builder) -> None:
         opening(b, wall_material, 200, 0, 104, 212)
         frame(b, "SkirtingWhite", 104, 212, 0, bar=7, sill=False)

@@ -69,14 +69,17 @@ def script(case: AgentCase) -> list[list[Use]]:
     if case.setting != "text-to-scene":
         return [[Use("get_actors_in_level")], [Use("take_screenshot")], [Use("save_scene_as", {"name": "submission"})]]
     first, second = [path for path in case.catalog if "/SM_" in path][:2]
-    return [[Use("search_assets", {"query": "table", "k": 3})],
-            [Use("spawn_actor", {"name": "First", "static_mesh": first, "location": [0, 0, 0]}),
-             Use("spawn_actor", {"name": "Second", "static_mesh": second, "location": [300, 0, 0]})],
-            [Use("execute_python_script", {"script": BUILD.format(mesh=first),
-                                           "execution_mode": "sync"})],
-            [Use("take_screenshot", {})],
-            [Use("setup_environment", {})],
-            [Use("save_scene_as", {"name": "submission"})]]
+    return [
+        [Use("search_assets", {"query": "table", "k": 3})],
+        [
+            Use("spawn_actor", {"name": "First", "static_mesh": first, "location": [0, 0, 0]}),
+            Use("spawn_actor", {"name": "Second", "static_mesh": second, "location": [300, 0, 0]}),
+        ],
+        [Use("execute_python_script", {"script": BUILD.format(mesh=first), "execution_mode": "sync"})],
+        [Use("take_screenshot", {})],
+        [Use("setup_environment", {})],
+        [Use("save_scene_as", {"name": "submission"})],
+    ]
 
 
 def stand_in(client: str) -> dict[str, Any]:
@@ -84,8 +87,11 @@ def stand_in(client: str) -> dict[str, Any]:
     own = {"command": ["chat", "{mcp_file}"], "antigravity": ["gemini", "/home/agent/.gemini/config/mcp_config.json"]}
     if client not in own:
         return {}
-    told = {"command": [sys.executable, str(SDK_CLIENT), *own[client], "{model}"], "version": f"SDK {version('mcp')}",
-            "read_only": [sys.prefix, sys.base_prefix, str(SDK_CLIENT)]}
+    told = {
+        "command": [sys.executable, str(SDK_CLIENT), *own[client], "{model}"],
+        "version": f"SDK {version('mcp')}",
+        "read_only": [sys.prefix, sys.base_prefix, str(SDK_CLIENT)],
+    }
     environment = {"MODEL_URL": "{model_url}", "MODEL_TOKEN": "{model_token}"}
     return told if client == "antigravity" else {**told, "environment": environment, "wire": "openai-chat"}
 
@@ -104,16 +110,40 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
     case = SuiteFolder(suite).agent_case(case_id)
     with ScriptedEndpoint(script(case)) as endpoint, tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
         os.environ["C4S_ENDPOINTS"] = file.name
-        file.write(yaml.safe_dump({"endpoints": {"scripted": {
-            "url": f"{endpoint.url}", "formats": ["openai-chat", "openai-responses", "anthropic", "gemini"],
-            "key_env": "SCRIPTED_KEY"}}}))
+        file.write(
+            yaml.safe_dump(
+                {
+                    "endpoints": {
+                        "scripted": {
+                            "url": f"{endpoint.url}",
+                            "formats": ["openai-chat", "openai-responses", "anthropic", "gemini"],
+                            "key_env": "SCRIPTED_KEY",
+                        }
+                    }
+                }
+            )
+        )
         file.flush()
         os.environ["SCRIPTED_KEY"] = "the-real-key"
-        configuration = Configuration(name=client, client=client, model=MODELS.get(client, "scripted-1"),
-                                      options={**options, "endpoint": "scripted"})
+        configuration = Configuration(
+            name=client,
+            client=client,
+            model=MODELS.get(client, "scripted-1"),
+            options={**options, "endpoint": "scripted"},
+        )
         run = runs / f"clients-{client}-{case_id}-{int(time.time())}"
-        plan: Plan = open_run(run, make_plan(SuiteFolder(suite), [configuration], run_id=run.name,
-                                             policy=DEFAULT_POLICY, judge="rule", engine="headless", cases=[case_id]))
+        plan: Plan = open_run(
+            run,
+            make_plan(
+                SuiteFolder(suite),
+                [configuration],
+                run_id=run.name,
+                policy=DEFAULT_POLICY,
+                judge="rule",
+                engine="headless",
+                cases=[case_id],
+            ),
+        )
         (trial,) = trials(run, suite, plan)
         started = time.monotonic()
         try:
@@ -133,15 +163,23 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
     with (attempt / "usage.jsonl").open() as lines:
         metered = [line for line in json_lines(lines) if line["wire"] is not None]
     matched = len(metered) == len(served) and all(
-        sum(line[f"{name}_tokens"] or 0 for line in metered) == endpoint.totals()[count] for name, count in
-        (("fresh_input", "fresh"), ("cache_read", "cache_read"), ("cache_write", "cache_write"), ("output", "output")))
+        sum(line[f"{name}_tokens"] or 0 for line in metered) == endpoint.totals()[count]
+        for name, count in (
+            ("fresh_input", "fresh"),
+            ("cache_read", "cache_read"),
+            ("cache_write", "cache_write"),
+            ("output", "output"),
+        )
+    )
     matched = matched and {one.key for one in served} == {"the-real-key"}
     row.cells["usage matched"] = "yes" if matched else f"{len(metered)} of {len(served)}"
     offered = sorted({tool for one in served for tool in one.tools})
     own = [tool for tool in offered if "c4s" not in tool]
-    row.note += (f" {len(served)} requests ({sum(one.answered == 'side' for one in served)} beside the work), "
-                 f"{max((one.pictures for one in served), default=0)} pictures seen, {seconds:.0f} s"
-                 + (f", own tools: {', '.join(own)}" if own and isinstance(agent, ExternalClient) else ""))
+    row.note += (
+        f" {len(served)} requests ({sum(one.answered == 'side' for one in served)} beside the work), "
+        f"{max((one.pictures for one in served), default=0)} pictures seen, {seconds:.0f} s"
+        + (f", own tools: {', '.join(own)}" if own and isinstance(agent, ExternalClient) else "")
+    )
     if outcome is None:
         return row
     row.cells["saved"] = "yes" if outcome.submission else f"no ({outcome.ended_by}: {outcome.message})"
@@ -181,9 +219,15 @@ def main() -> int:
             rows.append(row)
             print(f"{row.client:12} " + "  ".join(f"{name}: {row.cells[name]:8}" for name in COLUMNS), flush=True)
             print(f"{'':12} {case_id}: {row.note.strip()}", flush=True)
-    failed = [row for row in rows if row.cells["installed"] != "no"
-              and not (row.cells["drove tools"] == row.cells["saved"] == row.cells["usage matched"] == "yes"
-                       and row.cells["scored"] not in ("no", "pending"))]
+    failed = [
+        row
+        for row in rows
+        if row.cells["installed"] != "no"
+        and not (
+            row.cells["drove tools"] == row.cells["saved"] == row.cells["usage matched"] == "yes"
+            and row.cells["scored"] not in ("no", "pending")
+        )
+    ]
     return 1 if failed else 0
 
 

@@ -16,8 +16,11 @@ from typing import Any
 
 
 def post(url: str, body: Any, headers: dict[str, str]) -> tuple[Any, dict[str, str]]:
-    request = urllib.request.Request(url, json.dumps(body).encode(), {
-        "Content-Type": "application/json", "Accept": "application/json, text/event-stream", **headers})
+    request = urllib.request.Request(
+        url,
+        json.dumps(body).encode(),
+        {"Content-Type": "application/json", "Accept": "application/json, text/event-stream", **headers},
+    )
     with urllib.request.urlopen(request, timeout=60) as answer:
         text = answer.read().decode()
     if text.startswith(("event:", "data:", ":", "id:")):
@@ -30,8 +33,10 @@ class Tools:
 
     def __init__(self, url: str, token: str) -> None:
         self.url, self.headers, self.number = url, {"Authorization": f"Bearer {token}"}, 0
-        _, headers = self._send("initialize", {"protocolVersion": "2025-03-26", "capabilities": {},
-                                               "clientInfo": {"name": "plain", "version": "1"}})
+        _, headers = self._send(
+            "initialize",
+            {"protocolVersion": "2025-03-26", "capabilities": {}, "clientInfo": {"name": "plain", "version": "1"}},
+        )
         self.headers["Mcp-Session-Id"] = headers["mcp-session-id"]
         post(url, {"jsonrpc": "2.0", "method": "notifications/initialized"}, self.headers)
 
@@ -68,14 +73,23 @@ def main() -> None:
     specs = [{"type": "function", "function": {"name": name}} for name in tools.names()]
     messages: list[dict[str, Any]] = [{"role": "user", "content": sys.stdin.read()}]
     while True:
-        answer, _ = post(f"{model_url}/v1/chat/completions", {"model": model, "messages": messages, "tools": specs},
-                         {"Authorization": f"Bearer {model_token}"})
+        answer, _ = post(
+            f"{model_url}/v1/chat/completions",
+            {"model": model, "messages": messages, "tools": specs},
+            {"Authorization": f"Bearer {model_token}"},
+        )
         message = answer["choices"][0]["message"]
         messages.append(message)
         if not message.get("tool_calls"):
             return
-        messages += [{"role": "tool", "tool_call_id": call["id"], "content": tools.call(
-            call["function"]["name"], json.loads(call["function"]["arguments"]))} for call in message["tool_calls"]]
+        messages += [
+            {
+                "role": "tool",
+                "tool_call_id": call["id"],
+                "content": tools.call(call["function"]["name"], json.loads(call["function"]["arguments"])),
+            }
+            for call in message["tool_calls"]
+        ]
 
 
 if __name__ == "__main__":

@@ -64,16 +64,24 @@ class ScriptedEndpoint:
         listener.bind(("127.0.0.1", 0))
         listener.listen(128)
         self.port = listener.getsockname()[1]
-        self._server = uvicorn.Server(uvicorn.Config(
-            self._app, log_level="error", lifespan="off", interface="asgi3", access_log=False,
-            timeout_graceful_shutdown=1))
+        self._server = uvicorn.Server(
+            uvicorn.Config(
+                self._app,
+                log_level="error",
+                lifespan="off",
+                interface="asgi3",
+                access_log=False,
+                timeout_graceful_shutdown=1,
+            )
+        )
         self._thread = threading.Thread(target=self._serve, args=(listener,), daemon=True)
         self._thread.start()
         assert self._ready.wait(20)
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
-                 trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         self._server.should_exit = True
         self._thread.join()
 
@@ -81,6 +89,7 @@ class ScriptedEndpoint:
         async def main() -> None:
             self._ready.set()
             await self._server.serve([listener])
+
         asyncio.run(main())
 
     @property
@@ -89,8 +98,10 @@ class ScriptedEndpoint:
 
     def totals(self) -> dict[str, int]:
         """Sums of the endpoint's own counts over all requests."""
-        return {name: sum(getattr(one, name) for one in self.served)
-                for name in ("fresh", "cache_read", "cache_write", "output", "reasoning")}
+        return {
+            name: sum(getattr(one, name) for one in self.served)
+            for name in ("fresh", "cache_read", "cache_write", "output", "reasoning")
+        }
 
     async def _app(self, scope: Scope, receive: Receive, send: Send) -> None:
         body = b""
@@ -102,8 +113,11 @@ class ScriptedEndpoint:
             if not message.get("more_body", False):
                 break
         path, headers = scope["path"], {k.decode().lower(): v.decode() for k, v in scope["headers"]}
-        key = headers.get("authorization", "").removeprefix("Bearer ") or headers.get("x-api-key", "") or headers.get(
-            "x-goog-api-key", "")
+        key = (
+            headers.get("authorization", "").removeprefix("Bearer ")
+            or headers.get("x-api-key", "")
+            or headers.get("x-goog-api-key", "")
+        )
         wire = next((wire for wire in WIRES if re.search(wire.path, path)), None)
         if wire is None or scope["method"] != "POST":
             await _respond(send, 200, "application/json", [b'{"object": "list", "data": [], "models": []}'])
@@ -115,11 +129,19 @@ class ScriptedEndpoint:
         model = request.get("model") or re.sub(r".*/models/([^:]+):.*", r"\1", path)
         answer = json.dumps([[use, arguments] for use, arguments in uses]) + said
         size = len(re.sub(rb"[A-Za-z0-9+/=]{2000,}", b"picture", body)) // 4
-        counts = Served(wire.name, model, key, fresh=size - size // 2 - size // 8, cache_read=size // 2,
-                        cache_write=0 if wire.name in ("gemini", "openai-responses") else size // 8,
-                        output=len(answer) // 4 + 11, reasoning=0 if wire.name == "anthropic" else 11,
-                        pictures=pictures, tools=tuple(tools),
-                        answered="tools" if uses else "text" if tools else "side")
+        counts = Served(
+            wire.name,
+            model,
+            key,
+            fresh=size - size // 2 - size // 8,
+            cache_read=size // 2,
+            cache_write=0 if wire.name in ("gemini", "openai-responses") else size // 8,
+            output=len(answer) // 4 + 11,
+            reasoning=0 if wire.name == "anthropic" else 11,
+            pictures=pictures,
+            tools=tuple(tools),
+            answered="tools" if uses else "text" if tools else "side",
+        )
         if wire.name in ("gemini", "openai-responses"):
             counts = Served(**{**counts.__dict__, "fresh": size - size // 2})
         self.served.append(counts)
@@ -129,8 +151,9 @@ class ScriptedEndpoint:
             events = wire.events(model, number, uses, said, counts, request)
             await _respond(send, 200, "text/event-stream", events)
         else:
-            await _respond(send, 200, "application/json",
-                           [json.dumps(wire.whole(model, number, uses, said, counts)).encode()])
+            await _respond(
+                send, 200, "application/json", [json.dumps(wire.whole(model, number, uses, said, counts)).encode()]
+            )
 
     def _next(self, results: list[str], tools: dict[str, Any]) -> tuple[list[tuple[Any, dict[str, Any]]], str]:
         """The next step's calls with the client's names of the tools, or the closing text."""
@@ -145,8 +168,9 @@ class ScriptedEndpoint:
                     if name is None:
                         self.missing.append(use.tool)
                         return [], f"there is no tool {use.tool}"
-                    uses.append((tools[name],
-                                 dict(use.arguments(results) if callable(use.arguments) else use.arguments)))
+                    uses.append(
+                        (tools[name], dict(use.arguments(results) if callable(use.arguments) else use.arguments))
+                    )
                 return uses, ""
             done += len(step)
         return [], self.text
@@ -182,31 +206,48 @@ class Chat:
         return json.dumps(request["messages"]).count('"image_url": {')
 
     def _calls(self, number: str, uses: list[Any]) -> list[dict[str, Any]]:
-        return [{"index": i, "id": f"call_{number}_{i}", "type": "function",
-                 "function": {"name": name, "arguments": json.dumps(arguments)}} for i, (name, arguments) in
-                enumerate(uses)]
+        return [
+            {
+                "index": i,
+                "id": f"call_{number}_{i}",
+                "type": "function",
+                "function": {"name": name, "arguments": json.dumps(arguments)},
+            }
+            for i, (name, arguments) in enumerate(uses)
+        ]
 
     def _usage(self, c: Served) -> dict[str, Any]:
         total = c.fresh + c.cache_read + c.cache_write
-        return {"prompt_tokens": total, "completion_tokens": c.output, "total_tokens": total + c.output,
-                "prompt_tokens_details": {"cached_tokens": c.cache_read, "cache_write_tokens": c.cache_write},
-                "completion_tokens_details": {"reasoning_tokens": c.reasoning}}
+        return {
+            "prompt_tokens": total,
+            "completion_tokens": c.output,
+            "total_tokens": total + c.output,
+            "prompt_tokens_details": {"cached_tokens": c.cache_read, "cache_write_tokens": c.cache_write},
+            "completion_tokens_details": {"reasoning_tokens": c.reasoning},
+        }
 
     def whole(self, model: str, number: str, uses: list[Any], text: str, counts: Served) -> dict[str, Any]:
         message = {"role": "assistant", "content": text or None}
         if uses:
             message["tool_calls"] = self._calls(number, uses)
-        return {"id": f"chat-{number}", "object": "chat.completion", "created": 1, "model": model,
-                "choices": [{"index": 0, "message": message, "finish_reason": "tool_calls" if uses else "stop"}],
-                "usage": self._usage(counts)}
+        return {
+            "id": f"chat-{number}",
+            "object": "chat.completion",
+            "created": 1,
+            "model": model,
+            "choices": [{"index": 0, "message": message, "finish_reason": "tool_calls" if uses else "stop"}],
+            "usage": self._usage(counts),
+        }
 
-    def events(self, model: str, number: str, uses: list[Any], text: str, counts: Served, request: dict[str, Any]
-               ) -> list[bytes]:
+    def events(
+        self, model: str, number: str, uses: list[Any], text: str, counts: Served, request: dict[str, Any]
+    ) -> list[bytes]:
         head = {"id": f"chat-{number}", "object": "chat.completion.chunk", "created": 1, "model": model}
         delta = {"role": "assistant", **({"tool_calls": self._calls(number, uses)} if uses else {"content": text})}
-        found = [_event({**head, "choices": [{"index": 0, "delta": delta, "finish_reason": None}]}),
-                 _event({**head, "choices": [{"index": 0, "delta": {},
-                                              "finish_reason": "tool_calls" if uses else "stop"}]})]
+        found = [
+            _event({**head, "choices": [{"index": 0, "delta": delta, "finish_reason": None}]}),
+            _event({**head, "choices": [{"index": 0, "delta": {}, "finish_reason": "tool_calls" if uses else "stop"}]}),
+        ]
         if (request.get("stream_options") or {}).get("include_usage"):
             found.append(_event({**head, "choices": [], "usage": self._usage(counts)}))
         return [*found, b"data: [DONE]\n\n"]
@@ -237,29 +278,58 @@ class Responses:
 
     def _items_out(self, number: str, uses: list[Any], text: str) -> list[dict[str, Any]]:
         if uses:
-            return [{"type": "function_call", "id": f"fc_{number}_{i}", "call_id": f"call_{number}_{i}",
-                     "status": "completed", **name, "arguments": json.dumps(arguments)}
-                    for i, (name, arguments) in enumerate(uses)]
-        return [{"type": "message", "id": f"msg_{number}", "role": "assistant", "status": "completed",
-                 "content": [{"type": "output_text", "text": text, "annotations": []}]}]
+            return [
+                {
+                    "type": "function_call",
+                    "id": f"fc_{number}_{i}",
+                    "call_id": f"call_{number}_{i}",
+                    "status": "completed",
+                    **name,
+                    "arguments": json.dumps(arguments),
+                }
+                for i, (name, arguments) in enumerate(uses)
+            ]
+        return [
+            {
+                "type": "message",
+                "id": f"msg_{number}",
+                "role": "assistant",
+                "status": "completed",
+                "content": [{"type": "output_text", "text": text, "annotations": []}],
+            }
+        ]
 
     def whole(self, model: str, number: str, uses: list[Any], text: str, counts: Served) -> dict[str, Any]:
         total = counts.fresh + counts.cache_read
-        return {"id": f"resp-{number}", "object": "response", "created_at": 1, "model": model, "status": "completed",
-                "output": self._items_out(number, uses, text), "error": None, "incomplete_details": None,
-                "usage": {"input_tokens": total, "input_tokens_details": {"cached_tokens": counts.cache_read},
-                          "output_tokens": counts.output,
-                          "output_tokens_details": {"reasoning_tokens": counts.reasoning},
-                          "total_tokens": total + counts.output}}
+        return {
+            "id": f"resp-{number}",
+            "object": "response",
+            "created_at": 1,
+            "model": model,
+            "status": "completed",
+            "output": self._items_out(number, uses, text),
+            "error": None,
+            "incomplete_details": None,
+            "usage": {
+                "input_tokens": total,
+                "input_tokens_details": {"cached_tokens": counts.cache_read},
+                "output_tokens": counts.output,
+                "output_tokens_details": {"reasoning_tokens": counts.reasoning},
+                "total_tokens": total + counts.output,
+            },
+        }
 
-    def events(self, model: str, number: str, uses: list[Any], text: str, counts: Served, request: dict[str, Any]
-               ) -> list[bytes]:
+    def events(
+        self, model: str, number: str, uses: list[Any], text: str, counts: Served, request: dict[str, Any]
+    ) -> list[bytes]:
         whole = self.whole(model, number, uses, text, counts)
         begun = {**whole, "status": "in_progress", "output": [], "usage": None}
         found = [_event({"type": "response.created", "response": begun}, "response.created")]
         for i, item in enumerate(whole["output"]):
-            found += [_event({"type": kind, "output_index": i, "item": item}, kind)
-                      for kind in ("response.output_item.added", "response.output_item.done")]
+            found += [
+                _event({"type": kind, "output_index": i, "item": item}, kind)
+                for kind in ("response.output_item.added", "response.output_item.done")
+            ]
         return [*found, _event({"type": "response.completed", "response": whole}, "response.completed")]
 
 
@@ -270,8 +340,12 @@ class Messages:
         return {tool["name"]: tool["name"] for tool in request.get("tools") or []}
 
     def _blocks(self, request: dict[str, Any]) -> list[dict[str, Any]]:
-        return [block for message in request["messages"] if isinstance(message["content"], list)
-                for block in message["content"]]
+        return [
+            block
+            for message in request["messages"]
+            if isinstance(message["content"], list)
+            for block in message["content"]
+        ]
 
     def results(self, request: dict[str, Any]) -> list[str]:
         return [_texts(block.get("content")) for block in self._blocks(request) if block["type"] == "tool_result"]
@@ -280,36 +354,62 @@ class Messages:
         return json.dumps(request["messages"]).count('"type": "image"')
 
     def _content(self, number: str, uses: list[Any], text: str) -> list[dict[str, Any]]:
-        return [{"type": "tool_use", "id": f"toolu_{number}_{i}", "name": name, "input": arguments}
-                for i, (name, arguments) in enumerate(uses)] or [{"type": "text", "text": text}]
+        return [
+            {"type": "tool_use", "id": f"toolu_{number}_{i}", "name": name, "input": arguments}
+            for i, (name, arguments) in enumerate(uses)
+        ] or [{"type": "text", "text": text}]
 
     def _usage(self, c: Served) -> dict[str, Any]:
-        return {"input_tokens": c.fresh, "cache_read_input_tokens": c.cache_read,
-                "cache_creation_input_tokens": c.cache_write,
-                "cache_creation": {"ephemeral_5m_input_tokens": c.cache_write, "ephemeral_1h_input_tokens": 0},
-                "output_tokens": c.output}
+        return {
+            "input_tokens": c.fresh,
+            "cache_read_input_tokens": c.cache_read,
+            "cache_creation_input_tokens": c.cache_write,
+            "cache_creation": {"ephemeral_5m_input_tokens": c.cache_write, "ephemeral_1h_input_tokens": 0},
+            "output_tokens": c.output,
+        }
 
     def whole(self, model: str, number: str, uses: list[Any], text: str, counts: Served) -> dict[str, Any]:
-        return {"id": f"msg_{number}", "type": "message", "role": "assistant", "model": model,
-                "content": self._content(number, uses, text), "stop_reason": "tool_use" if uses else "end_turn",
-                "stop_sequence": None, "usage": self._usage(counts)}
+        return {
+            "id": f"msg_{number}",
+            "type": "message",
+            "role": "assistant",
+            "model": model,
+            "content": self._content(number, uses, text),
+            "stop_reason": "tool_use" if uses else "end_turn",
+            "stop_sequence": None,
+            "usage": self._usage(counts),
+        }
 
-    def events(self, model: str, number: str, uses: list[Any], text: str, counts: Served, request: dict[str, Any]
-               ) -> list[bytes]:
+    def events(
+        self, model: str, number: str, uses: list[Any], text: str, counts: Served, request: dict[str, Any]
+    ) -> list[bytes]:
         whole = self.whole(model, number, uses, text, counts)
         begun = {**whole, "content": [], "stop_reason": None, "usage": {**whole["usage"], "output_tokens": 1}}
         found = [{"type": "message_start", "message": begun}]
         for i, block in enumerate(whole["content"]):
             if uses:
-                found += [{"type": "content_block_start", "index": i, "content_block": {**block, "input": {}}},
-                          {"type": "content_block_delta", "index": i, "delta": {
-                              "type": "input_json_delta", "partial_json": json.dumps(block["input"])}}]
+                found += [
+                    {"type": "content_block_start", "index": i, "content_block": {**block, "input": {}}},
+                    {
+                        "type": "content_block_delta",
+                        "index": i,
+                        "delta": {"type": "input_json_delta", "partial_json": json.dumps(block["input"])},
+                    },
+                ]
             else:
-                found += [{"type": "content_block_start", "index": i, "content_block": {"type": "text", "text": ""}},
-                          {"type": "content_block_delta", "index": i, "delta": {"type": "text_delta", "text": text}}]
+                found += [
+                    {"type": "content_block_start", "index": i, "content_block": {"type": "text", "text": ""}},
+                    {"type": "content_block_delta", "index": i, "delta": {"type": "text_delta", "text": text}},
+                ]
             found.append({"type": "content_block_stop", "index": i})
-        found += [{"type": "message_delta", "delta": {"stop_reason": whole["stop_reason"], "stop_sequence": None},
-                   "usage": {"output_tokens": counts.output}}, {"type": "message_stop"}]
+        found += [
+            {
+                "type": "message_delta",
+                "delta": {"stop_reason": whole["stop_reason"], "stop_sequence": None},
+                "usage": {"output_tokens": counts.output},
+            },
+            {"type": "message_stop"},
+        ]
         return [_event(event, event["type"]) for event in found]
 
 
@@ -317,31 +417,47 @@ class Gemini:
     name, path = "gemini", r"/models/[^:]+:(generateContent|streamGenerateContent)$"
 
     def tools(self, request: dict[str, Any]) -> dict[str, Any]:
-        return {one["name"]: one["name"] for tool in request.get("tools") or []
-                for one in tool.get("functionDeclarations") or []}
+        return {
+            one["name"]: one["name"]
+            for tool in request.get("tools") or []
+            for one in tool.get("functionDeclarations") or []
+        }
 
     def _parts(self, request: dict[str, Any]) -> list[dict[str, Any]]:
         return [part for content in request["contents"] for part in content.get("parts") or []]
 
     def results(self, request: dict[str, Any]) -> list[str]:
-        return [json.dumps(part["functionResponse"].get("response")) for part in self._parts(request)
-                if "functionResponse" in part]
+        return [
+            json.dumps(part["functionResponse"].get("response"))
+            for part in self._parts(request)
+            if "functionResponse" in part
+        ]
 
     def pictures(self, request: dict[str, Any]) -> int:
         return json.dumps(request["contents"]).count('"inlineData"')
 
     def whole(self, model: str, number: str, uses: list[Any], text: str, counts: Served) -> dict[str, Any]:
-        parts = [{"functionCall": {"id": f"call_{number}_{i}", "name": name, "args": arguments}}
-                 for i, (name, arguments) in enumerate(uses)] or [{"text": text}]
+        parts = [
+            {"functionCall": {"id": f"call_{number}_{i}", "name": name, "args": arguments}}
+            for i, (name, arguments) in enumerate(uses)
+        ] or [{"text": text}]
         prompt = counts.fresh + counts.cache_read
-        return {"candidates": [{"index": 0, "content": {"role": "model", "parts": parts}, "finishReason": "STOP"}],
-                "modelVersion": model, "responseId": f"r-{number}", "usageMetadata": {
-                    "promptTokenCount": prompt, "cachedContentTokenCount": counts.cache_read,
-                    "candidatesTokenCount": counts.output - counts.reasoning, "thoughtsTokenCount": counts.reasoning,
-                    "totalTokenCount": prompt + counts.output}}
+        return {
+            "candidates": [{"index": 0, "content": {"role": "model", "parts": parts}, "finishReason": "STOP"}],
+            "modelVersion": model,
+            "responseId": f"r-{number}",
+            "usageMetadata": {
+                "promptTokenCount": prompt,
+                "cachedContentTokenCount": counts.cache_read,
+                "candidatesTokenCount": counts.output - counts.reasoning,
+                "thoughtsTokenCount": counts.reasoning,
+                "totalTokenCount": prompt + counts.output,
+            },
+        }
 
-    def events(self, model: str, number: str, uses: list[Any], text: str, counts: Served, request: dict[str, Any]
-               ) -> list[bytes]:
+    def events(
+        self, model: str, number: str, uses: list[Any], text: str, counts: Served, request: dict[str, Any]
+    ) -> list[bytes]:
         return [_event(self.whole(model, number, uses, text, counts))]
 
 

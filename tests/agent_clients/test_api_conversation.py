@@ -15,13 +15,19 @@ HEAD = [{"role": "user", "content": [{"type": "text", "text": "Build."}, picture
 
 
 def turn(number: int, results: list[int], pictures: int) -> Turn:
-    calls = [{"id": f"{number}-{i}", "type": "function", "function": {"name": "t", "arguments": "{}"}}
-             for i in range(len(results))]
-    return Turn({"role": "assistant", "content": None, "tool_calls": calls},
-                [{"role": "tool", "tool_call_id": f"{number}-{i}", "content": "x" * size}
-                 for i, size in enumerate(results)],
-                [part for i in range(pictures) for part in ({"type": "text", "text": f"Picture {i}:"},
-                                                            picture_part(bytes([number % 256, i])))])
+    calls = [
+        {"id": f"{number}-{i}", "type": "function", "function": {"name": "t", "arguments": "{}"}}
+        for i in range(len(results))
+    ]
+    return Turn(
+        {"role": "assistant", "content": None, "tool_calls": calls},
+        [{"role": "tool", "tool_call_id": f"{number}-{i}", "content": "x" * size} for i, size in enumerate(results)],
+        [
+            part
+            for i in range(pictures)
+            for part in ({"type": "text", "text": f"Picture {i}:"}, picture_part(bytes([number % 256, i])))
+        ],
+    )
 
 
 TURNS = st.lists(st.tuples(st.lists(st.integers(0, 9000), min_size=1, max_size=3), st.integers(0, 2)), max_size=14)
@@ -35,9 +41,10 @@ def test_trimming_keeps_the_conversation_whole(sizes: list[tuple[list[int], int]
     shown = [message for one in newest for message in one.messages()]
     trimming = conversation.trim(target)
     messages = conversation.messages()
-    assert messages[0] == HEAD[0] and (not shown or messages[-len(shown):] == shown)
-    assert conversation.tokens() <= max(target, before if len(sizes) <= KEPT_TURNS else 0) or \
-        len(conversation.turns) == min(KEPT_TURNS, len(sizes))
+    assert messages[0] == HEAD[0] and (not shown or messages[-len(shown) :] == shown)
+    assert conversation.tokens() <= max(target, before if len(sizes) <= KEPT_TURNS else 0) or len(
+        conversation.turns
+    ) == min(KEPT_TURNS, len(sizes))
     open_calls: set[str] = set()
     for message in messages:
         if message["role"] == "tool":
@@ -74,17 +81,36 @@ def test_the_estimate_follows_what_the_model_counts() -> None:
     assert conversation.tokens() == pytest.approx(5000, abs=1)
 
 
-@pytest.mark.parametrize(("options", "fields"), [
-    ({}, {}), ({"thinking": True}, {"reasoning": {"enabled": True}}),
-    ({"thinking": False}, {"reasoning": {"enabled": False}}),
-    ({"effort": "high"}, {"reasoning": {"enabled": True, "effort": "high"}}),
-    ({"endpoint": "openai", "thinking": False}, {"reasoning_effort": "none"}),
-    ({"endpoint": "openai", "thinking": True, "effort": "low"}, {"reasoning_effort": "low"}),
-    ({"endpoint": "own", "thinking": False}, {"chat_template_kwargs": {"enable_thinking": False}}),
-    ({"endpoint": "own", "thinking": True, "seed": 3, "temperature": 0.5, "extra": {"provider": {"only": ["x"]}}},
-     {"chat_template_kwargs": {"enable_thinking": True}, "seed": 3, "temperature": 0.5, "provider": {"only": ["x"]}})])
-def test_thinking_and_sampling_as_the_endpoint_wants_them(options: dict[str, object], fields: dict[str, object]
-                                                              ) -> None:
+@pytest.mark.parametrize(
+    ("options", "fields"),
+    [
+        ({}, {}),
+        ({"thinking": True}, {"reasoning": {"enabled": True}}),
+        ({"thinking": False}, {"reasoning": {"enabled": False}}),
+        ({"effort": "high"}, {"reasoning": {"enabled": True, "effort": "high"}}),
+        ({"endpoint": "openai", "thinking": False}, {"reasoning_effort": "none"}),
+        ({"endpoint": "openai", "thinking": True, "effort": "low"}, {"reasoning_effort": "low"}),
+        ({"endpoint": "own", "thinking": False}, {"chat_template_kwargs": {"enable_thinking": False}}),
+        (
+            {
+                "endpoint": "own",
+                "thinking": True,
+                "seed": 3,
+                "temperature": 0.5,
+                "extra": {"provider": {"only": ["x"]}},
+            },
+            {
+                "chat_template_kwargs": {"enable_thinking": True},
+                "seed": 3,
+                "temperature": 0.5,
+                "provider": {"only": ["x"]},
+            },
+        ),
+    ],
+)
+def test_thinking_and_sampling_as_the_endpoint_wants_them(
+    options: dict[str, object], fields: dict[str, object]
+) -> None:
     assert ApiOptions.of(Configuration(name="a", client="api", options=options)).request_fields() == fields
 
 

@@ -11,8 +11,12 @@ from canned import CannedUpstream, Reply
 
 from c4s.agents.api.chat import TRIES, ChatClient, ChatFailed
 
-OK = Reply([b'{"choices": [{"message": {"role": "assistant", "content": "done"}, "finish_reason": "stop"}], '
-            b'"usage": {"prompt_tokens": 7}, "system_fingerprint": "fp"}'])
+OK = Reply(
+    [
+        b'{"choices": [{"message": {"role": "assistant", "content": "done"}, "finish_reason": "stop"}], '
+        b'"usage": {"prompt_tokens": 7}, "system_fingerprint": "fp"}'
+    ]
+)
 
 
 class Clock:
@@ -43,13 +47,22 @@ def test_an_answer() -> None:
     assert (reply.message["content"], reply.finish, reply.prompt_tokens, reply.fingerprint) == ("done", "stop", 7, "fp")
 
 
-@pytest.mark.parametrize(("reply", "kind"), [
-    (error("429 Slow"), "rate"), (error("500 Oops"), "server"), (error("529 Overloaded"), "server"),
-    (error("504 Late"), "timeout"), (error("408 Late"), "timeout"), (Reply([b'{"ch'], then="cut"), "connection"),
-    (Reply([b"<html>"]), "malformed"), (Reply([b'{"choices": []}']), "malformed"),
-    (Reply([b'{"choices": [{"message": {"tool_calls": [{"id": "1"}]}}]}']), "malformed"),
-    (Reply([b'{"error": {"code": 503, "message": "busy"}}']), "server"),
-    (Reply([b'{"choices": [{"error": {"code": 429, "message": "busy"}}]}']), "rate")])
+@pytest.mark.parametrize(
+    ("reply", "kind"),
+    [
+        (error("429 Slow"), "rate"),
+        (error("500 Oops"), "server"),
+        (error("529 Overloaded"), "server"),
+        (error("504 Late"), "timeout"),
+        (error("408 Late"), "timeout"),
+        (Reply([b'{"ch'], then="cut"), "connection"),
+        (Reply([b"<html>"]), "malformed"),
+        (Reply([b'{"choices": []}']), "malformed"),
+        (Reply([b'{"choices": [{"message": {"tool_calls": [{"id": "1"}]}}]}']), "malformed"),
+        (Reply([b'{"error": {"code": 503, "message": "busy"}}']), "server"),
+        (Reply([b'{"choices": [{"error": {"code": 429, "message": "busy"}}]}']), "rate"),
+    ],
+)
 def test_what_passes_is_asked_again(reply: Reply, kind: str) -> None:
     clock = Clock()
     with CannedUpstream(reply, reply, OK) as upstream:
@@ -59,8 +72,9 @@ def test_what_passes_is_asked_again(reply: Reply, kind: str) -> None:
     assert 0 < clock.waits[0] < clock.waits[1] * 1.01 <= 10.1
 
 
-@pytest.mark.parametrize(("reply", "kind"), [(error("429 Slow"), "rate"), (error("503 Busy"), "server"),
-                                             (Reply([b"[]"]), "malformed")])
+@pytest.mark.parametrize(
+    ("reply", "kind"), [(error("429 Slow"), "rate"), (error("503 Busy"), "server"), (Reply([b"[]"]), "malformed")]
+)
 def test_tries_are_used_up(reply: Reply, kind: str) -> None:
     clock = Clock()
     with CannedUpstream(reply) as upstream, pytest.raises(ChatFailed) as failed:
@@ -71,16 +85,23 @@ def test_tries_are_used_up(reply: Reply, kind: str) -> None:
 
 def test_retry_after_is_kept_within_bounds() -> None:
     clock = Clock()
-    with CannedUpstream(error("429 Slow", headers=("Retry-After: 17",)),
-                        error("429 Slow", headers=("Retry-After: 9999",)), OK) as upstream:
+    with CannedUpstream(
+        error("429 Slow", headers=("Retry-After: 17",)), error("429 Slow", headers=("Retry-After: 9999",)), OK
+    ) as upstream:
         client(upstream, clock).ask({})
     assert clock.waits == [17, 600]
 
 
-@pytest.mark.parametrize(("reply", "kind"), [
-    (error("401 No"), "refused"), (error("400 Bad", "unknown field"), "refused"), (error("402 Pay"), "refused"),
-    (error("400 Bad", "This model's maximum context length is 8192 tokens"), "context"),
-    (error("413 Big", "prompt is too long: 9 > 8"), "context")])
+@pytest.mark.parametrize(
+    ("reply", "kind"),
+    [
+        (error("401 No"), "refused"),
+        (error("400 Bad", "unknown field"), "refused"),
+        (error("402 Pay"), "refused"),
+        (error("400 Bad", "This model's maximum context length is 8192 tokens"), "context"),
+        (error("413 Big", "prompt is too long: 9 > 8"), "context"),
+    ],
+)
 def test_what_does_not_pass_is_not_asked_again(reply: Reply, kind: str) -> None:
     clock = Clock()
     with CannedUpstream(reply) as upstream:

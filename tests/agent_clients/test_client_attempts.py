@@ -27,8 +27,11 @@ from c4s.toolbox.gateway import Endpoint
 
 Attempt = Callable[..., tuple[AttemptOutcome, Path]]
 SAVE = [Use("save_scene_as", {"name": "submission"})]
-SCRIPT = [[Use("search_assets", {"query": "table"}), Use("get_categories")],
-          [Use("get_asset_preview", {"id": "crate"})], SAVE]
+SCRIPT = [
+    [Use("search_assets", {"query": "table"}), Use("get_categories")],
+    [Use("get_asset_preview", {"id": "crate"})],
+    SAVE,
+]
 confined = pytest.mark.skipif(faults()["bubblewrap"] is not None, reason=f"no bubblewrap: {faults()['bubblewrap']}")
 
 
@@ -46,10 +49,15 @@ def test_the_api_loop_plays_a_case(attempt: Attempt) -> None:
         roles = [message["role"] for message in endpoint.bodies[-1]["messages"]]
     assert roles == ["user", "assistant", "tool", "tool", "assistant", "tool", "user", "assistant", "tool"]
     assert (outcome.ended_by, outcome.submission, outcome.tool_calls, outcome.message) == (
-        "finished", "/Game/SavedScenes/submission", 4, "The scene is saved.")
+        "finished",
+        "/Game/SavedScenes/submission",
+        4,
+        "The scene is saved.",
+    )
     assert outcome.input_tokens == total["fresh"] + total["cache_read"] + total["cache_write"]
     assert outcome.output_tokens == total["output"] and outcome.cost_usd == pytest.approx(
-        (10 * total["fresh"] + total["cache_read"] + 12 * total["cache_write"] + 100 * total["output"]) / 1e6)
+        (10 * total["fresh"] + total["cache_read"] + 12 * total["cache_write"] + 100 * total["output"]) / 1e6
+    )
     turns = [line for line in lines(folder / "agent/api.jsonl") if line["event"] == "turn"]
     pictures = [line["images"] for line in lines(folder / "trajectory.jsonl") if line.get("images")]
     assert turns[1]["pictures"] == [pictures[0][0]["sha256"]]
@@ -65,16 +73,21 @@ def test_a_full_context_is_trimmed_bad_arguments_are_counted_and_a_loop_is_stopp
             if done <= 8:
                 return [("get_asset_preview", {"id": "crate"}), ("get_categories", ["none " * 1000, done])], ""
             return [("save_scene_as", {"name": "submission"}) if done == 9 else ("get_categories", {})], ""
+
     with Rambling([]) as endpoint:
-        outcome, folder = attempt("api", endpoint.url,
-                                  options={"context_tokens": 8_000, "max_tokens": 1000, "same_calls": 3})
+        outcome, folder = attempt(
+            "api", endpoint.url, options={"context_tokens": 8_000, "max_tokens": 1000, "same_calls": 3}
+        )
     trims = [line for line in lines(folder / "agent/api.jsonl") if line["event"] == "trim"]
     assert trims and sum(trim["pictures_removed"] for trim in trims) > 0
     assert all(trim["after_tokens"] < trim["before_tokens"] for trim in trims)
     assert (outcome.ended_by, outcome.tool_calls) == ("finished", 19) and "same call 3 times" in outcome.message
     assert outcome.submission == "/Game/SavedScenes/submission"
-    errors = [line for line in lines(folder / "trajectory.jsonl")
-              if line["event"] == "call" and line["tool"] == "get_categories"][:8]
+    errors = [
+        line
+        for line in lines(folder / "trajectory.jsonl")
+        if line["event"] == "call" and line["tool"] == "get_categories"
+    ][:8]
     assert len(errors) == 8 and all(line["outcome"] == "error" and line["counted"] for line in errors)
 
 
@@ -87,7 +100,8 @@ def test_waiting_for_a_job_is_no_loop(attempt: Attempt) -> None:
 
 
 def test_the_spending_limit_leaves_the_trial_pending_and_a_higher_one_completes_it(
-        attempt: Attempt, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    attempt: Attempt, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     with ScriptedEndpoint(SCRIPT) as endpoint:
         monkeypatch.setenv("C4S_SPENDING_LIMIT_USD", "0.02")
         with pytest.raises(SpendingLimitReached, match="spending limit"):
@@ -105,18 +119,35 @@ PLAIN = Path(__file__).with_name("plain_client.py").absolute()
 
 def plain(*probes: str) -> dict[str, Any]:
     python = Path(sys.executable).resolve()
-    return {"command": [str(python), str(PLAIN), "{model}", "{model_url}", "{model_token}", "{tools_url}",
-                        "{tools_token}", *probes], "environment": {"TOKEN": "{tools_token}"},
-            "read_only": [str(PLAIN), *([] if python.is_relative_to("/usr") else [str(python.parents[1])])],
-            "version": "plain 7"}
+    return {
+        "command": [
+            str(python),
+            str(PLAIN),
+            "{model}",
+            "{model_url}",
+            "{model_token}",
+            "{tools_url}",
+            "{tools_token}",
+            *probes,
+        ],
+        "environment": {"TOKEN": "{tools_token}"},
+        "read_only": [str(PLAIN), *([] if python.is_relative_to("/usr") else [str(python.parents[1])])],
+        "version": "plain 7",
+    }
 
 
 @confined
 def test_a_program_of_its_own_plays_a_case_and_sees_nothing_else(attempt: Attempt, tmp_path: Path) -> None:
     (tmp_path / "suite/withheld/room").mkdir(parents=True)
     (tmp_path / "suite/withheld/room/truth.level.json").write_text("{}")
-    hidden = [str(tmp_path / "suite/withheld/room/truth.level.json"), str(tmp_path / "suite"), str(tmp_path / "home"),
-              str(Path(__file__).parents[2] / "c4s"), "/etc/shadow", "/proc/1/root" + str(tmp_path / "suite")]
+    hidden = [
+        str(tmp_path / "suite/withheld/room/truth.level.json"),
+        str(tmp_path / "suite"),
+        str(tmp_path / "home"),
+        str(Path(__file__).parents[2] / "c4s"),
+        "/etc/shadow",
+        "/proc/1/root" + str(tmp_path / "suite"),
+    ]
     with ScriptedEndpoint(SCRIPT) as endpoint:
         addresses = [f"127.0.0.1:{endpoint.port}", "127.0.0.1:22", "10.255.255.1:80"]
         outcome, folder = attempt("command", endpoint.url, options=plain(*hidden, *addresses))
@@ -132,24 +163,46 @@ def test_a_program_of_its_own_plays_a_case_and_sees_nothing_else(attempt: Attemp
 def alone(client: str, url: str, tmp_path: Path, options: dict[str, Any]) -> None:
     """Run a client's adapter against a model endpoint, with no gateway behind its address."""
     case, agent_folder = make_case(tmp_path / "suite", make_pack(tmp_path / "packs"), setting="text-to-scene")
-    (tmp_path / "home/endpoints.yaml").write_text(json.dumps({"endpoints": {"here": {
-        "url": url, "formats": ["openai-chat"]}}}))
+    (tmp_path / "home/endpoints.yaml").write_text(
+        json.dumps({"endpoints": {"here": {"url": url, "formats": ["openai-chat"]}}})
+    )
     configuration = Configuration(name=client, client=client, model="m", options={"endpoint": "here", **options})
     (tmp_path / "agent").mkdir()
-    with open_model(configuration, "here", "openai-chat", usage=tmp_path / "usage.jsonl", ledger=None,
-                    at_limit=lambda: None) as model:
-        agent_of(configuration).run(AgentContext(case, agent_folder, Endpoint("http://127.0.0.1:18765/mcp", "t"),
-                                                 configuration, 1, tmp_path / "agent", None, model))
+    with open_model(
+        configuration, "here", "openai-chat", usage=tmp_path / "usage.jsonl", ledger=None, at_limit=lambda: None
+    ) as model:
+        agent_of(configuration).run(
+            AgentContext(
+                case,
+                agent_folder,
+                Endpoint("http://127.0.0.1:18765/mcp", "t"),
+                configuration,
+                1,
+                tmp_path / "agent",
+                None,
+                model,
+            )
+        )
 
 
 @confined
-@pytest.mark.parametrize(("shell", "reply", "error", "text"), [
-    ("exit 3", None, MachineryFault, "status 3: broken, before it asked its model"),
-    ("exit 0", None, MachineryFault, "before it asked its model"),
-    ("{ask}; exit 4", Reply([b'{"error": {"message": "bad key"}}'], status="401 No"), MachineryFault, "401: bad key"),
-    ("{ask}; exit 5", Reply([b'{"choices": []}']), AgentFault, "status 5: broken$")])
-def test_whose_fault_it_is_when_a_program_fails(attempt: Attempt, tmp_path: Path, shell: str, reply: Reply | None,
-                                                error: type[Exception], text: str) -> None:
+@pytest.mark.parametrize(
+    ("shell", "reply", "error", "text"),
+    [
+        ("exit 3", None, MachineryFault, "status 3: broken, before it asked its model"),
+        ("exit 0", None, MachineryFault, "before it asked its model"),
+        (
+            "{ask}; exit 4",
+            Reply([b'{"error": {"message": "bad key"}}'], status="401 No"),
+            MachineryFault,
+            "401: bad key",
+        ),
+        ("{ask}; exit 5", Reply([b'{"choices": []}']), AgentFault, "status 5: broken$"),
+    ],
+)
+def test_whose_fault_it_is_when_a_program_fails(
+    attempt: Attempt, tmp_path: Path, shell: str, reply: Reply | None, error: type[Exception], text: str
+) -> None:
     ask = """python3 -c 'import sys, urllib.request as u
 try: u.urlopen(u.Request("{model_url}/v1/chat/completions", b"{\\"model\\": \\"m\\"}",
                          {"Authorization": "Bearer {model_token}"}))
@@ -164,19 +217,28 @@ def test_a_program_that_goes_on_after_its_budget_is_ended(attempt: Attempt) -> N
     with ScriptedEndpoint([SAVE, *[[Use("get_categories")]] * 500]) as endpoint:
         outcome, _ = attempt("command", endpoint.url, options=plain(), calls=3)
     assert (outcome.ended_by, outcome.tool_calls, outcome.submission) == (
-        "call_budget", 3, "/Game/SavedScenes/submission")
+        "call_budget",
+        3,
+        "/Game/SavedScenes/submission",
+    )
 
 
-@pytest.mark.parametrize(("client", "options", "text"), [
-    ("codex", {"program": "/nowhere/codex"}, "npm install .*@openai/codex"),
-    ("claude_code", {"program": "/nowhere/claude"}, "npm install .*@anthropic-ai/claude-code"),
-    ("gemini", {"program": "/nowhere/gemini"}, "npm install .*@google/gemini-cli"),
-    ("opencode", {"program": "/nowhere/opencode"}, "npm install .*opencode-ai"),
-    ("hermes", {"program": "/nowhere/hermes"}, r"pip.*hermes-agent\[mcp\]"),
-    ("antigravity", {"command": ["/nowhere/agy"]}, "not installed.*Antigravity"),
-    ("command", {"command": ["/nowhere/agent"]}, "not installed"), ("command", {}, "needs its command line")])
-def test_a_client_that_is_not_installed_says_how_to_install_it(attempt: Attempt, client: str, options: dict[str, Any],
-                                                               text: str) -> None:
+@pytest.mark.parametrize(
+    ("client", "options", "text"),
+    [
+        ("codex", {"program": "/nowhere/codex"}, "npm install .*@openai/codex"),
+        ("claude_code", {"program": "/nowhere/claude"}, "npm install .*@anthropic-ai/claude-code"),
+        ("gemini", {"program": "/nowhere/gemini"}, "npm install .*@google/gemini-cli"),
+        ("opencode", {"program": "/nowhere/opencode"}, "npm install .*opencode-ai"),
+        ("hermes", {"program": "/nowhere/hermes"}, r"pip.*hermes-agent\[mcp\]"),
+        ("antigravity", {"command": ["/nowhere/agy"]}, "not installed.*Antigravity"),
+        ("command", {"command": ["/nowhere/agent"]}, "not installed"),
+        ("command", {}, "needs its command line"),
+    ],
+)
+def test_a_client_that_is_not_installed_says_how_to_install_it(
+    attempt: Attempt, client: str, options: dict[str, Any], text: str
+) -> None:
     with pytest.raises(BadInput, match=text):
         attempt(client, "http://127.0.0.1:1", options=options)
 
@@ -189,17 +251,25 @@ def test_doctor_lists_the_clients_with_their_version_or_how_to_install_them(tmp_
     (module / ".bin/codex").write_text("#!/bin/sh\n")
     (module / ".bin/codex").chmod(0o755)
     environment = {**os.environ, "C4S_HOME": str(tmp_path), "COLUMNS": "400", "PATH": "/usr/bin:/bin"}
-    shown = subprocess.run([sys.executable, "-m", "c4s.cli", "doctor"], env=environment, text=True, capture_output=True,
-                           check=False).stdout
+    shown = subprocess.run(
+        [sys.executable, "-m", "c4s.cli", "doctor"], env=environment, text=True, capture_output=True, check=False
+    ).stdout
     rows = {row.split("│")[0].strip(): row for row in shown.splitlines() if row.startswith("client ")}
     assert re.search(r"│ +yes │ +no │ 9\.8\.7, .*codex", rows["client codex"])
-    for name, way in (("claude_code", "npm install"), ("gemini", "npm install"), ("opencode", "npm install"),
-                      ("hermes", "hermes-agent[mcp]"), ("antigravity", "vendor")):
+    for name, way in (
+        ("claude_code", "npm install"),
+        ("gemini", "npm install"),
+        ("opencode", "npm install"),
+        ("hermes", "hermes-agent[mcp]"),
+        ("antigravity", "vendor"),
+    ):
         assert re.search(r"│ +no │ +no │.*" + re.escape(way), rows[f"client {name}"])
 
 
-@pytest.mark.parametrize(("options", "text"), [({"endpoint": "nowhere"}, "unknown model endpoint"),
-                                               ({"endpoint": "anthropic"}, "speaks openai-chat")])
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [({"endpoint": "nowhere"}, "unknown model endpoint"), ({"endpoint": "anthropic"}, "speaks openai-chat")],
+)
 def test_an_endpoint_that_does_not_fit_is_named(attempt: Attempt, options: dict[str, Any], text: str) -> None:
     with pytest.raises(BadInput, match=text):
         attempt("api", "http://127.0.0.1:1", options=options)

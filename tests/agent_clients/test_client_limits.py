@@ -17,8 +17,17 @@ from c4s.engine.sandbox import faults
 from c4s.errors import AgentFault
 
 pytestmark = pytest.mark.skipif(faults()["bubblewrap"] is not None, reason=f"no bubblewrap: {faults()['bubblewrap']}")
-SMALL = ClientLimits(memory=250 << 20, threads=60, cpu_s=2, files=300, disk=60 << 20, data=1 << 30, file_size=30 << 20,
-                     open_files=200, temporary=16 << 20)
+SMALL = ClientLimits(
+    memory=250 << 20,
+    threads=60,
+    cpu_s=2,
+    files=300,
+    disk=60 << 20,
+    data=1 << 30,
+    file_size=30 << 20,
+    open_files=200,
+    temporary=16 << 20,
+)
 WAIT = "\nimport time\ntime.sleep(60)"
 
 
@@ -28,8 +37,9 @@ def run(tmp_path: Path, script: str, limits: ClientLimits = SMALL) -> tuple[int,
     home.mkdir()
     python = Path(sys.executable).resolve()
     runtime = () if python.is_relative_to("/usr") else (python.parents[1],)
-    status = confined.run(confined.Command([str(python), "-c", script], {}, runtime), home, tmp_path / "out",
-                          limits=limits)
+    status = confined.run(
+        confined.Command([str(python), "-c", script], {}, runtime), home, tmp_path / "out", limits=limits
+    )
     return status, (tmp_path / "out.stdout").read_text() + (tmp_path / "out.stderr").read_text()
 
 
@@ -49,18 +59,24 @@ ATTACKS = {
     "one process takes memory": ("held = [bytearray(8 << 20) for _ in range(100)]" + WAIT, "MiB of memory"),
     "many processes take memory": (
         "import os\nfor _ in range(6):\n if os.fork() == 0:\n  held = b'x' * (60 << 20)\n  break" + WAIT,
-        "MiB of memory"),
+        "MiB of memory",
+    ),
     "a fork bomb": ("import os\nwhile True:\n try: os.fork()\n except OSError: pass", "processes and threads"),
     "children that were let go": (
         "import os\nfor _ in range(100):\n if os.fork() == 0:\n  os.setsid()\n  if os.fork(): os._exit(0)\n  break"
         + WAIT,
-        "processes and threads"),
+        "processes and threads",
+    ),
     "threads that start processes": (
         "import subprocess, threading\ndef go():\n while True: subprocess.Popen(['sleep', '60'])\n"
-        "for _ in range(8): threading.Thread(target=go).start()" + WAIT, "processes and threads"),
+        "for _ in range(8): threading.Thread(target=go).start()" + WAIT,
+        "processes and threads",
+    ),
     "processes that compute": (
         "import os\nos.fork(); os.fork()\nend = __import__('time').time() + 60\n"
-        "while __import__('time').time() < end: pass", "CPU time"),
+        "while __import__('time').time() < end: pass",
+        "CPU time",
+    ),
     "many files": ("for n in range(1000): open(f'/home/agent/f{n}', 'w')" + WAIT, "files"),
     "much on the disk": ("for n in range(6): open(f'/home/agent/f{n}', 'wb').write(b'x' * (20 << 20))" + WAIT, "MiB"),
 }
@@ -79,14 +95,18 @@ def test_a_client_that_passes_a_limit_is_ended_with_all_it_started(tmp_path: Pat
     assert not marked(mark)
 
 
-@pytest.mark.parametrize(("script", "error"), [
-    ("bytearray(2 << 30)", "MemoryError"),
-    ("open('/home/agent/big', 'wb').write(b'x' * (40 << 20))", "OSError|File size limit"),
-    ("open('/tmp/big', 'wb').write(b'x' * (20 << 20))", "No space left"),
-    ("open('/dev/shm/big', 'wb').write(b'x' * (20 << 20))", "No space left"),
-    ("open('/dev/big', 'wb')", "Read-only"),
-    ("held = [open('/dev/null') for _ in range(300)]", "Too many open files"),
-    ("import resource as r\nr.setrlimit(r.RLIMIT_DATA, (8 << 30, 8 << 30))", "ValueError|PermissionError")])
+@pytest.mark.parametrize(
+    ("script", "error"),
+    [
+        ("bytearray(2 << 30)", "MemoryError"),
+        ("open('/home/agent/big', 'wb').write(b'x' * (40 << 20))", "OSError|File size limit"),
+        ("open('/tmp/big', 'wb').write(b'x' * (20 << 20))", "No space left"),
+        ("open('/dev/shm/big', 'wb').write(b'x' * (20 << 20))", "No space left"),
+        ("open('/dev/big', 'wb')", "Read-only"),
+        ("held = [open('/dev/null') for _ in range(300)]", "Too many open files"),
+        ("import resource as r\nr.setrlimit(r.RLIMIT_DATA, (8 << 30, 8 << 30))", "ValueError|PermissionError"),
+    ],
+)
 def test_what_the_kernel_refuses_one_process(tmp_path: Path, script: str, error: str) -> None:
     status, told = run(tmp_path, script, replace(SMALL, cpu_s=60))
     assert status != 0 and re.search(error, told), told

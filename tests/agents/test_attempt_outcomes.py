@@ -18,12 +18,27 @@ from c4s.run.records import AttemptOutcome, Configuration
 from c4s.scene.level import Level
 
 
-def attempt(tmp_path: Path, pack: Path, client: str, *, withheld: Path | None = None, options: dict | None = None,
-            number: int = 1, **case_options: Any) -> tuple[AttemptOutcome, Path]:
+def attempt(
+    tmp_path: Path,
+    pack: Path,
+    client: str,
+    *,
+    withheld: Path | None = None,
+    options: dict | None = None,
+    number: int = 1,
+    **case_options: Any,
+) -> tuple[AttemptOutcome, Path]:
     case, agent_folder = make_case(tmp_path / "suite", pack, **case_options)
     folder = tmp_path / "run" / f"attempt-{number}"
-    return run_attempt(case, agent_folder, Configuration(name=client, client=client, options=options or {}), number,
-                       folder, [pack], withheld), folder
+    return run_attempt(
+        case,
+        agent_folder,
+        Configuration(name=client, client=client, options=options or {}),
+        number,
+        folder,
+        [pack],
+        withheld,
+    ), folder
 
 
 def saved_labels(folder: Path, outcome: AttemptOutcome) -> list[str]:
@@ -74,8 +89,10 @@ def test_random_is_repeatable(tmp_path: Path, pack: Path, setting: str) -> None:
 
 def test_oracle_submits_the_truth_and_nobody_else_gets_it(tmp_path: Path, pack: Path) -> None:
     withheld = tmp_path / "suite/withheld/room"
-    truth = Level(package="/Game/Test/Maps/Room", actors=[mesh_actor(1, "Floor", "floor_tile", (0, 0, -10)),
-                                                          mesh_actor(9, "Lost", "sofa", (0, 120, 0))])
+    truth = Level(
+        package="/Game/Test/Maps/Room",
+        actors=[mesh_actor(1, "Floor", "floor_tile", (0, 0, -10)), mesh_actor(9, "Lost", "sofa", (0, 120, 0))],
+    )
     truth.write(withheld / "truth.level.json")
     outcome, folder = attempt(tmp_path, pack, "oracle", withheld=withheld)
     assert outcome.ended_by == "finished" and saved_labels(folder, outcome) == ["Floor", "Lost"]
@@ -133,8 +150,9 @@ def test_an_agent_that_fails_is_an_outcome(tmp_path: Path, pack: Path, monkeypat
     assert (outcome.ended_by, outcome.message, outcome.submission) == ("agent_error", "no idea", None)
 
 
-def test_agent_code_that_kills_the_engine_is_the_agents_doing(tmp_path: Path, pack: Path,
-                                                              monkeypatch: pytest.MonkeyPatch) -> None:
+def test_agent_code_that_kills_the_engine_is_the_agents_doing(
+    tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     use(monkeypatch, Kills)
     outcome, _ = attempt(tmp_path, pack, "local")
     assert outcome.ended_by == "agent_error" and "ended the engine" in outcome.message
@@ -148,8 +166,10 @@ def test_a_forged_list_of_saves_names_no_submission(tmp_path: Path) -> None:
     (tmp_path.parent / "outside.level.json").write_text("{}")
     (tmp_path / "Game/SavedScenes/linked.level.json").symlink_to(tmp_path.parent / "outside.level.json")
     saves = tmp_path / "saves.jsonl"
-    saves.write_text('{"package": "/Game/SavedScenes/real"}\n{"package": "/Game/../../outside"}\nnonsense\n'
-                     '{"package": "/Game/SavedScenes/linked"}\n{"package": "/Game/SavedScenes/missing"}\n[]\n')
+    saves.write_text(
+        '{"package": "/Game/SavedScenes/real"}\n{"package": "/Game/../../outside"}\nnonsense\n'
+        '{"package": "/Game/SavedScenes/linked"}\n{"package": "/Game/SavedScenes/missing"}\n[]\n'
+    )
     assert last_saved(tmp_path) == "/Game/SavedScenes/real"
     saves.unlink()
     assert last_saved(tmp_path) is None

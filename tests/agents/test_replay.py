@@ -45,8 +45,9 @@ class Builder:
 
 
 def _attempt(folder: Path, case: Any, agent_folder: Path, pack: Path, client: str, **options: Any) -> AttemptOutcome:
-    return run_attempt(case, agent_folder, Configuration(name=client, client=client, options=options), 1, folder,
-                       [pack], None)
+    return run_attempt(
+        case, agent_folder, Configuration(name=client, client=client, options=options), 1, folder, [pack], None
+    )
 
 
 def test_a_replay_saves_the_same_bytes(tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -58,8 +59,12 @@ def test_a_replay_saves_the_same_bytes(tmp_path: Path, pack: Path, monkeypatch: 
     again = _attempt(tmp_path / "again", case, agent_folder, pack, "replay", trajectory=str(trajectory))
     assert again.submission == first.submission and again.submission_sha256 == first.submission_sha256
     assert (again.tool_calls, again.message) == (6, "6 calls")
-    pictures = [image["sha256"] for line in trajectory.read_text().split("\n") if line
-                for image in json.loads(line).get("images") or []]
+    pictures = [
+        image["sha256"]
+        for line in trajectory.read_text().split("\n")
+        if line
+        for image in json.loads(line).get("images") or []
+    ]
     assert len(pictures) == 1
     for run in ("first", "again"):
         assert (tmp_path / run / "images" / f"{pictures[0]}.png").is_file()
@@ -67,13 +72,33 @@ def test_a_replay_saves_the_same_bytes(tmp_path: Path, pack: Path, monkeypatch: 
 
 def test_a_replay_tells_what_was_answered_otherwise(tmp_path: Path, pack: Path) -> None:
     case, agent_folder = make_case(tmp_path / "suite", pack)
-    lines = [{"event": "call", "counted": True, "call": 2, "tool": "delete_actor", "arguments": {"name": "nobody"},
-              "outcome": "ok"},
-             {"event": "refused", "counted": False, "tool": "spawn_actor", "arguments": {}, "outcome": "refused"},
-             {"event": "call", "counted": True, "call": 1, "tool": "save_scene_as", "arguments": {"name": "x"},
-              "outcome": "ok"},
-             {"event": "call", "counted": True, "call": 3, "tool": "save_scene_as", "arguments": {"name": "y"},
-              "outcome": "ended"}]
+    lines = [
+        {
+            "event": "call",
+            "counted": True,
+            "call": 2,
+            "tool": "delete_actor",
+            "arguments": {"name": "nobody"},
+            "outcome": "ok",
+        },
+        {"event": "refused", "counted": False, "tool": "spawn_actor", "arguments": {}, "outcome": "refused"},
+        {
+            "event": "call",
+            "counted": True,
+            "call": 1,
+            "tool": "save_scene_as",
+            "arguments": {"name": "x"},
+            "outcome": "ok",
+        },
+        {
+            "event": "call",
+            "counted": True,
+            "call": 3,
+            "tool": "save_scene_as",
+            "arguments": {"name": "y"},
+            "outcome": "ended",
+        },
+    ]
     trajectory = tmp_path / "t.jsonl"
     trajectory.write_text("".join(json.dumps(line) + "\n" for line in lines))
     outcome = _attempt(tmp_path / "again", case, agent_folder, pack, "replay", trajectory=str(trajectory))

@@ -15,8 +15,10 @@ from c4s.files import write_json
 
 def backends() -> list[object]:
     """Every sandbox; one that this machine lacks is skipped with the reason."""
-    return [pytest.param(name, marks=pytest.mark.skipif(fault is not None, reason=f"{name}: {fault}"))
-            for name, fault in faults().items()]
+    return [
+        pytest.param(name, marks=pytest.mark.skipif(fault is not None, reason=f"{name}: {fault}"))
+        for name, fault in faults().items()
+    ]
 
 
 @pytest.fixture(params=backends())
@@ -46,12 +48,33 @@ def level(tmp_path: Path) -> Path:
     """A level with a cube on a plane and a sphere that hangs."""
     path = tmp_path / "given" / "start.level.json"
     path.parent.mkdir()
-    shapes = [("Floor", "Plane", (0, 0, 0), (20, 20, 1)), ("Box", "Cube", (0, 0, 50), (1, 1, 1)),
-              ("Ball", "Sphere", (0, 200, 300), (1, 1, 1))]
-    write_json(path, {"schema_version": "c4s.level.v1", "package": "/Game/Start/Room", "actors": [
-        {"name": f"StaticMeshActor_{number}", "label": label, "class_path": "/Script/Engine.StaticMeshActor",
-         "guid": f"{number:032X}", "transform": {"location_cm": place, "scale": scale},
-         "components": [{"name": "StaticMeshComponent0", "class_path": "/Script/Engine.StaticMeshComponent",
-                         "static_mesh": f"/Engine/BasicShapes/{mesh}.{mesh}"}]}
-        for number, (label, mesh, place, scale) in enumerate(shapes)]})
+    shapes = [
+        ("Floor", "Plane", (0, 0, 0), (20, 20, 1)),
+        ("Box", "Cube", (0, 0, 50), (1, 1, 1)),
+        ("Ball", "Sphere", (0, 200, 300), (1, 1, 1)),
+    ]
+    write_json(
+        path,
+        {
+            "schema_version": "c4s.level.v1",
+            "package": "/Game/Start/Room",
+            "actors": [
+                {
+                    "name": f"StaticMeshActor_{number}",
+                    "label": label,
+                    "class_path": "/Script/Engine.StaticMeshActor",
+                    "guid": f"{number:032X}",
+                    "transform": {"location_cm": place, "scale": scale},
+                    "components": [
+                        {
+                            "name": "StaticMeshComponent0",
+                            "class_path": "/Script/Engine.StaticMeshComponent",
+                            "static_mesh": f"/Engine/BasicShapes/{mesh}.{mesh}",
+                        }
+                    ],
+                }
+                for number, (label, mesh, place, scale) in enumerate(shapes)
+            ],
+        },
+    )
     return path

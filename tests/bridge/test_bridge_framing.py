@@ -17,10 +17,14 @@ from hypothesis import strategies as st
 from c4s.engine.bridge import BridgeFault, SocketBridge, decode, encode, read_line
 from c4s.errors import MachineryFault
 
-VALUES = st.recursive(st.none() | st.booleans() | st.integers(-2**63, 2**64 - 1)
-                      | st.floats(allow_nan=False, allow_infinity=False)
-                      | st.text(st.characters(codec="utf-16", exclude_categories=())),
-                      lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4))
+VALUES = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers(-(2**63), 2**64 - 1)
+    | st.floats(allow_nan=False, allow_infinity=False)
+    | st.text(st.characters(codec="utf-16", exclude_categories=())),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4),
+)
 
 
 @contextmanager
@@ -51,7 +55,7 @@ def test_a_message_survives_any_split(message: dict[str, object], sizes: list[in
     with near, far:
         position = 0
         for size in sizes:
-            far.sendall(data[position:position + size])
+            far.sendall(data[position : position + size])
             position += size
         far.sendall(data[position:])
         assert decode(read_line(near, 1 << 20, time.monotonic() + 10)) == message
@@ -72,13 +76,21 @@ def test_a_tcp_editor_is_reached() -> None:
         assert bridge.request("editor_status") == {"status": "ok"}
 
 
-@pytest.mark.parametrize(("reply", "complaint"), [
-    (b"", "without an answer"), (b"[1]\n", "not an object"), (b'{"status": "o', "no message"),
-    (b"\xff\xfe{}\n", "no message"), (b"[" * 100000 + b"\n", "no message"),
-])
+@pytest.mark.parametrize(
+    ("reply", "complaint"),
+    [
+        (b"", "without an answer"),
+        (b"[1]\n", "not an object"),
+        (b'{"status": "o', "no message"),
+        (b"\xff\xfe{}\n", "no message"),
+        (b"[" * 100000 + b"\n", "no message"),
+    ],
+)
 def test_a_broken_reply_is_a_fault_of_the_machinery(tmp_path: Path, reply: bytes, complaint: str) -> None:
-    with (peer(tmp_path / "s", lambda connection: connection.sendall(reply)) as bridge,
-          pytest.raises(BridgeFault, match=complaint)):
+    with (
+        peer(tmp_path / "s", lambda connection: connection.sendall(reply)) as bridge,
+        pytest.raises(BridgeFault, match=complaint),
+    ):
         bridge.request("editor_status")
 
 

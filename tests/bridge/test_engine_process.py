@@ -70,14 +70,25 @@ def test_a_script_that_outlasts_its_time_is_abandoned(shared_engine: EngineSessi
     assert shared_engine.execute("print('alive')", timeout_s=10)["result"]["python_logs"] == ["alive"]
 
 
-@pytest.mark.parametrize("message", [
-    b"", b"\n", b"no json\n", b"[]\n", b'{"type": "unknown"}\n', b'{"type": 3}\n', b"[" * 50000 + b"\n", b"\xff\n",
-    b'{"type": "execute_python_script", "params": {"script": 3}}\n',
-    b'{"type": "execute_python_script", "params": [1]}\n',
-    b'{"type": "execute_python_script", "params": {"script": "1", "wait_s": NaN}}\n',
-    b'{"type": "read_job_log", "params": {"job_id": "job-99"}}\n', b'{"type": "take_screenshot_batch"}\n',
-    b'{"type": "call_function", "params": {"function": "os.path.join"}}\n',
-])
+@pytest.mark.parametrize(
+    "message",
+    [
+        b"",
+        b"\n",
+        b"no json\n",
+        b"[]\n",
+        b'{"type": "unknown"}\n',
+        b'{"type": 3}\n',
+        b"[" * 50000 + b"\n",
+        b"\xff\n",
+        b'{"type": "execute_python_script", "params": {"script": 3}}\n',
+        b'{"type": "execute_python_script", "params": [1]}\n',
+        b'{"type": "execute_python_script", "params": {"script": "1", "wait_s": NaN}}\n',
+        b'{"type": "read_job_log", "params": {"job_id": "job-99"}}\n',
+        b'{"type": "take_screenshot_batch"}\n',
+        b'{"type": "call_function", "params": {"function": "os.path.join"}}\n',
+    ],
+)
 def test_nonsense_is_answered_with_an_error(shared_engine: EngineSession, message: bytes) -> None:
     address = shared_engine.bridge.address
     with socket.socket(socket.AF_UNIX) as connection:
@@ -152,13 +163,20 @@ def await_(condition: Callable[[], object], seconds: float = 20.0) -> None:
 @pytest.mark.parametrize("clinging", ["", "import ctypes; ctypes.CDLL(None).prctl(1, 0, 0, 0, 0)\n"])
 def test_the_engine_dies_with_its_host(tmp_path: Path, backend: str, clinging: str) -> None:
     host = subprocess.Popen(
-        [sys.executable, "-c", "import sys; from pathlib import Path; from c4s.engine.session import EngineSession\n"
-         f"root = Path({str(tmp_path)!r})\n"
-         f"s = EngineSession.start(packs=[], content=root / 'c', scratch=root / 's', use={backend!r})\n"
-         f"script = {clinging!r} + 'import re\\nprint(1)\\nre.match(r\"(a+)+b\", \"a\" * 64)'\n"
-         "s.request('execute_python_script', {'script': script, 'wait_s': 0.3})\n"
-         "print(s.bridge.address, flush=True); sys.stdin.read()"],
-        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        [
+            sys.executable,
+            "-c",
+            "import sys; from pathlib import Path; from c4s.engine.session import EngineSession\n"
+            f"root = Path({str(tmp_path)!r})\n"
+            f"s = EngineSession.start(packs=[], content=root / 'c', scratch=root / 's', use={backend!r})\n"
+            f'script = {clinging!r} + \'import re\\nprint(1)\\nre.match(r"(a+)+b", "a" * 64)\'\n'
+            "s.request('execute_python_script', {'script': script, 'wait_s': 0.3})\n"
+            "print(s.bridge.address, flush=True); sys.stdin.read()",
+        ],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
     assert host.stdout is not None
     assert host.stdout.readline().strip()
     assert processes_of(tmp_path / "s")
@@ -171,8 +189,7 @@ def test_an_engine_outlives_the_thread_that_started_it(tmp_path: Path, backend: 
     made: list[EngineSession] = []
 
     def start() -> None:
-        made.append(EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s",
-                                        use=backend))  # type: ignore[arg-type]
+        made.append(EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", use=backend))  # type: ignore[arg-type]
 
     thread = threading.Thread(target=start)
     thread.start()
@@ -190,8 +207,9 @@ def test_close_ends_the_process_and_removes_the_socket(tmp_path: Path) -> None:
 
 def test_a_close_is_not_held_up_by_a_script(tmp_path: Path) -> None:
     engine = EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s")
-    engine.request("execute_python_script", {"script": "while True:\n try: pass\n except BaseException: pass",
-                                             "wait_s": 0})
+    engine.request(
+        "execute_python_script", {"script": "while True:\n try: pass\n except BaseException: pass", "wait_s": 0}
+    )
     engine.kill()
     assert not engine.alive
 
@@ -203,8 +221,9 @@ def test_bad_input_is_told_as_such(tmp_path: Path, level: Path) -> None:
         EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", levels=[tmp_path / "none"])
     level.write_text('{"schema_version": "c4s.level.v1", "pack')
     with pytest.raises(BadInput):
-        EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", levels=[level],
-                            start_map="/Game/Start/Room")
+        EngineSession.start(
+            packs=[], content=tmp_path / "c", scratch=tmp_path / "s", levels=[level], start_map="/Game/Start/Room"
+        )
 
 
 def test_withheld_files_are_never_mounted(tmp_path: Path, level: Path) -> None:
@@ -216,10 +235,16 @@ def test_withheld_files_are_never_mounted(tmp_path: Path, level: Path) -> None:
 
 
 def test_screenshots_show_the_level_and_name_its_actors(tmp_path: Path, level: Path) -> None:
-    with EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", levels=[level],
-                             start_map="/Game/Start/Room") as engine:
-        shot = {"width": 160, "height": 90, "camera_location": [-400, 0, 100], "camera_rotation": [0, 0, 0],
-                "field_of_view": 60}
+    with EngineSession.start(
+        packs=[], content=tmp_path / "c", scratch=tmp_path / "s", levels=[level], start_map="/Game/Start/Room"
+    ) as engine:
+        shot = {
+            "width": 160,
+            "height": 90,
+            "camera_location": [-400, 0, 100],
+            "camera_rotation": [0, 0, 0],
+            "field_of_view": 60,
+        }
         reply = engine.request("take_screenshot", {**shot, "filepath": "one.png"}, timeout_s=120)
         assert reply["status"] == "ok" and reply["filename"] == "one.png"
         with Image.open(reply["filepath"]) as picture:
@@ -229,14 +254,31 @@ def test_screenshots_show_the_level_and_name_its_actors(tmp_path: Path, level: P
             assert picture.size == (1920, 1080), "as the published bridge"
         unmoved = engine.request("take_screenshot", {"width": 160, "height": 90})
         assert set(unmoved["visible"]) == {f"StaticMeshActor_{number}" for number in range(3)}, "the viewport sees all"
-        batch = engine.request("take_screenshot_batch", {"shots": [{**shot, "filepath": f"b{i}.png", "mode": mode}
-                                                                   for i, mode in enumerate(["lit", "base_color"])]})
+        batch = engine.request(
+            "take_screenshot_batch",
+            {
+                "shots": [
+                    {**shot, "filepath": f"b{i}.png", "mode": mode} for i, mode in enumerate(["lit", "base_color"])
+                ]
+            },
+        )
         assert batch["status"] == "success" and len(batch["results"]) == 2 and batch["missing"] == []
         assert engine.request("take_screenshot_batch", {"shots": [shot] * 17})["fault"] == "BadRequest"
         assert engine.request("take_screenshot", {**shot, "filepath": "/etc/evil.png"})["status"] == "error"
-        views = engine.call("capture.capture_views", folder=str(tmp_path / "s" / "views"), cameras=[
-            {"name": "side", "location_cm": [-400, 0, 100], "target_cm": [0, 0, 50], "fov_deg": 60, "width": 160,
-             "height": 90}])
+        views = engine.call(
+            "capture.capture_views",
+            folder=str(tmp_path / "s" / "views"),
+            cameras=[
+                {
+                    "name": "side",
+                    "location_cm": [-400, 0, 100],
+                    "target_cm": [0, 0, 50],
+                    "fov_deg": 60,
+                    "width": 160,
+                    "height": 90,
+                }
+            ],
+        )
     assert set(views[0]["visible"]) >= {"StaticMeshActor_0", "StaticMeshActor_1"}
     mask = np.load(tmp_path / "s" / "views" / "side.actors.npz")
     centre = mask["actor"][45, 80]

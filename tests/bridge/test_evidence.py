@@ -31,8 +31,15 @@ def look(snapshot: dict[str, Any]) -> list[dict[str, Any]]:
     """One camera in front of the box, made from the snapshot as the evaluator does."""
     box = next(actor for actor in snapshot["actors"] if actor["label"] == "Box")
     x, y, z = box["bounds"]["origin_cm"]
-    return [{"name": "front", "location_cm": [x - 400, y, z + 100], "target_cm": [x, y, z], "fov_deg": 60,
-             "publish": {"width": 160, "height": 90}}]
+    return [
+        {
+            "name": "front",
+            "location_cm": [x - 400, y, z + 100],
+            "target_cm": [x, y, z],
+            "fov_deg": 60,
+            "publish": {"width": 160, "height": 90},
+        }
+    ]
 
 
 def test_everything_is_exported_and_digested(tmp_path: Path, submission: Path) -> None:
@@ -46,8 +53,13 @@ def test_everything_is_exported_and_digested(tmp_path: Path, submission: Path) -
     assert view["camera"]["width"] == 160 and view["visible"]["StaticMeshActor_1"] > 100
     mask = np.load(out / "captures" / view["actors"])
     assert mask["labels"][mask["actor"][45, 80]] == "Box"
-    assert set(read_json(out / "digests.json")) == {"snapshot.json", "dependencies.json", "captures/captures.json",
-                                                    "captures/front.png", "captures/front.actors.npz"}
+    assert set(read_json(out / "digests.json")) == {
+        "snapshot.json",
+        "dependencies.json",
+        "captures/captures.json",
+        "captures/front.png",
+        "captures/front.actors.npz",
+    }
     assert all(digest_file(out / name) == value for name, value in read_json(out / "digests.json").items())
     assert digest_tree(submission) == before
 

@@ -14,8 +14,10 @@ from c4s.engine.session import EngineDied, EngineSession
 STUCK = "import re\nprint('begun')\nre.match(r'(a+)+b', 'a' * 64)"
 """Holds the interpreter's lock for longer than anyone waits."""
 
-HANG_UP = ("import os, socket, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): "
-           "socket.socket(fileno=os.dup(n)).shutdown(2)\n except OSError: pass")
+HANG_UP = (
+    "import os, socket, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): "
+    "socket.socket(fileno=os.dup(n)).shutdown(2)\n except OSError: pass"
+)
 """Cuts the engine's line to its host."""
 
 
@@ -28,17 +30,28 @@ def printed(engine: EngineSession, script: str) -> list[str]:
 
 
 def test_writers_below_python_are_in_the_log_in_order(shared_engine: EngineSession) -> None:
-    script = ("import ctypes, os, sys\nprint('python')\nos.write(1, b'descriptor 1\\n')\n"
-              "os.write(2, b'descriptor 2\\n')\nlibc = ctypes.CDLL(None)\nlibc.puts(b'C library')\nlibc.fflush(None)\n"
-              "print('error', file=sys.stderr)\nlibc.puts(b'left in the buffer of C')")
-    assert printed(shared_engine, script) == ["python", "descriptor 1", "descriptor 2", "C library", "error",
-                                              "left in the buffer of C"]
+    script = (
+        "import ctypes, os, sys\nprint('python')\nos.write(1, b'descriptor 1\\n')\n"
+        "os.write(2, b'descriptor 2\\n')\nlibc = ctypes.CDLL(None)\nlibc.puts(b'C library')\nlibc.fflush(None)\n"
+        "print('error', file=sys.stderr)\nlibc.puts(b'left in the buffer of C')"
+    )
+    assert printed(shared_engine, script) == [
+        "python",
+        "descriptor 1",
+        "descriptor 2",
+        "C library",
+        "error",
+        "left in the buffer of C",
+    ]
 
 
 def test_threads_lose_no_line(shared_engine: EngineSession) -> None:
-    lines = printed(shared_engine, "from threading import Thread\n"
-                    "ts = [Thread(target=lambda n=n: [print(f'{n} {i}\\n', end='') for i in range(2000)])"
-                    " for n in range(8)]\nfor t in ts: t.start()\nfor t in ts: t.join()")
+    lines = printed(
+        shared_engine,
+        "from threading import Thread\n"
+        "ts = [Thread(target=lambda n=n: [print(f'{n} {i}\\n', end='') for i in range(2000)])"
+        " for n in range(8)]\nfor t in ts: t.start()\nfor t in ts: t.join()",
+    )
     assert sorted(lines) == sorted(f"{n} {i}" for n in range(8) for i in range(2000))
 
 
@@ -53,9 +66,15 @@ def test_closed_and_replaced_output_is_whole_again_for_the_next_job(shared_engin
     assert printed(shared_engine, "print('here')") == ["here"]
 
 
-@pytest.mark.parametrize(("end", "name"), [
-    ("import os; os._exit(7)", "exit code 7"), ("import ctypes; ctypes.string_at(1)", "SIGSEGV"),
-    ("import os; os.abort()", "SIG(ABRT|SEGV)"), (HANG_UP, "exit code 1")])
+@pytest.mark.parametrize(
+    ("end", "name"),
+    [
+        ("import os; os._exit(7)", "exit code 7"),
+        ("import ctypes; ctypes.string_at(1)", "SIGSEGV"),
+        ("import os; os.abort()", "SIG(ABRT|SEGV)"),
+        (HANG_UP, "exit code 1"),
+    ],
+)
 def test_what_was_printed_before_a_crash_is_kept_and_told(engine: EngineSession, end: str, name: str) -> None:
     script = f"for i in range(9000): print('line', i)\nprint('last words', end='', flush=True)\n{end}\nwhile True: pass"
     bridge = SocketBridge(Path(str(engine.bridge.address)))
@@ -94,8 +113,10 @@ def test_a_waiting_job_is_abandoned_at_once(engine: EngineSession) -> None:
 
 
 def test_values_that_are_no_json_are_errors_of_their_call(shared_engine: EngineSession) -> None:
-    shared_engine.execute("import c4s.editor.capture as c\nc.odd = lambda v: {'nan': float('nan'), 'set': {1}, "
-                          "'huge': 10 ** 400, 'text': 'a\\ud800b\\n'}[v]")
+    shared_engine.execute(
+        "import c4s.editor.capture as c\nc.odd = lambda v: {'nan': float('nan'), 'set': {1}, "
+        "'huge': 10 ** 400, 'text': 'a\\ud800b\\n'}[v]"
+    )
     assert shared_engine.call("capture.odd", v="text") == "a?b\n"
     for kind in ("nan", "set", "huge"):
         reply = shared_engine.request("call_function", {"function": "capture.odd", "params": {"v": kind}})

@@ -69,18 +69,30 @@ def test_tick_functions_and_threads_leave_no_state(engine: EngineSession) -> Non
     assert taken(engine) == (None, True)
     run(engine, "go.set(); thread.join()")
     settled(engine)
-    run(engine, "import _thread; begun, lock, done = (_thread.allocate_lock() for _ in range(3))\n"
-                "begun.acquire(); lock.acquire(); done.acquire()\n"
-                "def wait():\n    begun.release(); lock.acquire(); done.release()\n"
-                "_thread.start_new_thread(wait, ()); begun.acquire()")
+    run(
+        engine,
+        "import _thread; begun, lock, done = (_thread.allocate_lock() for _ in range(3))\n"
+        "begun.acquire(); lock.acquire(); done.acquire()\n"
+        "def wait():\n    begun.release(); lock.acquire(); done.release()\n"
+        "_thread.start_new_thread(wait, ()); begun.acquire()",
+    )
     assert taken(engine) == (None, True), "a thread that the module threading does not know"
     run(engine, "lock.release(); done.acquire()")
     settled(engine)
 
 
 def test_the_workbench_measures_again_only_then(engine: EngineSession, tmp_path: Path) -> None:
-    case = AgentCase.parse({"case_id": "bench", "setting": "text-to-scene", "prompt": "-", "start_map": "/Temp/None",
-                            "packs": [], "catalog": [], "budget": {"tool_calls": 9, "wall_minutes": 1.0}})
+    case = AgentCase.parse(
+        {
+            "case_id": "bench",
+            "setting": "text-to-scene",
+            "prompt": "-",
+            "start_map": "/Temp/None",
+            "packs": [],
+            "catalog": [],
+            "budget": {"tool_calls": 9, "wall_minutes": 1.0},
+        }
+    )
     bench = Workbench(case, tmp_path, CaseCatalog.load(case, []), engine, tmp_path)
     first = bench.measured()
     assert bench.measured() is first

@@ -14,9 +14,13 @@ from c4s.engine.session import EngineSession
 from c4s.errors import BadInput, MachineryFault
 
 
-@pytest.fixture(scope="module", params=[
-    pytest.param(name, marks=pytest.mark.skipif(fault is not None, reason=f"{name}: {fault}"))
-    for name, fault in sandbox.faults().items()])
+@pytest.fixture(
+    scope="module",
+    params=[
+        pytest.param(name, marks=pytest.mark.skipif(fault is not None, reason=f"{name}: {fault}"))
+        for name, fault in sandbox.faults().items()
+    ],
+)
 def attacked(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> list[attacks.Result]:
     """What became of the attacks that one engine survives."""
     with pytest.MonkeyPatch.context() as patch:
@@ -42,8 +46,9 @@ def test_the_file_system_outside_cannot_be_altered_in_any_way(tmp_path: Path, ba
     outside.write_text("as it was")
     outside.chmod(0o640)
     before = outside.stat()
-    with EngineSession.start(packs=[], content=tmp_path / "content", scratch=tmp_path / "scratch",
-                             use=backend) as engine:
+    with EngineSession.start(
+        packs=[], content=tmp_path / "content", scratch=tmp_path / "scratch", use=backend
+    ) as engine:
         reply = engine.execute(f"""
 import os
 for attack in ('os.chmod(P, 0o777)', 'os.utime(P, (1, 1))', 'os.chown(P, 1, 1)', 'os.unlink(P)', 'os.truncate(P, 0)',
@@ -59,18 +64,24 @@ print(open('renamed').read())""")
 
 
 def test_threads_and_numbers_work_inside(tmp_path: Path, backend: Backend) -> None:
-    with EngineSession.start(packs=[], content=tmp_path / "content", scratch=tmp_path / "scratch",
-                             use=backend) as engine:
-        reply = engine.execute("from concurrent.futures import ThreadPoolExecutor\nimport numpy as np, tempfile\n"
-                               "print(sum(ThreadPoolExecutor(8).map(lambda n: n * n, range(10))), np.eye(3).trace())\n"
-                               "with tempfile.TemporaryFile() as f: print(f.write(b'abc'))")
+    with EngineSession.start(
+        packs=[], content=tmp_path / "content", scratch=tmp_path / "scratch", use=backend
+    ) as engine:
+        reply = engine.execute(
+            "from concurrent.futures import ThreadPoolExecutor\nimport numpy as np, tempfile\n"
+            "print(sum(ThreadPoolExecutor(8).map(lambda n: n * n, range(10))), np.eye(3).trace())\n"
+            "with tempfile.TemporaryFile() as f: print(f.write(b'abc'))"
+        )
     assert reply["result"]["python_logs"] == ["285 3.0", "3"]
 
 
 def test_without_a_sandbox_nothing_starts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sandbox, "faults", lambda: {"bubblewrap": "not installed", "landlock": "no Landlock"})
-    with pytest.raises(MachineryFault, match=r"bubblewrap: not installed; landlock: no Landlock \(install bubblewrap"
-                                             r".*C4S_SANDBOX=none"):
+    with pytest.raises(
+        MachineryFault,
+        match=r"bubblewrap: not installed; landlock: no Landlock \(install bubblewrap"
+        r".*C4S_SANDBOX=none",
+    ):
         EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s")
     assert not (tmp_path / "s.logs" / "engine.log").exists()
 
@@ -104,7 +115,8 @@ def test_the_submission_cannot_be_changed_by_the_evaluator_engine(tmp_path: Path
     content = tmp_path / "content"
     content.mkdir()
     (content / "kept.json").write_text("{}")
-    with EngineSession.start(packs=[], content=content, scratch=tmp_path / "s", use=backend,
-                             content_read_only=True) as engine:
+    with EngineSession.start(
+        packs=[], content=content, scratch=tmp_path / "s", use=backend, content_read_only=True
+    ) as engine:
         reply = engine.execute(f"open({str(content / 'kept.json')!r}, 'w')")
     assert reply["status"] == "error" and [path.name for path in content.iterdir()] == ["kept.json"]

@@ -11,12 +11,48 @@ from c4s.engine.seccomp import filter_program
 
 ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
 ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
-CALLS = {"x86_64": {"read": 0, "openat": 257, "mmap": 9, "socket": 41, "connect": 42, "execve": 59, "clone": 56,
-                    "clone3": 435, "chmod": 90, "symlink": 88, "prlimit64": 302, "kill": 62,
-                    "accept4": 288, "recvmsg": 47, "prctl": 157, "fcntl": 72, "openat2": 437, "memfd_create": 319},
-         "aarch64": {"read": 63, "openat": 56, "mmap": 222, "socket": 198, "connect": 203, "execve": 221, "clone": 220,
-                     "clone3": 435, "chmod": 53, "symlink": 36, "prlimit64": 261, "kill": 129,
-                     "accept4": 242, "recvmsg": 212, "prctl": 167, "fcntl": 25, "openat2": 437, "memfd_create": 279}}
+CALLS = {
+    "x86_64": {
+        "read": 0,
+        "openat": 257,
+        "mmap": 9,
+        "socket": 41,
+        "connect": 42,
+        "execve": 59,
+        "clone": 56,
+        "clone3": 435,
+        "chmod": 90,
+        "symlink": 88,
+        "prlimit64": 302,
+        "kill": 62,
+        "accept4": 288,
+        "recvmsg": 47,
+        "prctl": 157,
+        "fcntl": 72,
+        "openat2": 437,
+        "memfd_create": 319,
+    },
+    "aarch64": {
+        "read": 63,
+        "openat": 56,
+        "mmap": 222,
+        "socket": 198,
+        "connect": 203,
+        "execve": 221,
+        "clone": 220,
+        "clone3": 435,
+        "chmod": 53,
+        "symlink": 36,
+        "prlimit64": 261,
+        "kill": 129,
+        "accept4": 242,
+        "recvmsg": 212,
+        "prctl": 167,
+        "fcntl": 25,
+        "openat2": 437,
+        "memfd_create": 279,
+    },
+}
 
 
 def run(program: bytes, number: int, arch: int, *arguments: int) -> int:

@@ -26,14 +26,41 @@ from c4s.verify.physics import verify_physics
 from c4s.verify.repair import verify_repair
 from c4s.verify.verdict import Verdict
 
-DIMENSIONS = {"global_prompt_alignment": 1.0, "composition_and_layout": 0.5, "style_atmosphere_coherence": 1.0,
-              "completeness_and_polish": 0.25}
-ROWS = [{"node_id": f"n{n}", "semantic_family": family, "clause_index": n, "included": True, "predicate_weight": 1.0,
-         "evaluation_status": "MATCH", "score_known": True, "effective_score": value}
-        for n, (family, value) in enumerate((("content_quantity", 1.0), ("spatial_composition", 0.25),
-                                             ("attributes_materials", 0.3333)))]
-FIELDS = ("case_id", "setting", "configuration", "status", "score", "detailed", "known_coverage", "overview",
-          "physics", "repair_precision", "repair_recall", "repair_f1")
+DIMENSIONS = {
+    "global_prompt_alignment": 1.0,
+    "composition_and_layout": 0.5,
+    "style_atmosphere_coherence": 1.0,
+    "completeness_and_polish": 0.25,
+}
+ROWS = [
+    {
+        "node_id": f"n{n}",
+        "semantic_family": family,
+        "clause_index": n,
+        "included": True,
+        "predicate_weight": 1.0,
+        "evaluation_status": "MATCH",
+        "score_known": True,
+        "effective_score": value,
+    }
+    for n, (family, value) in enumerate(
+        (("content_quantity", 1.0), ("spatial_composition", 0.25), ("attributes_materials", 0.3333))
+    )
+]
+FIELDS = (
+    "case_id",
+    "setting",
+    "configuration",
+    "status",
+    "score",
+    "detailed",
+    "known_coverage",
+    "overview",
+    "physics",
+    "repair_precision",
+    "repair_recall",
+    "repair_f1",
+)
 VALID = Verdict(verifier="integrity", status="valid", policy="c4s.integrity.v1")
 
 
@@ -43,9 +70,19 @@ def store(root: Path, setting: Any, verdicts: dict[str, Verdict], *, submitted: 
         verdict.write(folder.verdict(name))
     kept = 1 if submitted and verdicts["integrity"].status == "valid" else None
     AttemptOutcome(attempt=1, ended_by="finished", submission="/Game/S", submission_sha256="ab").write(
-        folder.attempt(1) / "outcome.json")
-    case_score(case_id="case", setting=setting, configuration="agent", repeat=1, judge="rule", engine="headless",
-               submitted=submitted, verdicts=verdicts, retained_attempt=kept).write(folder.score)
+        folder.attempt(1) / "outcome.json"
+    )
+    case_score(
+        case_id="case",
+        setting=setting,
+        configuration="agent",
+        repeat=1,
+        judge="rule",
+        engine="headless",
+        submitted=submitted,
+        verdicts=verdicts,
+        retained_attempt=kept,
+    ).write(folder.score)
     return folder
 
 
@@ -53,13 +90,18 @@ def store(root: Path, setting: Any, verdicts: dict[str, Verdict], *, submitted: 
 def repair_trial(tmp_path: Path) -> tuple[TrialFolder, Path]:
     made = scenes(40, 10)
     withheld, evidence = tmp_path / "withheld", tmp_path / "agent" / "case" / "r1" / "evidence"
-    paths = {"input": withheld / "input.snapshot.json", "truth": withheld / "truth.snapshot.json",
-             "candidate": evidence / "snapshot.json"}
+    paths = {
+        "input": withheld / "input.snapshot.json",
+        "truth": withheld / "truth.snapshot.json",
+        "candidate": evidence / "snapshot.json",
+    }
     for name, path in paths.items():
         write_json(path, made[name])
-    verdicts = {"integrity": VALID, "physics": verify_physics("image-to-scene/indoor", made["candidate"],
-                                                              made["input"]),
-                "repair": verify_repair(paths["input"], paths["truth"], paths["candidate"])}
+    verdicts = {
+        "integrity": VALID,
+        "physics": verify_physics("image-to-scene/indoor", made["candidate"], made["input"]),
+        "repair": verify_repair(paths["input"], paths["truth"], paths["candidate"]),
+    }
     return store(tmp_path, "image-to-scene/indoor", verdicts), withheld
 
 
@@ -73,12 +115,27 @@ def text_trial(tmp_path: Path) -> TrialFolder:
         (evidence / "captures" / f"overview-{n}.png").write_bytes(b"picture %d" % n)
     made, total = detailed_score(ROWS), overview_score(DIMENSIONS, 0.5, False)
     verdicts = {
-        "integrity": VALID, "physics": verify_physics("text-to-scene", snapshot),
-        "detailed": Verdict(verifier="detailed", status="measured", score=made["score"], policy="p", measurements={
-            "semantic_requirement_aggregation": ROWS, "known_coverage": made["known_coverage"]}),
-        "overview": Verdict(verifier="overview", status="measured", score=total["score"], policy="p", measurements={
-            "dimensions": {name: {"score": value} for name, value in DIMENSIONS.items()},
-            "structural_integrity_score": 0.5, "severe_structural_cap_eligible": False})}
+        "integrity": VALID,
+        "physics": verify_physics("text-to-scene", snapshot),
+        "detailed": Verdict(
+            verifier="detailed",
+            status="measured",
+            score=made["score"],
+            policy="p",
+            measurements={"semantic_requirement_aggregation": ROWS, "known_coverage": made["known_coverage"]},
+        ),
+        "overview": Verdict(
+            verifier="overview",
+            status="measured",
+            score=total["score"],
+            policy="p",
+            measurements={
+                "dimensions": {name: {"score": value} for name, value in DIMENSIONS.items()},
+                "structural_integrity_score": 0.5,
+                "severe_structural_cap_eligible": False,
+            },
+        ),
+    }
     return store(tmp_path, "text-to-scene", verdicts)
 
 
@@ -91,8 +148,12 @@ def same(folder: TrialFolder, bundle: Path) -> TrialScore:
 def test_a_packed_repair_scores_the_same(repair_trial: tuple[TrialFolder, Path], tmp_path: Path) -> None:
     folder, withheld = repair_trial
     manifest = pack_trial(folder, tmp_path / "out", withheld=withheld)
-    assert set(manifest.files) == {"scenes/candidate.scene.json", "scenes/input.scene.json",
-                                   "scenes/ground_truth.scene.json", "physics/physical_safety.json"}
+    assert set(manifest.files) == {
+        "scenes/candidate.scene.json",
+        "scenes/input.scene.json",
+        "scenes/ground_truth.scene.json",
+        "physics/physical_safety.json",
+    }
     score = same(folder, tmp_path / "out")
     assert score.repair_f1 is not None and 0 < score.repair_f1 < 1
     with pytest.raises(BadInput, match="not empty"):
@@ -108,8 +169,13 @@ def test_a_packed_text_case_scores_the_same(text_trial: TrialFolder, tmp_path: P
 
 
 def test_zeros_stay_apart(tmp_path: Path) -> None:
-    broken = Verdict(verifier="integrity", status="invalid", policy="p", reason="unresolved_dependencies: /Game/M",
-                     measurements={"reason_code": "unresolved_dependencies"})
+    broken = Verdict(
+        verifier="integrity",
+        status="invalid",
+        policy="p",
+        reason="unresolved_dependencies: /Game/M",
+        measurements={"reason_code": "unresolved_dependencies"},
+    )
     invalid = store(tmp_path / "a", "image-to-scene/outdoor", {"integrity": broken})
     manifest = pack_trial(invalid, tmp_path / "invalid")
     assert manifest.candidate_integrity is not None
@@ -120,8 +186,9 @@ def test_zeros_stay_apart(tmp_path: Path) -> None:
     assert same(missing, tmp_path / "missing").status == "zero_missing_submission"
 
 
-def test_compressed_files_and_fewer_actors_than_the_minimum(repair_trial: tuple[TrialFolder, Path],
-                                                            tmp_path: Path) -> None:
+def test_compressed_files_and_fewer_actors_than_the_minimum(
+    repair_trial: tuple[TrialFolder, Path], tmp_path: Path
+) -> None:
     folder, withheld = repair_trial
     out = tmp_path / "out"
     pack_trial(folder, out, withheld=withheld)
@@ -139,17 +206,24 @@ def test_compressed_files_and_fewer_actors_than_the_minimum(repair_trial: tuple[
     assert (few.status, few.score) == ("zero_invalid_candidate", 0.0) and few.reason.startswith("minimum_actors")
 
 
-@pytest.mark.parametrize(("change", "said"), [
-    ({"schema_version": "code4scene.bundle.v2"}, "schema_version"), ({"extra": 1}, "extra"),
-    ({"scenes": {"candidate": "../candidate.json"}}, "relative to the bundle"),
-    ({"scenes": {"candidate": "/etc/passwd"}}, "relative to the bundle"),
-    ({"scenes": {"candidate": "C:/scene.json"}}, "relative to the bundle"),
-    ({"scenes": {"candidate": "..\\candidate.json"}}, "relative to the bundle"),
-    ({"scenes": {"candidate": "scenes/candidate.scene.json"}}, "needs scenes.input, scenes.ground_truth"),
-    ({"physics": None}, "needs physics.report"), ({"candidate_integrity": None}, "needs candidate_integrity"),
-    ({"files": {}}, "no digest")])
-def test_malformed_manifests_are_one_line(repair_trial: tuple[TrialFolder, Path], tmp_path: Path,
-                                          change: dict[str, Any], said: str) -> None:
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"schema_version": "code4scene.bundle.v2"}, "schema_version"),
+        ({"extra": 1}, "extra"),
+        ({"scenes": {"candidate": "../candidate.json"}}, "relative to the bundle"),
+        ({"scenes": {"candidate": "/etc/passwd"}}, "relative to the bundle"),
+        ({"scenes": {"candidate": "C:/scene.json"}}, "relative to the bundle"),
+        ({"scenes": {"candidate": "..\\candidate.json"}}, "relative to the bundle"),
+        ({"scenes": {"candidate": "scenes/candidate.scene.json"}}, "needs scenes.input, scenes.ground_truth"),
+        ({"physics": None}, "needs physics.report"),
+        ({"candidate_integrity": None}, "needs candidate_integrity"),
+        ({"files": {}}, "no digest"),
+    ],
+)
+def test_malformed_manifests_are_one_line(
+    repair_trial: tuple[TrialFolder, Path], tmp_path: Path, change: dict[str, Any], said: str
+) -> None:
     folder, withheld = repair_trial
     pack_trial(folder, tmp_path / "out", withheld=withheld)
     path = tmp_path / "out" / "bundle.json"
@@ -173,10 +247,22 @@ def test_changed_and_missing_files_are_refused(repair_trial: tuple[TrialFolder, 
 
 def test_the_command_scores_a_bundle(text_trial: TrialFolder, tmp_path: Path) -> None:
     pack_trial(text_trial, tmp_path / "out")
-    done = subprocess.run([sys.executable, "-m", "c4s.cli", "bundle", "score", str(tmp_path / "out"), "--json"],
-                          env=dict(os.environ), text=True, capture_output=True, timeout=60, check=False)
+    done = subprocess.run(
+        [sys.executable, "-m", "c4s.cli", "bundle", "score", str(tmp_path / "out"), "--json"],
+        env=dict(os.environ),
+        text=True,
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["score"]["score"] == TrialScore.read(text_trial.score).score
-    bad = subprocess.run([sys.executable, "-m", "c4s.cli", "bundle", "score", str(tmp_path)], env=dict(os.environ),
-                         text=True, capture_output=True, timeout=60, check=False)
+    bad = subprocess.run(
+        [sys.executable, "-m", "c4s.cli", "bundle", "score", str(tmp_path)],
+        env=dict(os.environ),
+        text=True,
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
     assert bad.returncode == 2 and bad.stderr.count("\n") == 1

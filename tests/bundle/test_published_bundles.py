@@ -17,22 +17,63 @@ from c4s.files import digest_file
 from tests.verify_repair.repair_scenes import actor, moved, scene, with_actor, without
 
 LEAVES = ("candidate_snapshot_integrity", "content_and_dependency_parity", "asset_library_manifest_parity")
-REPORT = {"report_id": "physical_safety", "status": "measured", "metrics": {"leaf_results": [
-    {"leaf_id": "floating", "report_id": "physical_safety.floating", "status": "measured", "score": 0.2,
-     "metadata": {"score_direction": "lower_is_better"}},
-    {"leaf_id": "solid_penetration", "status": "measured", "score": 0.9,
-     "metadata": {"score_direction": "higher_is_better"}}]}}
-JUDGEMENT = {"status": "measured", "dimension_scores": {
-    "global_prompt_alignment": 1.0, "composition_and_layout": 0.5, "style_atmosphere_coherence": 1.0,
-    "completeness_and_polish": 1.0}, "structural_integrity_score": 1.0, "severe_structural_cap_eligible": False,
-    "recorded_score": 0.875}
-DECISIONS = [{"node_id": name, "semantic_family": family, "clause_index": clause, "effective_score": value,
-              "included": True, "evaluation_status": "MATCH", "predicate_weight": 1.0, "score_known": True,
-              "resolved_by": stage} for name, family, clause, value, stage in (
-    ("a", "content_quantity", 0, 1.0, "stage1"), ("b", "content_quantity", 0, 0.5, "stage3"),
-    ("c", "spatial_composition", 1, 0.0, "stage3"))]
-TRUTH = scene(actor("wall", "Wall", (0, 0, 50)), actor("plant", "Plant", (-300, 0, 50)),
-              actor("chair", "Chair", (100, 0, 50)), actor("globe", "Globe", (700, 0, 50)))
+REPORT = {
+    "report_id": "physical_safety",
+    "status": "measured",
+    "metrics": {
+        "leaf_results": [
+            {
+                "leaf_id": "floating",
+                "report_id": "physical_safety.floating",
+                "status": "measured",
+                "score": 0.2,
+                "metadata": {"score_direction": "lower_is_better"},
+            },
+            {
+                "leaf_id": "solid_penetration",
+                "status": "measured",
+                "score": 0.9,
+                "metadata": {"score_direction": "higher_is_better"},
+            },
+        ]
+    },
+}
+JUDGEMENT = {
+    "status": "measured",
+    "dimension_scores": {
+        "global_prompt_alignment": 1.0,
+        "composition_and_layout": 0.5,
+        "style_atmosphere_coherence": 1.0,
+        "completeness_and_polish": 1.0,
+    },
+    "structural_integrity_score": 1.0,
+    "severe_structural_cap_eligible": False,
+    "recorded_score": 0.875,
+}
+DECISIONS = [
+    {
+        "node_id": name,
+        "semantic_family": family,
+        "clause_index": clause,
+        "effective_score": value,
+        "included": True,
+        "evaluation_status": "MATCH",
+        "predicate_weight": 1.0,
+        "score_known": True,
+        "resolved_by": stage,
+    }
+    for name, family, clause, value, stage in (
+        ("a", "content_quantity", 0, 1.0, "stage1"),
+        ("b", "content_quantity", 0, 0.5, "stage3"),
+        ("c", "spatial_composition", 1, 0.0, "stage3"),
+    )
+]
+TRUTH = scene(
+    actor("wall", "Wall", (0, 0, 50)),
+    actor("plant", "Plant", (-300, 0, 50)),
+    actor("chair", "Chair", (100, 0, 50)),
+    actor("globe", "Globe", (700, 0, 50)),
+)
 START = with_actor(moved(without(TRUTH, "globe"), "chair", 200), actor("box", "Box", (500, 0, 50)))
 FOUND = moved(without(TRUTH, "plant"), "chair", 200)
 
@@ -43,11 +84,23 @@ class Packed:
     def __init__(self, root: Path, setting: str, **files: Any) -> None:
         self.root = root
         self.manifest: dict[str, Any] = {
-            "schema_version": "code4scene.bundle.v1", "task": {"id": "case", "setting": setting}, "files": {},
-            "run": {"model": "model-a", "submission": "submitted", "candidate_sha256": None,
-                    "batch_status": "complete", "authoritative": True},
-            "candidate_integrity": {"status": "valid", "recorded_status": "valid", "failure_reason": None,
-                                    "leaves": dict.fromkeys(LEAVES, "valid")}}
+            "schema_version": "code4scene.bundle.v1",
+            "task": {"id": "case", "setting": setting},
+            "files": {},
+            "run": {
+                "model": "model-a",
+                "submission": "submitted",
+                "candidate_sha256": None,
+                "batch_status": "complete",
+                "authoritative": True,
+            },
+            "candidate_integrity": {
+                "status": "valid",
+                "recorded_status": "valid",
+                "failure_reason": None,
+                "leaves": dict.fromkeys(LEAVES, "valid"),
+            },
+        }
         for path, value in files.items():
             self.add(path, value)
 
@@ -73,8 +126,10 @@ class Packed:
 @pytest.fixture
 def image(tmp_path: Path) -> Packed:
     packed = Packed(tmp_path, "image-to-scene/outdoor")
-    packed.manifest["scenes"] = {name: packed.add(f"scenes/{name}.scene.json", value) for name, value in (
-        ("input", START), ("ground_truth", TRUTH), ("candidate", FOUND))}
+    packed.manifest["scenes"] = {
+        name: packed.add(f"scenes/{name}.scene.json", value)
+        for name, value in (("input", START), ("ground_truth", TRUTH), ("candidate", FOUND))
+    }
     packed.manifest["physics"] = {"report": packed.add("physics/physical_safety.json", REPORT)}
     return packed
 
@@ -85,9 +140,11 @@ def text(tmp_path: Path) -> Packed:
     packed.manifest |= {
         "scenes": {"candidate": packed.add("scenes/candidate.scene.json", scene(actor("crate", "Crate", (0, 0, 10))))},
         "physics": {"report": packed.add("physics/physical_safety.json", REPORT)},
-        "semantic": {"decisions": packed.add("semantic/decisions.json",
-                                             {"report_status": "measured", "decisions": DECISIONS})},
-        "overview": {"judgement": packed.add("overview/judgement.json", JUDGEMENT)}}
+        "semantic": {
+            "decisions": packed.add("semantic/decisions.json", {"report_status": "measured", "decisions": DECISIONS})
+        },
+        "overview": {"judgement": packed.add("overview/judgement.json", JUDGEMENT)},
+    }
     return packed
 
 
@@ -114,8 +171,9 @@ def test_decisions_may_be_a_bare_list(text: Packed) -> None:
     assert text.score().score.detailed == DETAILED
 
 
-@pytest.mark.parametrize("change", [
-    {"semantic": None, "overview": None}, {"semantic": {"decisions": None}, "overview": {"views": None}}])
+@pytest.mark.parametrize(
+    "change", [{"semantic": None, "overview": None}, {"semantic": {"decisions": None}, "overview": {"views": None}}]
+)
 def test_what_a_text_bundle_lacks_is_worth_zero(text: Packed, change: dict[str, Any]) -> None:
     text.manifest |= change
     found = text.score().score
@@ -210,10 +268,18 @@ def test_pictures_of_a_recorded_schedule_are_digested_too(text: Packed) -> None:
     assert "have no paths" in text.refused()
 
 
-@pytest.mark.parametrize(("path", "value"), [
-    ("physics/physical_safety.json", [1]), ("semantic/decisions.json", "x"), ("overview/judgement.json", [1]),
-    ("semantic/decisions.json", {"decisions": {"a": 1}}), ("overview/judgement.json", {"dimension_scores": {}}),
-    ("overview/judgement.json", {"structural_integrity_score": 1}), ("semantic/decisions.json", b"{")])
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        ("physics/physical_safety.json", [1]),
+        ("semantic/decisions.json", "x"),
+        ("overview/judgement.json", [1]),
+        ("semantic/decisions.json", {"decisions": {"a": 1}}),
+        ("overview/judgement.json", {"dimension_scores": {}}),
+        ("overview/judgement.json", {"structural_integrity_score": 1}),
+        ("semantic/decisions.json", b"{"),
+    ],
+)
 def test_evidence_of_another_shape_is_refused(text: Packed, path: str, value: Any) -> None:
     text.add(path, value)
     text.refused()
@@ -242,8 +308,9 @@ def test_labels_may_be_numbers_and_empty_sections_of_any_kind(image: Packed) -> 
 @pytest.mark.parametrize("written", ["./{}", "{}/", "scenes\\{name}", "scenes//{name}"])
 def test_paths_are_read_in_their_plain_form(image: Packed, written: str) -> None:
     plain = image.score().score.score
-    image.manifest["scenes"] = {role: written.format(path, name=path.partition("/")[2])
-                                for role, path in image.manifest["scenes"].items()}
+    image.manifest["scenes"] = {
+        role: written.format(path, name=path.partition("/")[2]) for role, path in image.manifest["scenes"].items()
+    }
     assert image.score().score.score == plain
 
 

@@ -27,10 +27,17 @@ A, B = "/Game/P/SM_A.SM_A", "/Game/P/SM_B.SM_B"
 
 
 def actor(name: str, mesh: str = A, place: Transform | None = None) -> LevelActor:
-    component = LevelComponent(name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=mesh,
-                               materials={0: "/Game/P/M.M"})
-    return LevelActor(name=name, label=name, class_path=STATIC_MESH_ACTOR, guid=guid_of(name), components=[component],
-                      transform=place or Transform())
+    component = LevelComponent(
+        name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=mesh, materials={0: "/Game/P/M.M"}
+    )
+    return LevelActor(
+        name=name,
+        label=name,
+        class_path=STATIC_MESH_ACTOR,
+        guid=guid_of(name),
+        components=[component],
+        transform=place or Transform(),
+    )
 
 
 @pytest.fixture()
@@ -48,10 +55,11 @@ def test_each_kind_changes_what_it_says_and_nothing_else(author: Author) -> None
     before = {actor.name: actor for actor in author.level.actors}
     assert set(before) - set(changed(author, author.removal("SM_A_1"))) == {"SM_A_1"}
     for change, check in (
-            (author.move("SM_A_1", by_cm=(1, 2, 3)), lambda t: t.location_cm == (1, 2, 3)),
-            (author.rotate("SM_A_1", 270), lambda t: t.rotation_deg == (0, -90, 0)),
-            (author.rescale("SM_A_1", 2.0), lambda t: t.scale == (2, 2, 2)),
-            (author.mirror("SM_A_1", "x"), lambda t: t.scale == (-1, 1, 1))):
+        (author.move("SM_A_1", by_cm=(1, 2, 3)), lambda t: t.location_cm == (1, 2, 3)),
+        (author.rotate("SM_A_1", 270), lambda t: t.rotation_deg == (0, -90, 0)),
+        (author.rescale("SM_A_1", 2.0), lambda t: t.scale == (2, 2, 2)),
+        (author.mirror("SM_A_1", "x"), lambda t: t.scale == (-1, 1, 1)),
+    ):
         after = changed(author, change)
         assert check(after["SM_A_1"].transform), change.kind
         assert {n: a for n, a in after.items() if n != "SM_A_1"} == {n: a for n, a in before.items() if n != "SM_A_1"}
@@ -71,11 +79,21 @@ def test_spawned_actors_look_like_the_others_and_copies_keep_their_materials(aut
 
 
 def test_a_recipe_survives_its_published_form(author: Author) -> None:
-    changes = [author.removal("SM_A_1"), author.duplication("SM_B_1", (1, 2, 3)), author.replacement("SM_A_3", B),
-               author.mirror("SM_B_1")]
-    recipe = Recipe(case_id="c", setting="image-to-scene/indoor", scene_id="scene", source_map="/Game/T",
-                    ground_truth_map="/Game/T", input_map="/Game/In",
-                    operations=[o for change in changes for o in change.operations])
+    changes = [
+        author.removal("SM_A_1"),
+        author.duplication("SM_B_1", (1, 2, 3)),
+        author.replacement("SM_A_3", B),
+        author.mirror("SM_B_1"),
+    ]
+    recipe = Recipe(
+        case_id="c",
+        setting="image-to-scene/indoor",
+        scene_id="scene",
+        source_map="/Game/T",
+        ground_truth_map="/Game/T",
+        input_map="/Game/In",
+        operations=[o for change in changes for o in change.operations],
+    )
     plain = recipe.plain()
     assert [o["op"] for o in plain["operations"]] == ["remove_actor", "spawn_actor", "set_static_mesh", "set_transform"]
     assert plain["operations"][1]["from"] == {"static_mesh": B} and "location_cm" not in plain["operations"][3]
@@ -116,18 +134,25 @@ def _change(author: Author, kind: str, name: str) -> Corruption:
 
 
 def test_wrong_changes_are_refused(author: Author) -> None:
-    for wrong in (lambda: author.removal("SM_Z_9"), lambda: author.replacement("SM_A_1", A),
-                  lambda: changed(author, author.removal("SM_A_1"), author.rotate("SM_A_1", 20))):
+    for wrong in (
+        lambda: author.removal("SM_Z_9"),
+        lambda: author.replacement("SM_A_1", A),
+        lambda: changed(author, author.removal("SM_A_1"), author.rotate("SM_A_1", 20)),
+    ):
         with pytest.raises(BadInput):
             wrong()
 
 
 @pytest.mark.parametrize("changes", [["move_little"], [], ["remove_and_add_one_look"]])
 def test_cases_that_cannot_be_scored_fairly_are_refused(author: Author, changes: list[str]) -> None:
-    made = {"move_little": author.move("SM_A_1", by_cm=(3, 0, 0)),
-            "remove_and_add_one_look": Corruption("removal", (
-                *author.removal("SM_A_1").operations, *author.duplication("SM_A_3", (90, 0, 0)).operations))}
-    case = RepairCase("c", "scene", "t", [made[name] for name in changes], "Layout", "easy",
-                      [View("v", (0, 0, 0), (1, 0, 0))])
+    made = {
+        "move_little": author.move("SM_A_1", by_cm=(3, 0, 0)),
+        "remove_and_add_one_look": Corruption(
+            "removal", (*author.removal("SM_A_1").operations, *author.duplication("SM_A_3", (90, 0, 0)).operations)
+        ),
+    }
+    case = RepairCase(
+        "c", "scene", "t", [made[name] for name in changes], "Layout", "easy", [View("v", (0, 0, 0), (1, 0, 0))]
+    )
     with pytest.raises(BadInput, match="c: "):
         check_repair(case, author.level, apply(author.level, case.operations, "/Game/In"))

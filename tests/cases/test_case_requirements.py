@@ -21,10 +21,10 @@ def test_every_span_equals_the_prompt_and_every_reference_resolves(case: TextCas
     nodes = {node["id"]: node for node in made["graph"]["nodes"]}
     assert len(nodes) == len(made["graph"]["nodes"])
     for node in nodes.values():
-        assert prompt[node["source_span"]["start"]:node["source_span"]["end"]] == node["text"]
+        assert prompt[node["source_span"]["start"] : node["source_span"]["end"]] == node["text"]
         for qualifier in node.get("semantic_parameters", {}).get("qualifiers", []):
             span = qualifier["source_span"]
-            assert prompt[span["start"]:span["end"]] == qualifier["source_text"]
+            assert prompt[span["start"] : span["end"]] == qualifier["source_text"]
     assert all(edge["source_id"] in nodes and edge["target_id"] in nodes for edge in made["graph"]["edges"])
     scored = [edge for edge in made["graph"]["edges"] if edge.get("role") == "scored_facet"]
     assert sum(edge["weight_fraction"] for edge in scored) == pytest.approx(1)
@@ -38,14 +38,17 @@ def test_starter_texts_ask_for_all_families_and_for_enough(case: TextCase) -> No
     assert 40 <= len(case.requirements.predicates) <= 92
 
 
-@pytest.mark.parametrize(("wrong", "what"), [
-    (Predicate("existence", "x", "a purple submarine", "farm"), "does not hold"),
-    (Predicate("existence", "x", "poplars", "nobody"), "no entity"),
-    (Predicate("existence", "x", "poplars", "farm", reference="nobody"), "no entity"),
-    (Predicate("quantity", "x", "four cows", "cows"), "without a quantity"),
-    (Predicate("spatial_relation", "x", "poplars", "farm"), "without a relation"),
-    (Predicate("attribute", "x", "four cows", "cows", qualifiers=(("color", "blue"),)), "does not hold"),
-])
+@pytest.mark.parametrize(
+    ("wrong", "what"),
+    [
+        (Predicate("existence", "x", "a purple submarine", "farm"), "does not hold"),
+        (Predicate("existence", "x", "poplars", "nobody"), "no entity"),
+        (Predicate("existence", "x", "poplars", "farm", reference="nobody"), "no entity"),
+        (Predicate("quantity", "x", "four cows", "cows"), "without a quantity"),
+        (Predicate("spatial_relation", "x", "poplars", "farm"), "without a relation"),
+        (Predicate("attribute", "x", "four cows", "cows", qualifiers=(("color", "blue"),)), "does not hold"),
+    ],
+)
 def test_an_ungrounded_requirement_is_refused(wrong: Predicate, what: str) -> None:
     case = farm_text()
     spec = replace(case.requirements, predicates=[*case.requirements.predicates, wrong])

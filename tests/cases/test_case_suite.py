@@ -41,12 +41,21 @@ def small() -> SuiteDefinition:
     author = Author(scene.level, "paddock")
     cow = next(name for name in author.actors if name.startswith("SM_Cow"))
     view = orbit("reference", (0, 0, 60), distance_cm=900, yaw_deg=80, width=160, height=90)
-    repair = RepairCase("paddock-cow", "paddock", "A cow turned round", [author.rotate(cow, 90), author.mirror(cow)],
-                        "Transform", "easy", [view])
-    spec = RequirementSpec([Entity("cows", "two cows", ("cow",), collection=True)],
-                           [Predicate("existence", "cows", "two cows", "cows")])
-    text = TextCase("paddock-text", "paddock", "Paddock", TEXT, spec, 20.0, "easy",
-                    ground=[farm_scene.PATHS["GrassTile"]])
+    repair = RepairCase(
+        "paddock-cow",
+        "paddock",
+        "A cow turned round",
+        [author.rotate(cow, 90), author.mirror(cow)],
+        "Transform",
+        "easy",
+        [view],
+    )
+    spec = RequirementSpec(
+        [Entity("cows", "two cows", ("cow",), collection=True)], [Predicate("existence", "cows", "two cows", "cows")]
+    )
+    text = TextCase(
+        "paddock-text", "paddock", "Paddock", TEXT, spec, 20.0, "easy", ground=[farm_scene.PATHS["GrassTile"]]
+    )
     return SuiteDefinition("small", "Small", "", ["c4s-farm"], [scene], [repair, text])
 
 
@@ -69,8 +78,10 @@ def _check_repair(folder: SuiteFolder) -> None:
     assert agent.budget.tool_calls == 80 and agent.start_map == "/Game/Code4SceneInputs/paddock-cow/Input"
     picture = folder.agent("paddock-cow") / agent.reference_views[0]
     assert picture.read_bytes().startswith(b"\x89PNG")
-    truth, given = (json.loads((folder.withheld("paddock-cow") / f"{name}.snapshot.json").read_text())["actors"]
-                    for name in ("truth", "input"))
+    truth, given = (
+        json.loads((folder.withheld("paddock-cow") / f"{name}.snapshot.json").read_text())["actors"]
+        for name in ("truth", "input")
+    )
     different = [a["label"] for a, b in zip(truth, given, strict=True) if a["transform"] != b["transform"]]
     assert len(different) == 1 and different[0].startswith("SM_Cow")
     recipe = Recipe.read(folder.withheld("paddock-cow") / "recipe.json")
@@ -82,6 +93,7 @@ def _check_repair(folder: SuiteFolder) -> None:
 
 def small_level_with_ids(folder: SuiteFolder) -> list:
     from c4s.scene.level import Level
+
     return Level.read(folder.withheld("paddock-cow") / "truth.level.json").actors
 
 
@@ -98,10 +110,12 @@ def _check_text(folder: SuiteFolder) -> None:
 def test_unusable_definitions_are_refused(packs: Path, tmp_path: Path) -> None:
     good = small()
     repair = good.cases[0]
-    for wrong in (SuiteDefinition("s", "", "", ["c4s-farm"], good.scenes, [repair, repair]),
-                  SuiteDefinition("s", "", "", ["c4s-farm"], [], [repair]),
-                  SuiteDefinition("s", "", "", ["no-such-pack"], good.scenes, [repair]),
-                  SuiteDefinition("s", "", "", [], good.scenes, [repair])):
+    for wrong in (
+        SuiteDefinition("s", "", "", ["c4s-farm"], good.scenes, [repair, repair]),
+        SuiteDefinition("s", "", "", ["c4s-farm"], [], [repair]),
+        SuiteDefinition("s", "", "", ["no-such-pack"], good.scenes, [repair]),
+        SuiteDefinition("s", "", "", [], good.scenes, [repair]),
+    ):
         with pytest.raises(BadInput):
             build_suite(wrong, tmp_path / "bad", packs, lambda line: None)
     assert not list(tmp_path.iterdir())
@@ -116,7 +130,15 @@ def test_the_outdoor_cases_cover_every_kind_of_change_and_apply() -> None:
     repairs = [case for case in made if isinstance(case, RepairCase)]
     assert len(repairs) == 6 and len(made) == 8
     assert {kind for case in repairs for kind in case.kinds} == {
-        "removal", "insertion", "duplication", "replacement", "move", "rotate", "rescale", "mirror"}
+        "removal",
+        "insertion",
+        "duplication",
+        "replacement",
+        "move",
+        "rotate",
+        "rescale",
+        "mirror",
+    }
     assert max(len(case.kinds) for case in repairs) == 5
     for case in repairs:
         level = next(s.level for s in known if s.scene_id == case.scene_id)

@@ -15,10 +15,18 @@ from cases.importers.run import import_scene
 from cases.model import RepairCase
 
 TABLE = "actor,asset,x,y,z,roll,pitch,yaw\n" + "".join(
-    f"{name},{asset}.obj,{x},{y},{z},0,0,0\n" for name, asset, x, y, z in (
-        ("ground", "ground", 0, 0, -0.5), ("crate_a", "crate", -3, 0, 0.501), ("crate_b", "crate", 0, 0, 0.501),
-        ("crate_c", "crate", 3, 0, 0.501), ("post_a", "post", 0, 3, 0.501), ("post_b", "post", 3, 3, 0.501),
-        ("hung", "post", -3, 3, 4.0), ("sunk", "post", -3, -3, 0.2)))
+    f"{name},{asset}.obj,{x},{y},{z},0,0,0\n"
+    for name, asset, x, y, z in (
+        ("ground", "ground", 0, 0, -0.5),
+        ("crate_a", "crate", -3, 0, 0.501),
+        ("crate_b", "crate", 0, 0, 0.501),
+        ("crate_c", "crate", 3, 0, 0.501),
+        ("post_a", "post", 0, 3, 0.501),
+        ("post_b", "post", 3, 3, 0.501),
+        ("hung", "post", -3, 3, 4.0),
+        ("sunk", "post", -3, -3, 0.2),
+    )
+)
 
 
 @pytest.fixture(scope="module")
@@ -35,8 +43,7 @@ def yard(tmp_path_factory: pytest.TempPathFactory) -> tuple[Level, Path, list[Th
 
 
 def test_only_things_that_stand_and_fit_are_changed(yard: tuple[Level, Path, list[Thing]]) -> None:
-    assert [thing.name for thing in yard[2]] == [
-        "crate_a", "crate_b", "crate_c", "post_a", "post_b"]
+    assert [thing.name for thing in yard[2]] == ["crate_a", "crate_b", "crate_c", "post_a", "post_b"]
 
 
 def test_cases_follow_from_the_seed_and_can_be_solved(yard: tuple[Level, Path, list[Thing]]) -> None:

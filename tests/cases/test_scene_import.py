@@ -70,8 +70,16 @@ def test_an_sdf_world_comes_in_actor_by_actor(world: Path, tmp_path: Path) -> No
     report = import_scene(world, "tiny", suites=tmp_path / "suites", packs=tmp_path / "packs")
     level = Level.read(Path(report["level"]))
     actors = {actor.name: actor for actor in level.actors}
-    assert set(actors) == {"crate_1", "crate_2", "room_chair_minus1", "room_chair_1", "room_wall", "Light_lamp",
-                           "Light_Sun", "Light_Sky"}
+    assert set(actors) == {
+        "crate_1",
+        "crate_2",
+        "room_chair_minus1",
+        "room_chair_1",
+        "room_wall",
+        "Light_lamp",
+        "Light_Sun",
+        "Light_Sky",
+    }
     assert actors["crate_1"].transform.location_cm == pytest.approx((100, -200, 0), abs=0.01)
     assert actors["crate_1"].transform.rotation_deg == pytest.approx((0, -90, 0), abs=0.01)
     assert actors["room_chair_minus1"].transform.location_cm == pytest.approx((900, 100, 0), abs=0.01)
@@ -104,11 +112,18 @@ def test_importing_twice_gives_the_same_level(world: Path, tmp_path: Path) -> No
     assert Path(one["level"]).read_bytes() == Path(two["level"]).read_bytes()
 
 
-@pytest.mark.parametrize(("name", "text", "said"), [
-    ("a.world", "<sdf><world>", "not valid XML"), ("a.world", "<robot/>", "no SDF world"),
-    ("a.world", "<!DOCTYPE a [<!ENTITY b 'c'>]><sdf/>", "no entities"), ("a.blend", "", "no importer"),
-    ("a.csv", "actor,asset\na,b\n", "no column 'grid_x'"), ("a.glb", "glTF", "cannot read"),
-    ("a.world", "<sdf><world name='w'/></sdf>", "no actor")])
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("a.world", "<sdf><world>", "not valid XML"),
+        ("a.world", "<robot/>", "no SDF world"),
+        ("a.world", "<!DOCTYPE a [<!ENTITY b 'c'>]><sdf/>", "no entities"),
+        ("a.blend", "", "no importer"),
+        ("a.csv", "actor,asset\na,b\n", "no column 'grid_x'"),
+        ("a.glb", "glTF", "cannot read"),
+        ("a.world", "<sdf><world name='w'/></sdf>", "no actor"),
+    ],
+)
 def test_bad_scene_files_are_bad_input(tmp_path: Path, name: str, text: str, said: str) -> None:
     (tmp_path / name).write_text(text)
     with pytest.raises(BadInput, match=said):
@@ -143,9 +158,13 @@ def test_place_tells_a_shear() -> None:
 
 
 @here
-@pytest.mark.parametrize(("file", "table", "expected_missing"), [
-    ("aws-small-warehouse/worlds/no_roof_small_warehouse.world", "instances_no_roof_small_warehouse.csv", 0),
-    ("osrf-servicesim-office/worlds/example.world", "instances.csv", 14)])
+@pytest.mark.parametrize(
+    ("file", "table", "expected_missing"),
+    [
+        ("aws-small-warehouse/worlds/no_roof_small_warehouse.world", "instances_no_roof_small_warehouse.csv", 0),
+        ("osrf-servicesim-office/worlds/example.world", "instances.csv", 14),
+    ],
+)
 def test_real_worlds_stand_where_their_tables_say(file: str, table: str, expected_missing: int, tmp_path: Path) -> None:
     """The tables list door leaves and frames whose mesh files were never published: they alone are missing."""
     report = import_scene(SCENES / file, "real", suites=tmp_path / "suites", packs=tmp_path / "packs")
@@ -168,12 +187,19 @@ def test_real_worlds_stand_where_their_tables_say(file: str, table: str, expecte
 
 @here
 def test_lost_meshes_of_the_office_can_be_replaced_by_parts_that_are_there(tmp_path: Path) -> None:
-    parts = {"door/meshes/door_frame.obj": "door/meshes/door.obj#Door_Frame",
-             "door/meshes/door_door.obj": "door/meshes/door.obj#Door,Door_Handle",
-             "cubicle_wall/meshes/cubicle_closed.obj": "cubicle_wall/meshes/cubicle_wall.obj#closed"}
-    report = import_scene(SCENES / "osrf-servicesim-office/worlds/example.world", "whole", suites=tmp_path / "suites",
-                          packs=tmp_path / "packs", without=["*Cubicle*", "ceiling"],
-                          replace=[f"model://{lost}=model://{there}" for lost, there in parts.items()])
+    parts = {
+        "door/meshes/door_frame.obj": "door/meshes/door.obj#Door_Frame",
+        "door/meshes/door_door.obj": "door/meshes/door.obj#Door,Door_Handle",
+        "cubicle_wall/meshes/cubicle_closed.obj": "cubicle_wall/meshes/cubicle_wall.obj#closed",
+    }
+    report = import_scene(
+        SCENES / "osrf-servicesim-office/worlds/example.world",
+        "whole",
+        suites=tmp_path / "suites",
+        packs=tmp_path / "packs",
+        without=["*Cubicle*", "ceiling"],
+        replace=[f"model://{lost}=model://{there}" for lost, there in parts.items()],
+    )
     assert {row["reason"] for row in report["skipped"]} == {"animated people are not part of a still scene"}
     assert report["actors"] + report["left_out"] == 314
     names = {actor.name for actor in Level.read(Path(report["level"])).actors}
@@ -181,13 +207,17 @@ def test_lost_meshes_of_the_office_can_be_replaced_by_parts_that_are_there(tmp_p
 
 
 @here
-def test_the_city_builder_sample_comes_in_by_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
-                                                         capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_city_builder_sample_comes_in_by_the_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setenv("C4S_HOME", str(tmp_path))
     table = SCENES / "kenney-city-builder-sample" / "instances.csv"
     with pytest.raises(SystemExit) as stop:
-        boundary(lambda: app(["suite", "import-scene", str(table), "--out", "city", "--scale", "8", "--json"],
-                             standalone_mode=False))
+        boundary(
+            lambda: app(
+                ["suite", "import-scene", str(table), "--out", "city", "--scale", "8", "--json"], standalone_mode=False
+            )
+        )
     assert stop.value.code in (0, None)
     report = json.loads(capsys.readouterr().out)
     assert report["actors"] == 122 and report["assets"] == 15 and report["skipped"] == []

@@ -19,9 +19,16 @@ class Gltf:
 
     def __init__(self) -> None:
         self.data = b""
-        self.tree: dict[str, Any] = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
-                                     "nodes": [{"mesh": 0, "name": "thing"}], "meshes": [], "accessors": [],
-                                     "bufferViews": [], "buffers": []}
+        self.tree: dict[str, Any] = {
+            "asset": {"version": "2.0"},
+            "scene": 0,
+            "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0, "name": "thing"}],
+            "meshes": [],
+            "accessors": [],
+            "bufferViews": [],
+            "buffers": [],
+        }
 
     def view(self, data: bytes, **more: Any) -> int:
         """Number of a buffer view of these bytes."""
@@ -34,8 +41,15 @@ class Gltf:
         """Number of an accessor of these values, one row an element."""
         rows = np.asarray(values, kind)
         rows = rows.reshape(len(rows), -1)
-        self.tree["accessors"].append({"bufferView": self.view(rows.tobytes()), "componentType": KINDS[kind],
-                                       "count": len(rows), "type": SHAPES[rows.shape[1]], **more})
+        self.tree["accessors"].append(
+            {
+                "bufferView": self.view(rows.tobytes()),
+                "componentType": KINDS[kind],
+                "count": len(rows),
+                "type": SHAPES[rows.shape[1]],
+                **more,
+            }
+        )
         return len(self.tree["accessors"]) - 1
 
     def mesh(self, *primitives: dict[str, Any], **more: Any) -> int:
@@ -48,8 +62,11 @@ class Gltf:
         import trimesh
 
         made = trimesh.creation.box(extents=size)
-        return {"attributes": {"POSITION": self.accessor(made.vertices)},
-                "indices": self.accessor(np.asarray(made.faces).reshape(-1, 1), "uint16"), **more}
+        return {
+            "attributes": {"POSITION": self.accessor(made.vertices)},
+            "indices": self.accessor(np.asarray(made.faces).reshape(-1, 1), "uint16"),
+            **more,
+        }
 
     def write(self, path: Path) -> Path:
         """Write the file: GLB by its ending, else with the buffer inline."""
@@ -59,11 +76,20 @@ class Gltf:
             text = json.dumps(tree).encode()
             text += b" " * (-len(text) % 4)
             data = self.data + b"\0" * (-len(self.data) % 4)
-            path.write_bytes(struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(data)) + struct.pack(
-                "<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data)
+            path.write_bytes(
+                struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(data))
+                + struct.pack("<I4s", len(text), b"JSON")
+                + text
+                + struct.pack("<I4s", len(data), b"BIN\0")
+                + data
+            )
         else:
             if self.data:
-                tree["buffers"] = [{"byteLength": len(self.data), "uri": "data:application/octet-stream;base64,"
-                                    + base64.b64encode(self.data).decode()}]
+                tree["buffers"] = [
+                    {
+                        "byteLength": len(self.data),
+                        "uri": "data:application/octet-stream;base64," + base64.b64encode(self.data).decode(),
+                    }
+                ]
             path.write_text(json.dumps(tree))
         return path

@@ -63,15 +63,22 @@ class Engine:
     def __init__(self, pack: Path, content: Path, path: str, scale: tuple[float, float, float] = (1, 1, 1)) -> None:
         self.unreal = boot([pack], content)
         self.actor = self.unreal.EditorLevelLibrary.spawn_actor_from_object(
-            self.unreal.load_asset(path), self.unreal.Vector(0, 0, 0))
+            self.unreal.load_asset(path), self.unreal.Vector(0, 0, 0)
+        )
         self.actor.set_actor_scale3d(self.unreal.Vector(*map(float, scale)))
         self.world = self.unreal.EditorLevelLibrary.get_editor_world()
 
     def ray(self, start: Any, end: Any, triangles: bool = False) -> float | None:
         unreal = self.unreal
         hit = unreal.SystemLibrary.line_trace_single(
-            self.world, unreal.Vector(*map(float, start)), unreal.Vector(*map(float, end)),
-            unreal.TraceTypeQuery.TRACE_TYPE_QUERY1, triangles, [], unreal.DrawDebugTrace.NONE)
+            self.world,
+            unreal.Vector(*map(float, start)),
+            unreal.Vector(*map(float, end)),
+            unreal.TraceTypeQuery.TRACE_TYPE_QUERY1,
+            triangles,
+            [],
+            unreal.DrawDebugTrace.NONE,
+        )
         return None if hit is None else float(hit.to_tuple()[3])
 
     def disagreement(self, asset: Asset, count: int = 300) -> float:
@@ -84,15 +91,18 @@ class Engine:
             way = (end - start) / np.linalg.norm(end - start) * 2 * size
             simple, full = self.ray(start - way, end + way), self.ray(start - way, end + way, True)
             wrong += (simple is None) != (full is None) or (
-                simple is not None and full is not None and abs(simple - full) > 0.02 * size)
+                simple is not None and full is not None and abs(simple - full) > 0.02 * size
+            )
         return wrong / count
 
 
 @needs_packs
-@pytest.mark.parametrize(("pack", "name", "most"), [("kaykit-city-builder", "bench", 6),
-                                                    ("kaykit-prototype", "Primitive_Doorway", 6)])
-def test_convex_parts_leave_the_hole_open_where_a_hull_fills_it(source: Path, tmp_path: Path, home: Path, pack: str,
-                                                                name: str, most: int) -> None:
+@pytest.mark.parametrize(
+    ("pack", "name", "most"), [("kaykit-city-builder", "bench", 6), ("kaykit-prototype", "Primitive_Doorway", 6)]
+)
+def test_convex_parts_leave_the_hole_open_where_a_hull_fills_it(
+    source: Path, tmp_path: Path, home: Path, pack: str, name: str, most: int
+) -> None:
     take(source, pack, name)
     wrong = {}
     for how in ("asset", "decompose"):
@@ -112,8 +122,9 @@ def test_convex_parts_leave_the_hole_open_where_a_hull_fills_it(source: Path, tm
 
 
 @needs_packs
-def test_a_second_build_takes_the_parts_from_the_cache(source: Path, tmp_path: Path, home: Path,
-                                                       monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_second_build_takes_the_parts_from_the_cache(
+    source: Path, tmp_path: Path, home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     take(source, "kaykit-prototype", "Primitive_Doorway")
     first = ingest(source, "one", tmp_path / "packs", hulls="decompose")
     kept = list((home / "cache" / "convex").glob("*.npz"))
@@ -130,15 +141,37 @@ def test_a_second_build_takes_the_parts_from_the_cache(source: Path, tmp_path: P
 
 def test_the_command_takes_a_choice_for_each_file(source: Path, home: Path) -> None:
     for name in ("bench_long", "crate", "lamp"):
-        legs = trimesh.util.concatenate([trimesh.creation.box(extents=(0.1, 0.5, 0.5), transform=trimesh.transformations
-                                                              .translation_matrix([x, 0.25, 0])) for x in (-0.5, 0.5)])
+        legs = trimesh.util.concatenate(
+            [
+                trimesh.creation.box(
+                    extents=(0.1, 0.5, 0.5), transform=trimesh.transformations.translation_matrix([x, 0.25, 0])
+                )
+                for x in (-0.5, 0.5)
+            ]
+        )
         legs.export(source / f"{name}.glb")
-    run = CliRunner().invoke(app, ["catalog", "build", str(source), "--out", "mix", "--hulls-of", "bench*=decompose",
-                                   "--hulls-of", "lamp=none", "--json"])
+    run = CliRunner().invoke(
+        app,
+        [
+            "catalog",
+            "build",
+            str(source),
+            "--out",
+            "mix",
+            "--hulls-of",
+            "bench*=decompose",
+            "--hulls-of",
+            "lamp=none",
+            "--json",
+        ],
+    )
     assert run.exit_code == 0, run.output
     made = assets(home / "packs", "mix")
     assert {name: (asset.collision_source, len(asset.collision)) for name, asset in made.items()} == {
-        "bench_long": ("decomposition", 2), "crate": ("hull", 1), "lamp": ("none", 0)}
+        "bench_long": ("decomposition", 2),
+        "crate": ("hull", 1),
+        "lamp": ("none", 0),
+    }
     assert HullChoice.parse("asset", ["*=piece", "a/b*=node"]).how("a/bench.glb") == "node"
     with pytest.raises(BadInput, match="rule"):
         HullChoice.parse("asset", ["bench=cut"])
@@ -175,6 +208,7 @@ def test_a_mesh_has_a_limit_for_all_its_pieces_together(monkeypatch: pytest.Monk
 
 # what files bring
 
+
 def scene_of(path: Path, shapes: dict[str, tuple[trimesh.Trimesh, Any]]) -> None:
     scene = trimesh.Scene()
     for name, (mesh, matrix) in shapes.items():
@@ -189,14 +223,29 @@ def matrix(move: Any = (0, 0, 0), turn: float = 0.0, scale: Any = (1, 1, 1)) -> 
 
 
 def test_nodes_named_for_unreal_become_its_bodies_and_are_never_shown(source: Path, tmp_path: Path) -> None:
-    scene_of(source / "thing.glb", {
-        "thing": (trimesh.creation.box(extents=(4, 0.1, 4)), matrix((0, 3, 0))),
-        "UBX_thing_00": (trimesh.creation.box(extents=(1, 2, 3)), matrix((1, 0, 0), 0.5)),
-        "USP_thing": (trimesh.creation.icosphere(subdivisions=2, radius=0.5), matrix((0, 2, 0))),
-        "ucp_thing_01": (trimesh.creation.capsule(radius=0.25, height=1.0).apply_transform(
-            trimesh.transformations.rotation_matrix(np.pi / 2, [1, 0, 0])), matrix((0, 0, 5))),
-        "UCX_thing_02": (trimesh.util.concatenate([trimesh.creation.box(extents=(1, 1, 1)), trimesh.creation.box(
-            transform=matrix((3, 0, 0)), extents=(1, 1, 1))]), matrix((0, -3, 0)))})
+    scene_of(
+        source / "thing.glb",
+        {
+            "thing": (trimesh.creation.box(extents=(4, 0.1, 4)), matrix((0, 3, 0))),
+            "UBX_thing_00": (trimesh.creation.box(extents=(1, 2, 3)), matrix((1, 0, 0), 0.5)),
+            "USP_thing": (trimesh.creation.icosphere(subdivisions=2, radius=0.5), matrix((0, 2, 0))),
+            "ucp_thing_01": (
+                trimesh.creation.capsule(radius=0.25, height=1.0).apply_transform(
+                    trimesh.transformations.rotation_matrix(np.pi / 2, [1, 0, 0])
+                ),
+                matrix((0, 0, 5)),
+            ),
+            "UCX_thing_02": (
+                trimesh.util.concatenate(
+                    [
+                        trimesh.creation.box(extents=(1, 1, 1)),
+                        trimesh.creation.box(transform=matrix((3, 0, 0)), extents=(1, 1, 1)),
+                    ]
+                ),
+                matrix((0, -3, 0)),
+            ),
+        },
+    )
     report = ingest(source, "own", tmp_path / "packs", hulls="decompose")
     asset = assets(tmp_path / "packs", "own")["thing"]
     assert asset.collision_source == "authored" and not [n for n in report["notes"] if n["file"]]
@@ -216,15 +265,21 @@ def test_nodes_named_for_unreal_become_its_bodies_and_are_never_shown(source: Pa
     assert engine.ray((0, 500, 500), (0, 500, -500)) == pytest.approx(425, abs=1)
     setup = engine.actor.static_mesh_component.static_mesh.get_editor_property("body_setup")
     geometry = setup.get_editor_property("agg_geom")
-    assert [len(geometry.get_editor_property(name)) for name in ("box_elems", "sphere_elems", "sphyl_elems",
-                                                                 "convex_elems")] == [1, 1, 1, 2]
+    assert [
+        len(geometry.get_editor_property(name)) for name in ("box_elems", "sphere_elems", "sphyl_elems", "convex_elems")
+    ] == [1, 1, 1, 2]
 
 
 def test_a_node_that_is_not_what_its_name_says_is_a_hull_and_named(source: Path, tmp_path: Path) -> None:
-    scene_of(source / "a.glb", {"a": (trimesh.creation.box(), matrix()),
-                                "UBX_a": (trimesh.creation.icosphere(subdivisions=1), matrix()),
-                                "USP_a": (trimesh.creation.box(extents=(1, 2, 3)), matrix()),
-                                "UCP_a": (trimesh.creation.box(extents=(1, 1, 3)), matrix())})
+    scene_of(
+        source / "a.glb",
+        {
+            "a": (trimesh.creation.box(), matrix()),
+            "UBX_a": (trimesh.creation.icosphere(subdivisions=1), matrix()),
+            "USP_a": (trimesh.creation.box(extents=(1, 2, 3)), matrix()),
+            "UCP_a": (trimesh.creation.box(extents=(1, 1, 3)), matrix()),
+        },
+    )
     scene_of(source / "b.glb", {"UCX_b": (trimesh.creation.box(), matrix())})
     report = ingest(source, "odd", tmp_path / "packs")
     assert [body.kind for body in assets(tmp_path / "packs", "odd")["a"].collision] == ["hull"] * 3
@@ -233,8 +288,11 @@ def test_a_node_that_is_not_what_its_name_says_is_a_hull_and_named(source: Path,
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.tuples(*[st.floats(-180, 180)] * 3), st.tuples(*[st.floats(1, 300)] * 3),
-       st.tuples(*[st.floats(-1000, 1000)] * 3))
+@given(
+    st.tuples(*[st.floats(-180, 180)] * 3),
+    st.tuples(*[st.floats(1, 300)] * 3),
+    st.tuples(*[st.floats(-1000, 1000)] * 3),
+)
 def test_a_turned_box_is_measured_from_its_corners(turn: Any, half: Any, centre: Any) -> None:
     signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
     corners = (signs * half) @ rotation_matrix(turn).T + centre
@@ -264,19 +322,37 @@ def collider_file(path: Path, shape: dict[str, Any], node: dict[str, Any], exten
             (path.parent / name).write_bytes(data)
 
 
-@pytest.mark.parametrize("extensions", [("KHR_physics_rigid_bodies", "KHR_implicit_shapes"),
-                                        ("OMI_physics_body", "OMI_physics_shape")], ids=["KHR", "OMI"])
-@pytest.mark.parametrize(("shape", "node", "kind", "top"), [
-    ({"type": "box", "box": {"size": [1, 2, 3]}}, {"translation": [0, 4, 0], "scale": [2, 1, 1]}, "box", 500),
-    ({"type": "sphere", "sphere": {"radius": 1.5}}, {"scale": [2, 2, 2]}, "sphere", 300),
-    ({"type": "sphere", "sphere": {"radius": 1.5}}, {"scale": [1, 2, 1]}, "hull", 300),
-    ({"type": "capsule", "capsule": {"height": 2, "radiusBottom": 0.5, "radiusTop": 0.5}}, {}, "capsule", 150),
-    ({"type": "capsule", "capsule": {"height": 2, "radiusBottom": 0.5, "radiusTop": 0.25}}, {}, "hull", 125),
-    ({"type": "cylinder", "cylinder": {"height": 3, "radiusBottom": 1, "radiusTop": 1}}, {}, "hull", 150),
-    ({"type": "capsule", "capsule": {"height": 2, "radiusBottom": 0.5, "radiusTop": 0.5}},
-     {"rotation": [0, 0, 0.7071067811865476, 0.7071067811865476]}, "capsule", 50)])
-def test_colliders_stated_in_numbers(source: Path, tmp_path: Path, extensions: tuple[str, str], shape: dict[str, Any],
-                                     node: dict[str, Any], kind: str, top: float) -> None:
+@pytest.mark.parametrize(
+    "extensions",
+    [("KHR_physics_rigid_bodies", "KHR_implicit_shapes"), ("OMI_physics_body", "OMI_physics_shape")],
+    ids=["KHR", "OMI"],
+)
+@pytest.mark.parametrize(
+    ("shape", "node", "kind", "top"),
+    [
+        ({"type": "box", "box": {"size": [1, 2, 3]}}, {"translation": [0, 4, 0], "scale": [2, 1, 1]}, "box", 500),
+        ({"type": "sphere", "sphere": {"radius": 1.5}}, {"scale": [2, 2, 2]}, "sphere", 300),
+        ({"type": "sphere", "sphere": {"radius": 1.5}}, {"scale": [1, 2, 1]}, "hull", 300),
+        ({"type": "capsule", "capsule": {"height": 2, "radiusBottom": 0.5, "radiusTop": 0.5}}, {}, "capsule", 150),
+        ({"type": "capsule", "capsule": {"height": 2, "radiusBottom": 0.5, "radiusTop": 0.25}}, {}, "hull", 125),
+        ({"type": "cylinder", "cylinder": {"height": 3, "radiusBottom": 1, "radiusTop": 1}}, {}, "hull", 150),
+        (
+            {"type": "capsule", "capsule": {"height": 2, "radiusBottom": 0.5, "radiusTop": 0.5}},
+            {"rotation": [0, 0, 0.7071067811865476, 0.7071067811865476]},
+            "capsule",
+            50,
+        ),
+    ],
+)
+def test_colliders_stated_in_numbers(
+    source: Path,
+    tmp_path: Path,
+    extensions: tuple[str, str],
+    shape: dict[str, Any],
+    node: dict[str, Any],
+    kind: str,
+    top: float,
+) -> None:
     collider_file(source / "a.glb", shape, node, extensions)
     report = ingest(source, "stated", tmp_path / "packs")
     assert report["skipped"] == []
@@ -297,16 +373,22 @@ def test_bodies_of_every_kind_make_contacts_under_uneven_scale(source: Path, tmp
     """The same bodies, in the engine's traces and in the verifier's contacts."""
     from c4s.editor import snapshot
 
-    scene_of(source / "ball.glb", {"ball": (trimesh.creation.box(extents=(1, 1, 1)), matrix()),
-                                   "USP_ball": (trimesh.creation.icosphere(subdivisions=2, radius=0.5), matrix())})
+    scene_of(
+        source / "ball.glb",
+        {
+            "ball": (trimesh.creation.box(extents=(1, 1, 1)), matrix()),
+            "USP_ball": (trimesh.creation.icosphere(subdivisions=2, radius=0.5), matrix()),
+        },
+    )
     ingest(source, "balls", tmp_path / "packs")
     (asset,) = assets(tmp_path / "packs", "balls").values()
     engine = Engine(tmp_path / "packs" / "balls", tmp_path / "content", asset.path, (4, 2, 1))
     unreal = engine.unreal
     radius = asset.collision[0].radius  # type: ignore[union-attr]
     assert engine.ray((0, 0, 500), (0, 0, 0)) == pytest.approx(500 - radius)
-    unreal.EditorLevelLibrary.spawn_actor_from_object(unreal.load_asset("/Engine/BasicShapes/Cube"),
-                                                      unreal.Vector(50 + radius - 7, 0, 0))
+    unreal.EditorLevelLibrary.spawn_actor_from_object(
+        unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector(50 + radius - 7, 0, 0)
+    )
     (contact,) = contacts(snapshot.export_snapshot())
     assert contact.depth_cm == pytest.approx(7, abs=1e-3)
 

@@ -21,8 +21,21 @@ from catalog.build import build_starter
 
 INDOOR_SCENES = scenes()
 INDOOR_CASES = [case for case in cases(INDOOR_SCENES) if isinstance(case, RepairCase)]
-HUNG = {"pendant_lamp", "ceiling_light_panel", "wall_whiteboard", "pin_board", "wall_clock", "framed_poster",
-        "wall_shelf", "wall_cabinet", "wall_mirror", "towel_rail", "ceiling_lamp", "hills_picture", "dusk_picture"}
+HUNG = {
+    "pendant_lamp",
+    "ceiling_light_panel",
+    "wall_whiteboard",
+    "pin_board",
+    "wall_clock",
+    "framed_poster",
+    "wall_shelf",
+    "wall_cabinet",
+    "wall_mirror",
+    "towel_rail",
+    "ceiling_lamp",
+    "hills_picture",
+    "dusk_picture",
+}
 WALL_OBJECTS = ("Whiteboard", "Clock", "Poster", "PinBoard", "Picture", "Mirror", "WallCabinet", "TowelRail")
 
 
@@ -94,7 +107,15 @@ def test_repair_cases_can_be_applied_and_solved(case: RepairCase) -> None:
 
 def test_repair_cases_cover_every_kind_and_chain_length() -> None:
     assert {kind for case in INDOOR_CASES for kind in case.kinds} == {
-        "removal", "insertion", "duplication", "replacement", "move", "rotate", "rescale", "mirror"}
+        "removal",
+        "insertion",
+        "duplication",
+        "replacement",
+        "move",
+        "rotate",
+        "rescale",
+        "mirror",
+    }
     assert {len(case.kinds) for case in INDOOR_CASES} == {1, 2, 3, 4, 5}
     assert {case.group for case in INDOOR_CASES} == {"Restore", "Lifecycle", "Layout", "Symmetry", "Transform"}
 

@@ -27,34 +27,57 @@ ASSETS = SHARED / "assets"
 PACKS = sorted(path for path in (ASSETS / "packs").glob("*") if path.is_dir())
 
 
-def gltf(path: Path, *, texture: str | None = None, draco: bool = False, nodes: list[dict[str, Any]] | None = None,
-         points: np.ndarray[Any, Any] | None = None) -> None:
+def gltf(
+    path: Path,
+    *,
+    texture: str | None = None,
+    draco: bool = False,
+    nodes: list[dict[str, Any]] | None = None,
+    points: np.ndarray[Any, Any] | None = None,
+) -> None:
     """A glTF file with one box of 1 x 2 x 3 m under the given nodes."""
     box = trimesh.creation.box(extents=(1, 2, 3))
     vertices = np.asarray(box.vertices if points is None else points, np.float32)
     faces = np.asarray(box.faces, np.uint16)
     primitive: dict[str, Any] = {"attributes": {"POSITION": 0}, "indices": 1, "material": 0}
     tree: dict[str, Any] = {
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
-        "nodes": nodes or [{"mesh": 0, "name": "box"}], "meshes": [{"name": "box", "primitives": [primitive]}],
-        "accessors": [{"componentType": 5126, "count": len(vertices), "type": "VEC3",
-                       "min": vertices.min(axis=0).tolist(), "max": vertices.max(axis=0).tolist()},
-                      {"componentType": 5123, "count": faces.size, "type": "SCALAR"}],
-        "materials": [{"name": "paint", "pbrMetallicRoughness": {"baseColorFactor": [1.0, 0.25, 0.0, 1.0]}}]}
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": nodes or [{"mesh": 0, "name": "box"}],
+        "meshes": [{"name": "box", "primitives": [primitive]}],
+        "accessors": [
+            {
+                "componentType": 5126,
+                "count": len(vertices),
+                "type": "VEC3",
+                "min": vertices.min(axis=0).tolist(),
+                "max": vertices.max(axis=0).tolist(),
+            },
+            {"componentType": 5123, "count": faces.size, "type": "SCALAR"},
+        ],
+        "materials": [{"name": "paint", "pbrMetallicRoughness": {"baseColorFactor": [1.0, 0.25, 0.0, 1.0]}}],
+    }
     if draco:
         import DracoPy
 
         data = DracoPy.encode(vertices, faces.astype(np.uint32))
         primitive["extensions"] = {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}
-        tree |= {"extensionsUsed": ["KHR_draco_mesh_compression"], "extensionsRequired": ["KHR_draco_mesh_compression"],
-                 "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": len(data)}]}
+        tree |= {
+            "extensionsUsed": ["KHR_draco_mesh_compression"],
+            "extensionsRequired": ["KHR_draco_mesh_compression"],
+            "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": len(data)}],
+        }
     else:
         data = vertices.tobytes() + faces.tobytes()
-        tree["bufferViews"] = [{"buffer": 0, "byteOffset": 0, "byteLength": vertices.nbytes},
-                               {"buffer": 0, "byteOffset": vertices.nbytes, "byteLength": faces.nbytes}]
+        tree["bufferViews"] = [
+            {"buffer": 0, "byteOffset": 0, "byteLength": vertices.nbytes},
+            {"buffer": 0, "byteOffset": vertices.nbytes, "byteLength": faces.nbytes},
+        ]
         tree["accessors"][0]["bufferView"], tree["accessors"][1]["bufferView"] = 0, 1
-    tree["buffers"] = [{"byteLength": len(data),
-                        "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]
+    tree["buffers"] = [
+        {"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}
+    ]
     if texture:
         tree |= {"images": [{"uri": texture}], "textures": [{"source": 0}]}
         tree["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
@@ -85,20 +108,25 @@ def test_every_file_of_a_real_pack_has_its_listed_size(folder: Path, tmp_path: P
     for row in rows:
         stem = Path(row["file"]).stem.replace("-", "_")
         listed[f"meshes/{(stem + '_Mesh' if stem.endswith('_C') else stem).lower()}.glb"].append(
-            [float(row[f"size_{axis}_authored"]) for axis in "xzy"])
+            [float(row[f"size_{axis}_authored"]) for axis in "xzy"]
+        )
     assert len(rows) == len(sizes)
     for mesh, wanted in listed.items():
         assert any(np.allclose(sizes[mesh].size_m, one, atol=2e-3) for one in wanted), mesh
-    assert all(store.mesh(asset.path).bounds_cm[0] == pytest.approx(asset.bounds_min_cm, abs=0.01)
-               for asset in sizes.values())
+    assert all(
+        store.mesh(asset.path).bounds_cm[0] == pytest.approx(asset.bounds_min_cm, abs=0.01) for asset in sizes.values()
+    )
 
 
 @pytest.mark.skipif(not PACKS, reason="the shared sample packs are not here")
 @pytest.mark.parametrize(("name", "low", "high"), [("kaykit-city-builder", 4.0, 6.0), ("kaykit-furniture", 0.6, 0.75)])
 def test_a_scale_is_proposed_near_the_known_one(name: str, low: float, high: float) -> None:
     with (ASSETS / "packs.csv").open() as file:
-        sizes = [(Path(row["file"]).stem, max(float(row[f"size_{axis}_authored"]) for axis in "xyz"))
-                 for row in csv.DictReader(file) if row["pack"] == name]
+        sizes = [
+            (Path(row["file"]).stem, max(float(row[f"size_{axis}_authored"]) for axis in "xyz"))
+            for row in csv.DictReader(file)
+            if row["pack"] == name
+        ]
     proposed = check_units(sizes).proposed
     assert proposed is not None and low <= proposed <= high
     assert check_units((stem, side * proposed) for stem, side in sizes).proposed is None
@@ -115,7 +143,13 @@ def test_bad_files_are_named_and_the_rest_is_kept(source: Path, tmp_path: Path) 
     report = ingest(source, "mixed", tmp_path)
     assert report["assets"] == 1 and report["files"] == 7
     assert {row["file"] for row in report["skipped"]} == {
-        "truncated.glb", "empty.obj", "point.obj", "nan.obj", "far.obj", "text.dae"}
+        "truncated.glb",
+        "empty.obj",
+        "point.obj",
+        "nan.obj",
+        "far.obj",
+        "text.dae",
+    }
     assert all(row["reason"] for row in report["skipped"])
 
 
@@ -138,8 +172,14 @@ def test_bad_ids_and_scales_are_bad_input(source: Path, tmp_path: Path, pack_id:
 @pytest.mark.parametrize("draco", [False, True])
 def test_nested_nodes_are_applied(source: Path, tmp_path: Path, draco: bool) -> None:
     turn = [0.0, 0.7071067811865476, 0.0, 0.7071067811865476]
-    gltf(source / "box.gltf", draco=draco, nodes=[
-        {"children": [1], "scale": [2, 2, 2]}, {"mesh": 0, "name": "box", "translation": [5, 0, 0], "rotation": turn}])
+    gltf(
+        source / "box.gltf",
+        draco=draco,
+        nodes=[
+            {"children": [1], "scale": [2, 2, 2]},
+            {"mesh": 0, "name": "box", "translation": [5, 0, 0], "rotation": turn},
+        ],
+    )
     asset = asset_of(ingest(source, "nested", tmp_path, scale=0.5))
     assert asset.size_m == pytest.approx((3, 1, 2), abs=2e-3)
     assert asset.bounds_min_cm[0] == pytest.approx(350, abs=0.2)

@@ -40,8 +40,16 @@ def outward(path: Path) -> bool:
     return True
 
 
-@pytest.mark.parametrize("node", [{}, {"scale": [-1, 1, 1]}, {"scale": [-1, -2, -3]}, {"scale": [2, 0.5, 1]},
-                                  {"matrix": [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 5, 0, 0, 1]}])
+@pytest.mark.parametrize(
+    "node",
+    [
+        {},
+        {"scale": [-1, 1, 1]},
+        {"scale": [-1, -2, -3]},
+        {"scale": [2, 0.5, 1]},
+        {"matrix": [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 5, 0, 0, 1]},
+    ],
+)
 def test_mirrored_and_uneven_scales_keep_triangles_outward(node: dict[str, Any], tmp_path: Path) -> None:
     made = Gltf()
     made.mesh(made.box())
@@ -53,8 +61,13 @@ def test_mirrored_and_uneven_scales_keep_triangles_outward(node: dict[str, Any],
 @pytest.mark.parametrize(("mode", "corners"), [(4, [0, 1, 2, 0, 2, 3]), (5, [0, 1, 3, 2]), (6, [0, 1, 2, 3])])
 def test_lists_strips_and_fans_of_every_index_type(mode: int, corners: list[int], kind: str, tmp_path: Path) -> None:
     made = Gltf()
-    made.mesh({"attributes": {"POSITION": made.accessor(SQUARE)}, "mode": mode,
-               "indices": made.accessor(np.array(corners)[:, None], kind)})
+    made.mesh(
+        {
+            "attributes": {"POSITION": made.accessor(SQUARE)},
+            "mode": mode,
+            "indices": made.accessor(np.array(corners)[:, None], kind),
+        }
+    )
     source = read_source(made.write(tmp_path / "a.glb"), tmp_path)
     assert sum(len(part.faces) for part in source.parts) == 2
     corners_cm = source.parts[0].vertices[source.parts[0].faces]
@@ -67,8 +80,9 @@ def test_lists_strips_and_fans_of_every_index_type(mode: int, corners: list[int]
 def test_lines_and_points_are_left_out_and_named(tmp_path: Path) -> None:
     made = Gltf()
     position = made.accessor(SQUARE)
-    made.mesh(made.box(), {"attributes": {"POSITION": position}, "mode": 1}, {"attributes": {"POSITION": position},
-                                                                               "mode": 0})
+    made.mesh(
+        made.box(), {"attributes": {"POSITION": position}, "mode": 1}, {"attributes": {"POSITION": position}, "mode": 0}
+    )
     source = read_source(made.write(tmp_path / "a.gltf"), tmp_path)
     assert source.notes == ["mesh 'mesh0': lines are left out", "mesh 'mesh0': points are left out"]
     only = Gltf()
@@ -82,9 +96,11 @@ def test_sparse_accessors_with_and_without_a_base(tmp_path: Path) -> None:
         made = Gltf()
         position = made.accessor(SQUARE)
         record = made.tree["accessors"][position]
-        record["sparse"] = {"count": 2, "indices": {"bufferView": made.view(np.array([1, 2], "uint16").tobytes()),
-                                                    "componentType": 5123},
-                            "values": {"bufferView": made.view(np.array([[7, 0, 0], [7, 1, 0]], "float32").tobytes())}}
+        record["sparse"] = {
+            "count": 2,
+            "indices": {"bufferView": made.view(np.array([1, 2], "uint16").tobytes()), "componentType": 5123},
+            "values": {"bufferView": made.view(np.array([[7, 0, 0], [7, 1, 0]], "float32").tobytes())},
+        }
         if not base:
             del record["bufferView"]
         made.mesh({"attributes": {"POSITION": position}, "indices": made.accessor([[0], [1], [2]], "uint8")})
@@ -96,8 +112,9 @@ def test_quantised_positions_and_strides(tmp_path: Path) -> None:
     rows = np.zeros((4, 4), "int16")
     rows[:, :3] = np.array(SQUARE) * 32767
     view = made.view(rows.tobytes(), byteStride=8)
-    made.tree["accessors"].append({"bufferView": view, "componentType": 5122, "count": 4, "type": "VEC3",
-                                   "normalized": True})
+    made.tree["accessors"].append(
+        {"bufferView": view, "componentType": 5122, "count": 4, "type": "VEC3", "normalized": True}
+    )
     made.mesh({"attributes": {"POSITION": 0}, "mode": 6})
     made.tree |= {"extensionsUsed": ["KHR_mesh_quantization"], "extensionsRequired": ["KHR_mesh_quantization"]}
     made.tree["nodes"][0]["scale"] = [3, 3, 3]
@@ -107,8 +124,10 @@ def test_quantised_positions_and_strides(tmp_path: Path) -> None:
 def test_a_skin_is_shown_as_its_joints_stand_and_a_morph_by_its_weight(tmp_path: Path) -> None:
     made = Gltf()
     primitive = made.box((1, 1, 1))
-    primitive["attributes"] |= {"JOINTS_0": made.accessor([[0, 1, 0, 0]] * 8, "uint8"),
-                                "WEIGHTS_0": made.accessor([[0.25, 0.25, 0, 0]] * 8)}
+    primitive["attributes"] |= {
+        "JOINTS_0": made.accessor([[0, 1, 0, 0]] * 8, "uint8"),
+        "WEIGHTS_0": made.accessor([[0.25, 0.25, 0, 0]] * 8),
+    }
     made.mesh(primitive)
     bind = np.tile(np.eye(4, dtype="float32").reshape(1, 16), (2, 1))
     made.tree["skins"] = [{"joints": [1, 2], "inverseBindMatrices": made.accessor(bind)}]
@@ -143,8 +162,14 @@ def test_only_the_default_scene_is_read_and_the_others_are_named(tmp_path: Path)
 def test_instances_are_placed(tmp_path: Path) -> None:
     made = Gltf()
     made.mesh(made.box((1, 1, 1)))
-    made.tree["nodes"][0]["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {
-        "TRANSLATION": made.accessor([[0, 0, 0], [0, 9, 0]]), "SCALE": made.accessor([[1, 1, 1], [2, 2, 2]])}}}
+    made.tree["nodes"][0]["extensions"] = {
+        "EXT_mesh_gpu_instancing": {
+            "attributes": {
+                "TRANSLATION": made.accessor([[0, 0, 0], [0, 9, 0]]),
+                "SCALE": made.accessor([[1, 1, 1], [2, 2, 2]]),
+            }
+        }
+    }
     made.tree |= {"extensionsUsed": ["EXT_mesh_gpu_instancing"], "extensionsRequired": ["EXT_mesh_gpu_instancing"]}
     assert size_of(made.write(tmp_path / "a.gltf")) == pytest.approx([200, 200, 1050])
 
@@ -174,17 +199,30 @@ def test_textures_in_the_file_webp_transforms_cut_outs_and_glow(tmp_path: Path) 
     uv = made.accessor([[0, 0], [1, 0], [1, 1], [0, 1]])
     turn = {"offset": [0.5, 0.25], "scale": [2, 4], "rotation": math.pi / 2}
     made.tree |= {
-        "images": [{"bufferView": made.view(picture("WEBP")), "mimeType": "image/webp"},
-                   {"bufferView": made.view(picture("PNG", "RGB", (9, 200, 9))), "mimeType": "image/png"}],
-        "textures": [{"extensions": {"EXT_texture_webp": {"source": 0}}}, {"source": 1},
-                     {"extensions": {"KHR_texture_basisu": {"source": 0}}}],
-        "materials": [{"name": "leaf", "alphaMode": "MASK", "emissiveFactor": [1, 1, 1],
-                       "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 3}},
-                       "emissiveTexture": {"index": 1, "extensions": {"KHR_texture_transform": turn}},
-                       "normalTexture": {"index": 1, "texCoord": 1},
-                       "pbrMetallicRoughness": {"baseColorTexture": {
-                           "index": 0, "extensions": {"KHR_texture_transform": turn}}}},
-                      {"name": "basis", "pbrMetallicRoughness": {"baseColorTexture": {"index": 2}}}]}
+        "images": [
+            {"bufferView": made.view(picture("WEBP")), "mimeType": "image/webp"},
+            {"bufferView": made.view(picture("PNG", "RGB", (9, 200, 9))), "mimeType": "image/png"},
+        ],
+        "textures": [
+            {"extensions": {"EXT_texture_webp": {"source": 0}}},
+            {"source": 1},
+            {"extensions": {"KHR_texture_basisu": {"source": 0}}},
+        ],
+        "materials": [
+            {
+                "name": "leaf",
+                "alphaMode": "MASK",
+                "emissiveFactor": [1, 1, 1],
+                "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 3}},
+                "emissiveTexture": {"index": 1, "extensions": {"KHR_texture_transform": turn}},
+                "normalTexture": {"index": 1, "texCoord": 1},
+                "pbrMetallicRoughness": {
+                    "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform": turn}}
+                },
+            },
+            {"name": "basis", "pbrMetallicRoughness": {"baseColorTexture": {"index": 2}}},
+        ],
+    }
     square = {"attributes": {"POSITION": made.accessor(SQUARE), "TEXCOORD_0": uv}, "mode": 6}
     made.mesh({**square, "material": 0}, {**square, "material": 1})
     source = read_source(made.write(tmp_path / "a.gltf"), tmp_path)
@@ -193,8 +231,10 @@ def test_textures_in_the_file_webp_transforms_cut_outs_and_glow(tmp_path: Path) 
     assert leaf.emissive == (3, 3, 3) and leaf.emissive_texture is not None and leaf.normal_texture is None
     assert basis.texture is None and leaf.name == "leaf"
     assert any("KTX2" in note for note in source.notes) and any("normal texture" in note for note in source.notes)
-    corner = {tuple(np.round(point[[0, 2]]).astype(int)): uv for point, uv in
-              zip(source.parts[0].vertices, source.parts[0].uvs, strict=True)}
+    corner = {
+        tuple(np.round(point[[0, 2]]).astype(int)): uv
+        for point, uv in zip(source.parts[0].vertices, source.parts[0].uvs, strict=True)
+    }
     assert corner[0, 0] == pytest.approx([0.5, 0.25]) and corner[100, 0] == pytest.approx([0.5, -1.75])
     assert corner[0, 100] == pytest.approx([4.5, 0.25])
 
@@ -202,33 +242,42 @@ def test_textures_in_the_file_webp_transforms_cut_outs_and_glow(tmp_path: Path) 
 def test_other_material_models(tmp_path: Path) -> None:
     made = Gltf()
     made.tree["materials"] = [
-        {"extensions": {"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.1, 0.2, 0.3, 1],
-                                                                "glossinessFactor": 0.75}}},
+        {
+            "extensions": {
+                "KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.1, 0.2, 0.3, 1], "glossinessFactor": 0.75}
+            }
+        },
         {"alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.5]}},
-        {"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1.0}}}]
+        {"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1.0}}},
+    ]
     box = made.box()
     made.mesh(*({**box, "material": index} for index in range(3)), box)
-    gloss, blend, glass, plain = (part.surface for part in
-                                  read_source(made.write(tmp_path / "a.gltf"), tmp_path).parts)
+    gloss, blend, glass, plain = (part.surface for part in read_source(made.write(tmp_path / "a.gltf"), tmp_path).parts)
     assert gloss.color == (0.1, 0.2, 0.3) and gloss.roughness == 0.25 and gloss.metallic == 0
     assert blend.opacity == 0.5 and 0 < glass.opacity < 0.5
     assert plain.color == (1, 1, 1) and plain.metallic == 1 and plain.roughness == 1
 
 
-@pytest.mark.parametrize(("change", "said"), [
-    ({"asset": {"version": "1.0"}}, "version 1.0"), ({"asset": None}, "no asset record"),
-    ({"extensionsRequired": ["EXT_meshopt_compression"]}, "EXT_meshopt_compression.*gltfpack"),
-    ({"extensionsRequired": ["ACME_warp"]}, "ACME_warp, which is not read"),
-    ({"nodes": [{"mesh": 3}]}, "meshes 3, of which there are 1"),
-    ({"nodes": [{"children": [0]}]}, "hangs below itself"),
-    ({"nodes": [{"mesh": 0, "rotation": [0, 0, 0, 0]}]}, "no quaternion"),
-    ({"nodes": [{"mesh": 0, "scale": [1, 0, 1]}]}, "scaled to nothing"),
-    ({"nodes": [{"mesh": 0, "translation": [1e300, 1e300, 1e308]}]}, "not finite"),
-    ({"buffers": [{"byteLength": 10**9, "uri": "data:,x"}]}, "cut off"),
-    ({"buffers": [{"byteLength": 1, "uri": "gone.bin"}]}, r"'gone\.bin' is missing"),
-    ({"buffers": [{"byteLength": 1, "uri": "../../../etc/passwd"}]}, "passwd' is missing"),
-    ({"accessors": [{"bufferView": 0, "componentType": 5126, "count": 10**7, "type": "VEC3"}] * 2}, "past the end"),
-    ({"nodes": 5}, "no list"), ({"meshes": [{"primitives": [{"attributes": {}}]}]}, "no positions")])
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"asset": {"version": "1.0"}}, "version 1.0"),
+        ({"asset": None}, "no asset record"),
+        ({"extensionsRequired": ["EXT_meshopt_compression"]}, "EXT_meshopt_compression.*gltfpack"),
+        ({"extensionsRequired": ["ACME_warp"]}, "ACME_warp, which is not read"),
+        ({"nodes": [{"mesh": 3}]}, "meshes 3, of which there are 1"),
+        ({"nodes": [{"children": [0]}]}, "hangs below itself"),
+        ({"nodes": [{"mesh": 0, "rotation": [0, 0, 0, 0]}]}, "no quaternion"),
+        ({"nodes": [{"mesh": 0, "scale": [1, 0, 1]}]}, "scaled to nothing"),
+        ({"nodes": [{"mesh": 0, "translation": [1e300, 1e300, 1e308]}]}, "not finite"),
+        ({"buffers": [{"byteLength": 10**9, "uri": "data:,x"}]}, "cut off"),
+        ({"buffers": [{"byteLength": 1, "uri": "gone.bin"}]}, r"'gone\.bin' is missing"),
+        ({"buffers": [{"byteLength": 1, "uri": "../../../etc/passwd"}]}, "passwd' is missing"),
+        ({"accessors": [{"bufferView": 0, "componentType": 5126, "count": 10**7, "type": "VEC3"}] * 2}, "past the end"),
+        ({"nodes": 5}, "no list"),
+        ({"meshes": [{"primitives": [{"attributes": {}}]}]}, "no positions"),
+    ],
+)
 def test_broken_files_are_named_with_a_reason(change: dict[str, Any], said: str, tmp_path: Path) -> None:
     made = Gltf()
     made.mesh(made.box())
@@ -248,21 +297,34 @@ def test_a_truncated_glb_is_bad_input(keep: int, tmp_path: Path) -> None:
         read_source(path, tmp_path)
 
 
-ODD = st.one_of(st.none(), st.booleans(), st.integers(-2, 99), st.floats(), st.text(max_size=3), st.just([]),
-                st.just({}), st.just(10**30), st.lists(st.integers(-1, 9), max_size=4))
+ODD = st.one_of(
+    st.none(),
+    st.booleans(),
+    st.integers(-2, 99),
+    st.floats(),
+    st.text(max_size=3),
+    st.just([]),
+    st.just({}),
+    st.just(10**30),
+    st.lists(st.integers(-1, 9), max_size=4),
+)
 
 
 @settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 @given(picks=st.lists(st.integers(0, 10**6), min_size=1, max_size=3), odd=ODD)
-def test_whatever_one_value_is_changed_to_the_file_reads_or_is_bad_input(picks: list[int], odd: Any,
-                                                                         tmp_path: Path) -> None:
+def test_whatever_one_value_is_changed_to_the_file_reads_or_is_bad_input(
+    picks: list[int], odd: Any, tmp_path: Path
+) -> None:
     made = Gltf()
     box = made.box()
     box["attributes"] |= {"TEXCOORD_0": made.accessor(np.zeros((8, 2))), "COLOR_0": made.accessor(np.ones((8, 3)))}
     made.mesh({**box, "material": 0, "targets": [{"POSITION": 0}]}, weights=[0.5])
-    made.tree |= {"materials": [{"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
-                  "textures": [{"source": 0}], "images": [{"bufferView": made.view(picture("PNG"))}],
-                  "skins": [{"joints": [0]}]}
+    made.tree |= {
+        "materials": [{"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+        "textures": [{"source": 0}],
+        "images": [{"bufferView": made.view(picture("PNG"))}],
+        "skins": [{"joints": [0]}],
+    }
     path = made.write(tmp_path / "a.gltf")
     tree = json.loads(path.read_text())
     places: list[tuple[Any, Any]] = []

@@ -94,8 +94,9 @@ def test_a_table_of_the_folder_describes_and_wins(tmp_path: Path) -> None:
     source = tmp_path / "source"
     box(source / "a1.glb")
     box(source / "b2.glb")
-    (source / "list.csv").write_text("file,name,category,description,tags\n"
-                                     "a1.glb,Reading chair,seating,A chair for one.,soft; green\nnone.glb,,,,\n")
+    (source / "list.csv").write_text(
+        "file,name,category,description,tags\na1.glb,Reading chair,seating,A chair for one.,soft; green\nnone.glb,,,,\n"
+    )
     found = assets(ingest(source, "told", tmp_path / "packs"))
     assert (found["a1"]["name"], found["a1"]["category"]) == ("Reading chair", "seating")
     assert found["a1"]["description"] == "A chair for one." and found["a1"]["tags"][:2] == ["soft", "green"]
@@ -120,12 +121,21 @@ def test_an_unchanged_folder_is_not_built_again_and_a_changed_one_is(tmp_path: P
     assert not ingest(source, "p", packs, scale=2.0)["cached"], "a manifest that somebody changed is made anew"
 
 
-@pytest.mark.parametrize(("name", "spoken", "kind"), [
-    ("kitchencounter_straight_A", "Kitchen counter straight A", "furniture"), ("table_lamp", "Table lamp", "lighting"),
-    ("trafficlight_B", "Traffic light B", "sign"), ("TrafficLight_2", "Traffic light 2", "sign"),
-    ("crate_tomatoes", "Crate tomatoes", "container"), ("bookcase", "Bookcase", "furniture"),
-    ("building_A_withoutBase", "Building A without base", "building"), ("Street_3Way", "Street 3 way", "road"),
-    ("xyzzy", "Xyzzy", None), ("", "", None)])
+@pytest.mark.parametrize(
+    ("name", "spoken", "kind"),
+    [
+        ("kitchencounter_straight_A", "Kitchen counter straight A", "furniture"),
+        ("table_lamp", "Table lamp", "lighting"),
+        ("trafficlight_B", "Traffic light B", "sign"),
+        ("TrafficLight_2", "Traffic light 2", "sign"),
+        ("crate_tomatoes", "Crate tomatoes", "container"),
+        ("bookcase", "Bookcase", "furniture"),
+        ("building_A_withoutBase", "Building A without base", "building"),
+        ("Street_3Way", "Street 3 way", "road"),
+        ("xyzzy", "Xyzzy", None),
+        ("", "", None),
+    ],
+)
 def test_names_are_read_as_people_read_them(name: str, spoken: str, kind: str | None) -> None:
     assert readable(name) == spoken and kind_of(name) == kind
     if kind:

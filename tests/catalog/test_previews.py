@@ -27,11 +27,15 @@ def _slab(b: Builder) -> None:
 
 def _spec(color: tuple[float, float, float] = (0.6, 0.02, 0.02)) -> PackSpec:
     return PackSpec(
-        pack_id="c4s-test", content_folder="C4STest", title="Test", description="",
+        pack_id="c4s-test",
+        content_folder="C4STest",
+        title="Test",
+        description="",
         materials=[MaterialSpec("Red", color)],
         assets=[AssetSpec("Post", "props", "A post.", (), _post), AssetSpec("Slab", "props", "A slab.", (), _slab)],
         blueprints=[BlueprintSpec("Gate", "props", "Two posts.", (), (Part("Post"), Part("Post", (200, 0, 0))))],
-        category_descriptions={"props": "Things"})
+        category_descriptions={"props": "Things"},
+    )
 
 
 def _red(path: Path) -> np.ndarray:
@@ -53,8 +57,9 @@ def test_every_asset_has_a_preview_that_it_fills_whole(tmp_path: Path, monkeypat
     assert contact_sheet(folder, tmp_path / "sheet.png", []) == 3
 
 
-def test_the_same_bytes_each_time_and_the_cache_knows_a_new_colour(tmp_path: Path,
-                                                                   monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_same_bytes_each_time_and_the_cache_knows_a_new_colour(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     drawn = []
     for number, color in enumerate(((0.6, 0.02, 0.02), (0.6, 0.02, 0.02), (0.02, 0.6, 0.02))):
         monkeypatch.setenv("C4S_HOME", str(tmp_path / ("one" if number == 1 else "other")))
@@ -78,12 +83,18 @@ def _leaves(folder: Path) -> Path:
     folder.mkdir()
     for name in ("leaf", "whole", "painted"):
         made = Gltf()
-        made.tree |= {"images": [{"bufferView": made.view(data.getvalue()), "mimeType": "image/png"}],
-                      "textures": [{"source": 0}],
-                      "materials": [{"name": "leaf", "alphaMode": "MASK" if name == "leaf" else "OPAQUE",
-                                     "pbrMetallicRoughness": {"metallicFactor": 0}}]}
-        attributes = {"POSITION": made.accessor(SQUARE),
-                      "TEXCOORD_0": made.accessor([[0, 1], [1, 1], [1, 0], [0, 0]])}
+        made.tree |= {
+            "images": [{"bufferView": made.view(data.getvalue()), "mimeType": "image/png"}],
+            "textures": [{"source": 0}],
+            "materials": [
+                {
+                    "name": "leaf",
+                    "alphaMode": "MASK" if name == "leaf" else "OPAQUE",
+                    "pbrMetallicRoughness": {"metallicFactor": 0},
+                }
+            ],
+        }
+        attributes = {"POSITION": made.accessor(SQUARE), "TEXCOORD_0": made.accessor([[0, 1], [1, 1], [1, 0], [0, 0]])}
         if name == "painted":
             attributes["COLOR_0"] = made.accessor([[1, 0, 0]] * 4)
         else:

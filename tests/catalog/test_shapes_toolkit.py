@@ -51,13 +51,22 @@ def chair(b: Builder) -> None:
 
 def spec(**changes: object) -> PackSpec:
     fields = {
-        "pack_id": "c4s-test", "content_folder": "C4STest", "title": "Test", "description": "",
-        "materials": [MaterialSpec("Oak", texture=wood((150, 110, 70), 1), tile_m=0.5),
-                      MaterialSpec("Cloth", (0.1, 0.2, 0.5))],
+        "pack_id": "c4s-test",
+        "content_folder": "C4STest",
+        "title": "Test",
+        "description": "",
+        "materials": [
+            MaterialSpec("Oak", texture=wood((150, 110, 70), 1), tile_m=0.5),
+            MaterialSpec("Cloth", (0.1, 0.2, 0.5)),
+        ],
         "assets": [AssetSpec("TestChair", "seating", "A chair.", ("chair",), chair)],
-        "blueprints": [BlueprintSpec("Pair", "seating", "Two chairs.", (), (
-            Part("TestChair"), Part("TestChair", (100, 0, 0), yaw_deg=180)))],
-        "category_descriptions": {"seating": "Chairs"}} | changes
+        "blueprints": [
+            BlueprintSpec(
+                "Pair", "seating", "Two chairs.", (), (Part("TestChair"), Part("TestChair", (100, 0, 0), yaw_deg=180))
+            )
+        ],
+        "category_descriptions": {"seating": "Chairs"},
+    } | changes
     return PackSpec(**fields)  # type: ignore[arg-type]
 
 

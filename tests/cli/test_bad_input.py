@@ -12,8 +12,14 @@ import pytest
 
 
 def _c4s(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-m", "c4s.cli", *arguments], env={**os.environ, "C4S_HOME": str(home)},
-                          text=True, capture_output=True, timeout=60, check=False)
+    return subprocess.run(
+        [sys.executable, "-m", "c4s.cli", *arguments],
+        env={**os.environ, "C4S_HOME": str(home)},
+        text=True,
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
 
 
 def _task(folder: Path, text: str) -> Path:
@@ -23,38 +29,46 @@ def _task(folder: Path, text: str) -> Path:
 
 
 PROMPT = "A yard.\\n\\n=== ASSET PALETTE ===\\n\\n- box | Box | props | 1x1x1 m | /Game/P/SM_Box.SM_Box\\n"
-TASK = (f'id: yard\nkind: scene_generation\ninputs:\n  prompt: "{PROMPT}"\n  init_map: /Game/Blank\n  size_m: 200\n'
-        "  budget:\n    tool_calls: 10\n    wall_minutes: 5\n")
+TASK = (
+    f'id: yard\nkind: scene_generation\ninputs:\n  prompt: "{PROMPT}"\n  init_map: /Game/Blank\n  size_m: 200\n'
+    "  budget:\n    tool_calls: 10\n    wall_minutes: 5\n"
+)
 
 
-@pytest.mark.parametrize(("arguments", "expected"), [
-    (("run", "nosuch"), "unknown suite 'nosuch'"),
-    (("run",), "Missing argument"),
-    (("frobnicate",), "No such command"),
-    (("suite", "build", "nosuch"), "unknown shipped suite"),
-    (("suite", "import", "code4scene", "/nowhere"), "no such folder"),
-    (("verify", "repair"), "--input is missing"),
-    (("verify", "physics", "--snapshot", "/nowhere.json"), "no such snapshot"),
-    (("score", "--batch", "/nowhere.jsonl"), "no such file"),
-    (("sql", "SELECT nosuch"), "no warehouse"),
-    (("catalog", "show", "nosuch"), "no pack"),
-])
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (("run", "nosuch"), "unknown suite 'nosuch'"),
+        (("run",), "Missing argument"),
+        (("frobnicate",), "No such command"),
+        (("suite", "build", "nosuch"), "unknown shipped suite"),
+        (("suite", "import", "code4scene", "/nowhere"), "no such folder"),
+        (("verify", "repair"), "--input is missing"),
+        (("verify", "physics", "--snapshot", "/nowhere.json"), "no such snapshot"),
+        (("score", "--batch", "/nowhere.jsonl"), "no such file"),
+        (("sql", "SELECT nosuch"), "no warehouse"),
+        (("catalog", "show", "nosuch"), "no pack"),
+    ],
+)
 def test_one_line_and_exit_2(tmp_path: Path, arguments: tuple[str, ...], expected: str) -> None:
     done = _c4s(tmp_path, *arguments)
     assert done.returncode == 2 and expected in done.stderr
     assert done.stderr.count("\n") == 1 and done.stderr.startswith("c4s: ")
 
 
-@pytest.mark.parametrize(("text", "expected"), [
-    ("id: [unclosed", "malformed task.yaml"),
-    ("just text", "not a mapping"),
-    (TASK.replace("kind: scene_generation", "kind: painting"), "unknown kind"),
-    (TASK.replace("  size_m: 200\n", ""), "'inputs.size_m' is missing"),
-    (TASK.replace("tool_calls: 10", "tool_calls: many"), "'inputs.budget.tool_calls' is not a positive number"),
-    (TASK.replace("id: yard", "id: ../../etc"), "not a plain name"),
-    (TASK.replace("1x1x1 m", "big"), "palette line cannot be read"),
-    (TASK.replace("ASSET PALETTE", "NOTHING"), "no asset palette"),
-])
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("id: [unclosed", "malformed task.yaml"),
+        ("just text", "not a mapping"),
+        (TASK.replace("kind: scene_generation", "kind: painting"), "unknown kind"),
+        (TASK.replace("  size_m: 200\n", ""), "'inputs.size_m' is missing"),
+        (TASK.replace("tool_calls: 10", "tool_calls: many"), "'inputs.budget.tool_calls' is not a positive number"),
+        (TASK.replace("id: yard", "id: ../../etc"), "not a plain name"),
+        (TASK.replace("1x1x1 m", "big"), "palette line cannot be read"),
+        (TASK.replace("ASSET PALETTE", "NOTHING"), "no asset palette"),
+    ],
+)
 def test_malformed_tasks(tmp_path: Path, text: str, expected: str) -> None:
     folder = _task(tmp_path / "tasks/yard", text)
     done = _c4s(tmp_path / "home", "suite", "import", "code4scene", str(folder))
@@ -100,14 +114,24 @@ def test_doctor_says_what_is_missing(tmp_path: Path) -> None:
 
 def test_a_verdict_that_could_not_be_made_is_a_fault_of_the_machinery(tmp_path: Path) -> None:
     def scene(name: str, x_cm: float, **more: object) -> str:
-        actor = {"stable_actor_id": "a", "label": "A", "class": "/Script/Engine.StaticMeshActor", "transform": {
-            "location_cm": [x_cm, 0.0, 0.0], "rotation_deg": [0.0, 0.0, 0.0], "scale": [1.0, 1.0, 1.0]}}
+        actor = {
+            "stable_actor_id": "a",
+            "label": "A",
+            "class": "/Script/Engine.StaticMeshActor",
+            "transform": {"location_cm": [x_cm, 0.0, 0.0], "rotation_deg": [0.0, 0.0, 0.0], "scale": [1.0, 1.0, 1.0]},
+        }
         path = tmp_path / f"{name}.json"
         path.write_text(json.dumps({"schema_version": "0.3.0", "units": "cm", "actors": [actor], **more}))
         return str(path)
 
-    files = ("--input", scene("input", 50.0), "--truth", scene("truth", 0.0), "--candidate",
-             scene("candidate", 0.0, export_metadata={"status": "failed"}))
+    files = (
+        "--input",
+        scene("input", 50.0),
+        "--truth",
+        scene("truth", 0.0),
+        "--candidate",
+        scene("candidate", 0.0, export_metadata={"status": "failed"}),
+    )
     done = _c4s(tmp_path, "verify", "repair", *files, "--json")
     assert done.returncode == 3
     assert json.loads(done.stdout)["status"] == "error"

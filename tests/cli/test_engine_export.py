@@ -32,16 +32,34 @@ def home(tmp_path: Path) -> Path:
     parts = trimesh.Scene()
     for name, low, high in (("Shaft", (0, 0, 0), (0.4, 0.8, 0.2)), ("Cap", (0, 0.8, 0), (0.1, 1.0, 0.1))):
         box = trimesh.creation.box(bounds=(low, high))
-        box.visual = trimesh.visual.TextureVisuals(uv=np.zeros((len(box.vertices), 2)),
-                                                   material=trimesh.visual.material.PBRMaterial(name=name))
+        box.visual = trimesh.visual.TextureVisuals(
+            uv=np.zeros((len(box.vertices), 2)), material=trimesh.visual.material.PBRMaterial(name=name)
+        )
         parts.add_geometry(box, node_name=name)
     parts.export(folder / "meshes" / "post.glb")
     slots = [MaterialSlot(name=name, material=f"/Game/T/M_{name}.M_{name}") for name in ("Shaft", "Cap")]
-    post = Asset(id="sm_post", name="Post", path=f"{POST}.SM_Post", category="props", mesh="meshes/post.glb",
-                 mesh_sha256="0" * 64, slots=slots, bounds_min_cm=(0, 0, 0), bounds_max_cm=(40, 20, 100))
-    Pack(pack_id="t", content_folder="T", title="T", license="CC0-1.0", assets=[post], materials=[
-        Material(path=slots[0].material, base_color=(0.4, 0.2, 0.1), texture="textures/wood.png"),
-        Material(path=slots[1].material, emissive=(4.0, 2.0, 1.0), opacity=0.5)]).write(folder / "pack.json")
+    post = Asset(
+        id="sm_post",
+        name="Post",
+        path=f"{POST}.SM_Post",
+        category="props",
+        mesh="meshes/post.glb",
+        mesh_sha256="0" * 64,
+        slots=slots,
+        bounds_min_cm=(0, 0, 0),
+        bounds_max_cm=(40, 20, 100),
+    )
+    Pack(
+        pack_id="t",
+        content_folder="T",
+        title="T",
+        license="CC0-1.0",
+        assets=[post],
+        materials=[
+            Material(path=slots[0].material, base_color=(0.4, 0.2, 0.1), texture="textures/wood.png"),
+            Material(path=slots[1].material, emissive=(4.0, 2.0, 1.0), opacity=0.5),
+        ],
+    ).write(folder / "pack.json")
     return tmp_path
 
 
@@ -76,13 +94,19 @@ def scene(home: Path) -> tuple[Path, dict]:
 
 
 def c4s(home: Path, *arguments: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-m", "c4s.cli", "engine", "export", *map(str, arguments)], text=True,
-                          env={**os.environ, "C4S_HOME": str(home)}, capture_output=True, timeout=120, check=False)
+    return subprocess.run(
+        [sys.executable, "-m", "c4s.cli", "engine", "export", *map(str, arguments)],
+        text=True,
+        env={**os.environ, "C4S_HOME": str(home)},
+        capture_output=True,
+        timeout=120,
+        check=False,
+    )
 
 
 def tree_of(path: Path) -> dict:
     data = path.read_bytes()
-    return json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
+    return json.loads(data[20 : 20 + struct.unpack_from("<I", data, 12)[0]])
 
 
 def boxes_cm(path: Path) -> dict[str, list[tuple[np.ndarray, np.ndarray]]]:
@@ -119,9 +143,11 @@ def test_a_level_reads_back_to_the_bounds_of_its_snapshot(home, scene, tmp_path)
         if actor["label"] not in ("Red cube", "Copy"):
             continue
         origin, extent = (np.array(actor["bounds"][key]) for key in ("origin_cm", "extent_cm"))
-        assert any(np.allclose(np.min([low for low, _ in boxes], axis=0), origin - extent, atol=0.01)
-                   and np.allclose(np.max([high for _, high in boxes], axis=0), origin + extent, atol=0.01)
-                   for boxes in read), actor["label"]
+        assert any(
+            np.allclose(np.min([low for low, _ in boxes], axis=0), origin - extent, atol=0.01)
+            and np.allclose(np.max([high for _, high in boxes], axis=0), origin + extent, atol=0.01)
+            for boxes in read
+        ), actor["label"]
 
 
 def test_turned_and_mirrored_meshes_lie_where_unreal_has_them(home, scene, tmp_path):
@@ -137,8 +163,13 @@ def test_turned_and_mirrored_meshes_lie_where_unreal_has_them(home, scene, tmp_p
         transform = actor["transform"]
         pitch, yaw, roll = np.radians(transform["rotation_deg"])
         cp, sp, cy, sy, cr, sr = np.cos(pitch), np.sin(pitch), np.cos(yaw), np.sin(yaw), np.cos(roll), np.sin(roll)
-        axes = np.array([[cp * cy, cp * sy, sp], [sr * sp * cy - cr * sy, sr * sp * sy + cr * cy, -sr * cp],
-                         [-(cr * sp * cy + sr * sy), cy * sr - cr * sp * sy, cr * cp]])
+        axes = np.array(
+            [
+                [cp * cy, cp * sy, sp],
+                [sr * sp * cy - cr * sy, sr * sp * sy + cr * cy, -sr * cp],
+                [-(cr * sp * cy + sr * sy), cy * sr - cr * sp * sy, cr * cp],
+            ]
+        )
         for corner in corners * transform["scale"]:
             expected = corner @ axes + transform["location_cm"]
             assert np.linalg.norm(points - expected, axis=1).min() < 0.01
@@ -164,8 +195,10 @@ def test_the_khronos_validator_finds_nothing(home, scene, tmp_path):
         pytest.skip("the npm package gltf-validator is not installed")
     out = tmp_path / "yard.glb"
     assert c4s(home, scene[0], "--glb", out).returncode == 0
-    script = ("require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[1])))"
-              ".then(found => console.log(JSON.stringify(found.issues)))")
+    script = (
+        "require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[1])))"
+        ".then(found => console.log(JSON.stringify(found.issues)))"
+    )
     done = subprocess.run(["node", "-e", script, str(out)], capture_output=True, text=True, check=True)
     assert json.loads(done.stdout)["messages"] == []
 
@@ -173,16 +206,21 @@ def test_the_khronos_validator_finds_nothing(home, scene, tmp_path):
 def test_cut_outs_textures_and_colours_of_vertices_come_along(home, scene, tmp_path):
     folder = home / "packs" / "t"
     for name, mode in (("leaf", "RGBA"), ("bumps", "RGB"), ("shine", "RGB"), ("glow", "RGB")):
-        Image.new(mode, (4, 4), (90, 200, 40, 0)[:len(mode)]).save(folder / "textures" / f"{name}.png")
+        Image.new(mode, (4, 4), (90, 200, 40, 0)[: len(mode)]).save(folder / "textures" / f"{name}.png")
     parts = trimesh.load_scene(folder / "meshes" / "post.glb")
     for part in parts.geometry.values():
         part.visual.vertex_attributes["color"] = np.tile(np.uint8([255, 128, 0, 255]), (len(part.vertices), 1))
     (folder / "meshes" / "post.glb").write_bytes(parts.export(file_type="glb"))
     pack = json.loads((folder / "pack.json").read_text())
     pack["materials"][0] |= {"alpha": "mask", "alpha_cutoff": 0.25, "emissive": [1, 1, 1]} | {
-        f"{kind}": f"textures/{name}.png" for kind, name in (
-            ("texture", "leaf"), ("normal_texture", "bumps"), ("roughness_metal_texture", "shine"),
-            ("emissive_texture", "glow"))}
+        f"{kind}": f"textures/{name}.png"
+        for kind, name in (
+            ("texture", "leaf"),
+            ("normal_texture", "bumps"),
+            ("roughness_metal_texture", "shine"),
+            ("emissive_texture", "glow"),
+        )
+    }
     (folder / "pack.json").write_text(json.dumps(pack))
     out = tmp_path / "leaf.glb"
     assert c4s(home, scene[0], "--glb", out).returncode == 0
@@ -198,10 +236,12 @@ def test_cut_outs_textures_and_colours_of_vertices_come_along(home, scene, tmp_p
 def test_bad_input_is_one_line(home, scene, tmp_path):
     broken = tmp_path / "broken.level.json"
     broken.write_text("{")
-    for arguments, expected in (((tmp_path / "none.json", "--glb", tmp_path / "a.glb"), "no such level document"),
-                                ((broken, "--glb", tmp_path / "a.glb"), "broken.level.json"),
-                                ((scene[0], "--glb", tmp_path / "a.glb", "--pack", "nope"), "no pack 'nope'"),
-                                ((scene[0], "--glb", tmp_path / "a.obj"), "must be a .glb file")):
+    for arguments, expected in (
+        ((tmp_path / "none.json", "--glb", tmp_path / "a.glb"), "no such level document"),
+        ((broken, "--glb", tmp_path / "a.glb"), "broken.level.json"),
+        ((scene[0], "--glb", tmp_path / "a.glb", "--pack", "nope"), "no pack 'nope'"),
+        ((scene[0], "--glb", tmp_path / "a.obj"), "must be a .glb file"),
+    ):
         done = c4s(home, *arguments)
         assert done.returncode == 2 and expected in done.stderr and done.stderr.count("\n") == 1, done.stderr
     assert not (tmp_path / "a.glb").exists()

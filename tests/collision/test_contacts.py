@@ -42,8 +42,14 @@ def world(vertices, location, rotation, scale) -> np.ndarray:
 def test_random_hulls_equal_the_minkowski_difference(seed):
     rng = np.random.default_rng(seed)
     local = [rng.normal(size=(int(rng.integers(4, 20)), 3)) * rng.uniform(5, 80, 3) for _ in range(2)]
-    poses = [(rng.uniform(-40, 40, 3) + (seed % 3) * 1e5, rng.uniform(-180, 180, 3),
-              rng.uniform(0.2, 3, 3) * rng.choice([-1, 1], 3)) for _ in range(2)]
+    poses = [
+        (
+            rng.uniform(-40, 40, 3) + (seed % 3) * 1e5,
+            rng.uniform(-180, 180, 3),
+            rng.uniform(0.2, 3, 3) * rng.choice([-1, 1], 3),
+        )
+        for _ in range(2)
+    ]
     meshes = {"a": hull(local[0]), "b": hull(local[1])}
     found = depth(actor("A", "a", *poses[0]), actor("B", "b", *poses[1]), meshes=meshes)
     shift = poses[0][0]
@@ -60,8 +66,12 @@ def test_axis_aligned_boxes_are_exact(offset, scale):
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.tuples(*[st.floats(-180, 180)] * 3), st.tuples(*[st.floats(-80, 80)] * 3),
-       st.tuples(*[st.floats(0.2, 2)] * 3), st.sampled_from([1, -1]))
+@given(
+    st.tuples(*[st.floats(-180, 180)] * 3),
+    st.tuples(*[st.floats(-80, 80)] * 3),
+    st.tuples(*[st.floats(0.2, 2)] * 3),
+    st.sampled_from([1, -1]),
+)
 def test_turned_scaled_and_mirrored_boxes(rotation, offset, scale, mirror):
     scale = (scale[0] * mirror, *scale[1:])
     body = [{"kind": "box", "center": [10, 0, 5], "rotation_deg": [0, 30, 0], "half_extent": [20, 30, 40]}]
@@ -97,12 +107,24 @@ def test_a_capsule_keeps_round_ends():
 
 @pytest.mark.parametrize("mesh", ["ball", "cap", "flat", "box", "solid"])
 @pytest.mark.parametrize("other", ["ball", "cap", "flat", "box", "solid"])
-@pytest.mark.parametrize("place", [((0, 0, 0), (0, 0, 0)), ((0, 0, 0), (90, 0, 0)), ((20, 0, 0), (0, 0, 90)),
-                                   ((1e-6, 0, 0), (0, 0, 0)), ((0, 0, -1e-6), (0, 45, 0))])
+@pytest.mark.parametrize(
+    "place",
+    [
+        ((0, 0, 0), (0, 0, 0)),
+        ((0, 0, 0), (90, 0, 0)),
+        ((20, 0, 0), (0, 0, 90)),
+        ((1e-6, 0, 0), (0, 0, 0)),
+        ((0, 0, -1e-6), (0, 45, 0)),
+    ],
+)
 def test_degenerate_pairs_end_and_stay_under_the_push_out(mesh, other, place):
-    meshes = {"ball": [{"kind": "sphere", "center": [0, 0, 0], "radius": 50}],
-              "cap": [{"kind": "capsule", "center": [0, 0, 0], "radius": 20, "length": 60}],
-              "flat": hull(CORNERS * [1, 1, 0]), "box": cube(), "solid": hull(CORNERS)}
+    meshes = {
+        "ball": [{"kind": "sphere", "center": [0, 0, 0], "radius": 50}],
+        "cap": [{"kind": "capsule", "center": [0, 0, 0], "radius": 20, "length": 60}],
+        "flat": hull(CORNERS * [1, 1, 0]),
+        "box": cube(),
+        "solid": hull(CORNERS),
+    }
     found = contacts(scene(meshes, actor("A", mesh), actor("B", other, *place)))
     assert all(math.isfinite(c.depth_cm) and 0 < c.depth_cm <= 150 and c.trusted for c in found)
     if {mesh, other} == {"ball", "flat"} and place[0] == (0, 0, 0):
@@ -119,7 +141,8 @@ def test_scale_zero_and_collision_off_have_no_body():
 def test_instances_belong_to_their_actor():
     crowd = actor("A", "box")
     crowd["c4s"]["components"][0]["instances"] = [
-        {"location_cm": [x, 0, 0], "rotation_deg": [0, 0, 0], "scale": [1, 1, 1]} for x in (0, 50, 1000)]
+        {"location_cm": [x, 0, 0], "rotation_deg": [0, 0, 0], "scale": [1, 1, 1]} for x in (0, 50, 1000)
+    ]
     found = contacts(scene({"box": cube()}, crowd, actor("B", "box", (1090, 0, 0))))
     assert [(c.a, c.b) for c in found] == [("A", "B")]
     assert found[0].depth_cm == pytest.approx(10)
@@ -148,8 +171,15 @@ def test_a_city_is_quick():
     rng = np.random.default_rng(5)
     side = 82
     meshes = {"box": cube(), "hull": hull(rng.normal(size=(20, 3)) * 30)}
-    actors = [actor(f"A{i}", "hull" if i % 4 == 0 else "box", (i % side * 75.0, i // side * 75.0, 0),
-                    (0, float(rng.uniform(0, 360)), 0)) for i in range(6700)]
+    actors = [
+        actor(
+            f"A{i}",
+            "hull" if i % 4 == 0 else "box",
+            (i % side * 75.0, i // side * 75.0, 0),
+            (0, float(rng.uniform(0, 360)), 0),
+        )
+        for i in range(6700)
+    ]
     start = time.perf_counter()
     found = contacts(scene(meshes, *actors), minimum_depth_cm=5.0)
     assert len(found) > 5000

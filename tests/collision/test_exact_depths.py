@@ -32,14 +32,20 @@ def body(rng: np.random.Generator, kind: str) -> tuple[list[dict], np.ndarray, f
     record = {"kind": kind, "center": centre.tolist()}
     if kind == "box":
         half = rng.uniform(1, 60, 3)
-        return ([record | {"rotation_deg": turn, "half_extent": half.tolist()}],
-                BOX * half @ affine((0, 0, 0), turn, (1, 1, 1))[:3, :3].T + centre, 0.0)
+        return (
+            [record | {"rotation_deg": turn, "half_extent": half.tolist()}],
+            BOX * half @ affine((0, 0, 0), turn, (1, 1, 1))[:3, :3].T + centre,
+            0.0,
+        )
     radius = float(rng.uniform(1, 40))
     if kind == "sphere":
         return [record | {"radius": radius}], centre[None], radius
     ends = np.array([[0, 0, -1], [0, 0, 1.0]]) * (length := float(rng.uniform(1, 80))) / 2
-    return ([record | {"rotation_deg": turn, "radius": radius, "length": length}],
-            ends @ affine((0, 0, 0), turn, (1, 1, 1))[:3, :3].T + centre, radius)
+    return (
+        [record | {"rotation_deg": turn, "radius": radius, "length": length}],
+        ends @ affine((0, 0, 0), turn, (1, 1, 1))[:3, :3].T + centre,
+        radius,
+    )
 
 
 def measured(meshes, *actors) -> float:
@@ -72,8 +78,10 @@ def test_any_two_kinds_equal_the_minkowski_difference(seed, first, second, far):
 def test_boxes_in_closed_form_equal_coal_on_the_same_hulls(seed, turn):
     rng = np.random.default_rng(seed)
     half = rng.uniform(0.5, 80, (2, 3))
-    places = [(rng.uniform(-60, 60, 3), (0, 0, 0)),
-              (rng.uniform(-60, 60, 3), (turn, 0, 0) if seed % 2 else rng.uniform(-180, 180, 3))]
+    places = [
+        (rng.uniform(-60, 60, 3), (0, 0, 0)),
+        (rng.uniform(-60, 60, 3), (turn, 0, 0) if seed % 2 else rng.uniform(-180, 180, 3)),
+    ]
     boxes = {str(k): [{"kind": "box", "center": [0, 0, 0], "half_extent": half[k].tolist()}] for k in range(2)}
     hulls = {str(k): [{"kind": "hull", "vertices": (BOX * half[k]).tolist()}] for k in range(2)}
     actors = [actor(f"A{k}", str(k), *places[k]) for k in range(2)]
@@ -87,8 +95,10 @@ def test_smooth_hulls_are_exact(corners):
         parts = rng.normal(size=(2, corners, 3))
         parts *= 50 / np.linalg.norm(parts, axis=2)[:, :, None]
         offset = rng.uniform(-4, 4, 3)
-        meshes = {"a": [{"kind": "hull", "vertices": parts[0].tolist()}],
-                  "b": [{"kind": "hull", "vertices": parts[1].tolist()}]}
+        meshes = {
+            "a": [{"kind": "hull", "vertices": parts[0].tolist()}],
+            "b": [{"kind": "hull", "vertices": parts[1].tolist()}],
+        }
         true = -ConvexHull((parts[0][:, None] - parts[1][None] - offset).reshape(-1, 3)).equations[:, 3].max()
         assert measured(meshes, actor("A", "a"), actor("B", "b", offset)) == pytest.approx(true, abs=1e-4)
 
@@ -97,20 +107,36 @@ SPHERE = [{"kind": "sphere", "center": [0, 0, 0], "radius": 50}]
 CAPSULE = [{"kind": "capsule", "center": [0, 0, 0], "radius": 20, "length": 60}]
 FLAT = [{"kind": "hull", "vertices": (BOX * [50, 50, 0]).tolist()}]
 SOLID = [{"kind": "hull", "vertices": (BOX * 50).tolist()}]
-SHAPES = {"ball": (SPHERE, np.zeros((1, 3)), 50.0), "cap": (CAPSULE, np.array([[0, 0, -30.0], [0, 0, 30]]), 20.0),
-          "flat": (FLAT, BOX[::2] * [50, 50, 0], 0.0), "box": (cube(), BOX * 50, 0.0), "solid": (SOLID, BOX * 50, 0.0)}
+SHAPES = {
+    "ball": (SPHERE, np.zeros((1, 3)), 50.0),
+    "cap": (CAPSULE, np.array([[0, 0, -30.0], [0, 0, 30]]), 20.0),
+    "flat": (FLAT, BOX[::2] * [50, 50, 0], 0.0),
+    "box": (cube(), BOX * 50, 0.0),
+    "solid": (SOLID, BOX * 50, 0.0),
+}
 
 
 @pytest.mark.parametrize("first", SHAPES)
 @pytest.mark.parametrize("second", SHAPES)
-@pytest.mark.parametrize("place", [((0, 0, 0), (0, 0, 0)), ((0, 0, 0), (90, 0, 0)), ((20, 0, 0), (0, 0, 90)),
-                                   ((0, 0, 0), (0, 45, 0)), ((0, 0, 40), (0, 45, 0)), ((0, 0, 5), (30, 45, 60))])
+@pytest.mark.parametrize(
+    "place",
+    [
+        ((0, 0, 0), (0, 0, 0)),
+        ((0, 0, 0), (90, 0, 0)),
+        ((20, 0, 0), (0, 0, 90)),
+        ((0, 0, 0), (0, 45, 0)),
+        ((0, 0, 40), (0, 45, 0)),
+        ((0, 0, 5), (30, 45, 60)),
+    ],
+)
 def test_concentric_and_aligned_shapes_are_exact(first, second, place):
     (record_a, core_a, radius_a), (record_b, core_b, radius_b) = SHAPES[first], SHAPES[second]
-    true = exact_depth(core_a, core_b @ affine((0, 0, 0), place[1], (1, 1, 1))[:3, :3].T + place[0],
-                       radius_a + radius_b)
-    assert measured({"a": record_a, "b": record_b}, actor("A", "a"), actor("B", "b", *place)) == \
-        pytest.approx(true, abs=2e-5)
+    true = exact_depth(
+        core_a, core_b @ affine((0, 0, 0), place[1], (1, 1, 1))[:3, :3].T + place[0], radius_a + radius_b
+    )
+    assert measured({"a": record_a, "b": record_b}, actor("A", "a"), actor("B", "b", *place)) == pytest.approx(
+        true, abs=2e-5
+    )
 
 
 @pytest.mark.parametrize("kind", ["box", "hull"])
@@ -135,8 +161,9 @@ def test_extreme_scales_are_exact(scale, mesh):
         true = 0.0
     else:
         true = exact_depth(BOX * 50, thin + np.array([30.0, 10, 20]))
-    assert measured({"m": record, "box": cube()}, actor("A", "box"), actor("B", "m", (30, 10, 20), scale=scale)) == \
-        pytest.approx(true, rel=1e-6, abs=2e-5)
+    assert measured(
+        {"m": record, "box": cube()}, actor("A", "box"), actor("B", "m", (30, 10, 20), scale=scale)
+    ) == pytest.approx(true, rel=1e-6, abs=2e-5)
 
 
 HANGS = """

@@ -26,12 +26,25 @@ def hull(vertices: Any) -> list[dict[str, Any]]:
 def crowd(seed: int, count: int = 24) -> dict[str, Any]:
     """Boxes and hulls, a sphere and a capsule among them, close together."""
     rng = np.random.default_rng(seed)
-    meshes = {"box": cube(), "hull": hull((rng.normal(size=(12, 3)) * 40).tolist()),
-              "ball": [{"kind": "sphere", "center": [0, 0, 0], "radius": 45}],
-              "cap": [{"kind": "capsule", "center": [0, 0, 0], "radius": 20, "length": 70}]}
-    return scene(meshes, *(actor(f"A{n}", ("box", "hull", "ball", "cap")[n % 4], rng.uniform(-150, 150, 3),
-                                 rng.uniform(-180, 180, 3), rng.choice([-1, 1], 3) * rng.uniform(0.5, 1.5))
-                           for n in range(count)))
+    meshes = {
+        "box": cube(),
+        "hull": hull((rng.normal(size=(12, 3)) * 40).tolist()),
+        "ball": [{"kind": "sphere", "center": [0, 0, 0], "radius": 45}],
+        "cap": [{"kind": "capsule", "center": [0, 0, 0], "radius": 20, "length": 70}],
+    }
+    return scene(
+        meshes,
+        *(
+            actor(
+                f"A{n}",
+                ("box", "hull", "ball", "cap")[n % 4],
+                rng.uniform(-150, 150, 3),
+                rng.uniform(-180, 180, 3),
+                rng.choice([-1, 1], 3) * rng.uniform(0.5, 1.5),
+            )
+            for n in range(count)
+        ),
+    )
 
 
 @settings(max_examples=25, deadline=None)
@@ -57,27 +70,50 @@ def test_doubled_vertices_and_inner_points_change_nothing():
     assert [c.depth_cm for c in found] == [pytest.approx(7.0)]
 
 
-@pytest.mark.parametrize("body", [
-    {"kind": "hull", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, NAN]]}, {"kind": "hull", "vertices": None},
-    {"kind": "hull", "vertices": [[0, 0], [1, 0], [0, 1]]}, {"kind": "hull", "vertices": [[0, 0, "1"]]},
-    {"kind": "hull", "vertices": [[-1.7e308, 0, 0], [1.7e308, 0, 0], [0, 1, 0], [0, 0, 1]]},
-    {"kind": "sphere", "center": [0, 0, 0], "radius": NAN}, {"kind": "sphere", "center": [0, 0, 0]},
-    {"kind": "capsule", "center": [0, 0, 0], "radius": 5, "length": INF},
-    {"kind": "box", "center": [0, 0, NAN], "half_extent": [1, 1, 1]},
-    {"kind": "box", "center": [0, 0, 0], "half_extent": [1, True, 1]},
-    {"kind": "box", "center": [0, 0, 0], "half_extent": [1, 1, 1], "rotation_deg": [0, INF, 0]},
-    {"kind": "cone"}, "box", None, 7, {}])
+@pytest.mark.parametrize(
+    "body",
+    [
+        {"kind": "hull", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, NAN]]},
+        {"kind": "hull", "vertices": None},
+        {"kind": "hull", "vertices": [[0, 0], [1, 0], [0, 1]]},
+        {"kind": "hull", "vertices": [[0, 0, "1"]]},
+        {"kind": "hull", "vertices": [[-1.7e308, 0, 0], [1.7e308, 0, 0], [0, 1, 0], [0, 0, 1]]},
+        {"kind": "sphere", "center": [0, 0, 0], "radius": NAN},
+        {"kind": "sphere", "center": [0, 0, 0]},
+        {"kind": "capsule", "center": [0, 0, 0], "radius": 5, "length": INF},
+        {"kind": "box", "center": [0, 0, NAN], "half_extent": [1, 1, 1]},
+        {"kind": "box", "center": [0, 0, 0], "half_extent": [1, True, 1]},
+        {"kind": "box", "center": [0, 0, 0], "half_extent": [1, 1, 1], "rotation_deg": [0, INF, 0]},
+        {"kind": "cone"},
+        "box",
+        None,
+        7,
+        {},
+    ],
+)
 def test_a_broken_body_leaves_its_actor_unresolved(body):
     found = scene_bodies(scene({"bad": [*cube(), body], "good": cube()}, actor("A", "bad"), actor("B", "good")))
     assert (found.owners, list(found.unresolved)) == ([1], [0])
     assert "A" not in {name for c in contacts(scene({"m": [body]}, actor("A", "m"))) for name in (c.a, c.b)}
 
 
-@pytest.mark.parametrize("change", [
-    {"location_cm": [0, NAN, 0]}, {"location_cm": None}, {"scale": [1, INF, 1]}, {"scale": [1, 1]},
-    {"scale": ["1", "1", "1"]}, {"rotation_deg": None}, {"rotation_deg": [0, NAN, 0]},
-    {"quaternion_xyzw": [0, 0, 0, 0]}, {"quaternion_xyzw": [0, 0, NAN, 1]}, {"quaternion_xyzw": [0, 0, 1]},
-    {"scale": [1e308, 1e308, 1e308]}, {"location_cm": [10**400, 0, 0]}])
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"location_cm": [0, NAN, 0]},
+        {"location_cm": None},
+        {"scale": [1, INF, 1]},
+        {"scale": [1, 1]},
+        {"scale": ["1", "1", "1"]},
+        {"rotation_deg": None},
+        {"rotation_deg": [0, NAN, 0]},
+        {"quaternion_xyzw": [0, 0, 0, 0]},
+        {"quaternion_xyzw": [0, 0, NAN, 1]},
+        {"quaternion_xyzw": [0, 0, 1]},
+        {"scale": [1e308, 1e308, 1e308]},
+        {"location_cm": [10**400, 0, 0]},
+    ],
+)
 @pytest.mark.parametrize("mesh", ["box", "hull"])
 def test_a_broken_transform_leaves_its_actor_unresolved(change, mesh):
     meshes = {"box": cube(), "hull": hull([[0, 0, 0], [50, 0, 0], [0, 50, 0], [0, 0, 50]])}
@@ -87,8 +123,16 @@ def test_a_broken_transform_leaves_its_actor_unresolved(change, mesh):
     assert (found.owners, list(found.unresolved)) == ([1], [0])
 
 
-@pytest.mark.parametrize("components", [[None], ["x"], [{"mesh": "box", "collision_enabled": True}],
-                                        [{"mesh": ["box"], "collision_enabled": True, "transform": {}}], "none"])
+@pytest.mark.parametrize(
+    "components",
+    [
+        [None],
+        ["x"],
+        [{"mesh": "box", "collision_enabled": True}],
+        [{"mesh": ["box"], "collision_enabled": True, "transform": {}}],
+        "none",
+    ],
+)
 def test_broken_components_leave_their_actor_unresolved(components):
     broken = actor("A", "box") | {"c4s": {"components": components}}
     assert list(scene_bodies(scene({"box": cube()}, broken)).unresolved) == [0]
@@ -111,8 +155,9 @@ def test_a_second_look_after_actors_moved_is_right():
     after = contacts(moved)
     assert after != before and contacts(first) == before
     renamed = copy.deepcopy(moved)
-    renamed["c4s"]["meshes"] = {name: hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) for name in
-                                moved["c4s"]["meshes"]}
+    renamed["c4s"]["meshes"] = {
+        name: hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) for name in moved["c4s"]["meshes"]
+    }
     assert contacts(renamed) == [] and contacts(moved) == after
 
 

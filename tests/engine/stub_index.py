@@ -42,8 +42,10 @@ def signature_of(node: ast.FunctionDef) -> Signature:
         found = found[1:]
     if arguments.vararg:
         found.append(Parameter(arguments.vararg.arg, False, "*"))
-    found += [Parameter(argument.arg, default is None)
-              for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)]
+    found += [
+        Parameter(argument.arg, default is None)
+        for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+    ]
     if arguments.kwarg:
         found.append(Parameter(arguments.kwarg.arg, False, "**"))
     return tuple(found)
@@ -94,9 +96,11 @@ class StubIndex:
         return dict(zip(self._tops, [*self._tops[1:], len(self._lines)], strict=True))
 
     def _block(self, start: int) -> str:
-        lines = self._lines[start:self._ends[start]]
-        return "\n".join(_BLOB_DEFAULT.sub("= ...) -> None:", line) if line.startswith("    def ") and "= [[" in line
-                         else line for line in lines)
+        lines = self._lines[start : self._ends[start]]
+        return "\n".join(
+            _BLOB_DEFAULT.sub("= ...) -> None:", line) if line.startswith("    def ") and "= [[" in line else line
+            for line in lines
+        )
 
     def classes(self) -> set[str]:
         """Names of all classes."""
@@ -134,9 +138,15 @@ class StubIndex:
                 constants.add(item.target.id)
             elif isinstance(item, ast.Assign):
                 constants |= {target.id for target in item.targets if isinstance(target, ast.Name)}
-        return StubClass(name, tuple(base.id for base in node.bases if isinstance(base, ast.Name)), methods,
-                         nodes,
-                         frozenset(properties), frozenset(_LISTED.findall(text)), frozenset(constants))
+        return StubClass(
+            name,
+            tuple(base.id for base in node.bases if isinstance(base, ast.Name)),
+            methods,
+            nodes,
+            frozenset(properties),
+            frozenset(_LISTED.findall(text)),
+            frozenset(constants),
+        )
 
     def numbers(self, name: str) -> dict[str, int]:
         """Numbers of an enum's members."""

@@ -52,8 +52,11 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
         except Exception as error:
             failed[script.stem] = error
     out = home / "found.json"
-    subprocess.run([sys.executable, "-c", CLEAN, str(content), str(pack), str(out), *(s.stem for s in SCRIPTS)],
-                   check=True, timeout=200)
+    subprocess.run(
+        [sys.executable, "-c", CLEAN, str(content), str(pack), str(out), *(s.stem for s in SCRIPTS)],
+        check=True,
+        timeout=200,
+    )
     return {**json.loads(out.read_text()), **failed}
 
 
@@ -136,8 +139,16 @@ def paints(s: Scene) -> None:
 
 
 def organized(s: Scene) -> None:
-    assert set(s.actors) == {"Tree_01", "Tree_02", "Tree_03", "Rock_01", "Building_01", "Light_01", "Misc_01",
-                             "Misc_02"}
+    assert set(s.actors) == {
+        "Tree_01",
+        "Tree_02",
+        "Tree_03",
+        "Rock_01",
+        "Building_01",
+        "Light_01",
+        "Misc_01",
+        "Misc_02",
+    }
 
 
 def repaired(s: Scene) -> None:
@@ -205,8 +216,8 @@ def first_point_of_stream() -> tuple[float, float, float]:
 
     def fraction() -> float:
         nonlocal seed
-        seed = (seed * 196314165 + 907633515) % 2 ** 32
-        return (seed >> 9) / 2 ** 23
+        seed = (seed * 196314165 + 907633515) % 2**32
+        return (seed >> 9) / 2**23
 
     while not found:
         x, y, _ = -2000 + 5000 * fraction(), -2000 + 4000 * fraction(), fraction()
@@ -285,15 +296,22 @@ def markup(s: Scene) -> None:
 
 
 def stacked(s: Scene) -> None:
-    tops = sorted((a["bounds"]["origin_cm"][2] - a["bounds"]["extent_cm"][2],
-                   a["bounds"]["origin_cm"][2] + a["bounds"]["extent_cm"][2]) for a in s.rows)
+    tops = sorted(
+        (
+            a["bounds"]["origin_cm"][2] - a["bounds"]["extent_cm"][2],
+            a["bounds"]["origin_cm"][2] + a["bounds"]["extent_cm"][2],
+        )
+        for a in s.rows
+    )
     assert all(abs(low - top) < 0.01 for (_, top), (low, _) in itertools.pairwise(tops))
     assert tops[-1][1] == pytest.approx(50 + 100 + 80 + 50 + 50)
 
 
 def foliage(s: Scene) -> None:
-    trees, rocks = (next(part for part in s.actors[name]["c4s"]["components"] if part["mesh"])["instances"]
-                    for name in ("Foliage_Trees", "Foliage_Rocks"))
+    trees, rocks = (
+        next(part for part in s.actors[name]["c4s"]["components"] if part["mesh"])["instances"]
+        for name in ("Foliage_Trees", "Foliage_Rocks")
+    )
     assert len(trees) + len(rocks) == 80 and max(t["location_cm"][2] for t in trees) > 30
     assert all(abs(t["rotation_deg"][0]) < 1e-6 and abs(t["rotation_deg"][2]) < 1e-6 for t in trees)
     assert any(abs(r["rotation_deg"][0]) + abs(r["rotation_deg"][2]) > 1 for r in rocks)
@@ -336,17 +354,41 @@ def edited(s: Scene) -> None:
 
 
 OUTCOMES: dict[str, Callable[[Scene], None]] = {
-    "s01_village_street": village, "s02_lighting_rig": rig, "s03_hism_forest": forest, "s04_fence_around_yard": fence,
-    "s05_ground_snap": snapped, "s06_materials_and_instances": paints, "s07_organize_outliner": organized,
-    "s08_repair_rotations": repaired, "s09_parking_lot": parking, "s10_attach_furniture": furniture,
-    "s11_blueprint_gates": gates, "s12_asset_search": samples, "s13_delete_and_rebuild": rebuilt,
-    "s14_spiral_tower": tower, "s15_tag_pass": tagged, "s16_dynamic_materials": balls,
-    "s17_scatter_rejection": scattered, "s18_camera_orbit": orbit, "s19_room_with_walls": room,
-    "s20_mirror_copies": mirrored, "s21_asset_housekeeping": housekept, "s22_capture_pose_check": subject,
-    "s23_terraces": terraces, "s24_town_from_spec": town, "s25_merge_to_hism": merged, "s26_transform_chain": clock,
-    "s27_version_tolerant": probed, "s28_batch_light_edit": lamps, "s29_save_twice_extend": extended,
-    "s30_level_markup": markup, "s31_stack_by_bounds": stacked, "s32_foliage_on_hills": foliage,
-    "s33_modular_building": building, "s34_evening_mood": mood, "s35_material_library": library,
+    "s01_village_street": village,
+    "s02_lighting_rig": rig,
+    "s03_hism_forest": forest,
+    "s04_fence_around_yard": fence,
+    "s05_ground_snap": snapped,
+    "s06_materials_and_instances": paints,
+    "s07_organize_outliner": organized,
+    "s08_repair_rotations": repaired,
+    "s09_parking_lot": parking,
+    "s10_attach_furniture": furniture,
+    "s11_blueprint_gates": gates,
+    "s12_asset_search": samples,
+    "s13_delete_and_rebuild": rebuilt,
+    "s14_spiral_tower": tower,
+    "s15_tag_pass": tagged,
+    "s16_dynamic_materials": balls,
+    "s17_scatter_rejection": scattered,
+    "s18_camera_orbit": orbit,
+    "s19_room_with_walls": room,
+    "s20_mirror_copies": mirrored,
+    "s21_asset_housekeeping": housekept,
+    "s22_capture_pose_check": subject,
+    "s23_terraces": terraces,
+    "s24_town_from_spec": town,
+    "s25_merge_to_hism": merged,
+    "s26_transform_chain": clock,
+    "s27_version_tolerant": probed,
+    "s28_batch_light_edit": lamps,
+    "s29_save_twice_extend": extended,
+    "s30_level_markup": markup,
+    "s31_stack_by_bounds": stacked,
+    "s32_foliage_on_hills": foliage,
+    "s33_modular_building": building,
+    "s34_evening_mood": mood,
+    "s35_material_library": library,
     "s36_mass_edit": edited,
 }
 

@@ -22,12 +22,23 @@ def pack(tmp_path: Path) -> Path:
     folder = tmp_path / "pack"
     (folder / "textures").mkdir(parents=True)
     Image.fromarray(np.full((4, 4, 3), (255, 0, 0), dtype=np.uint8)).save(folder / "textures/red.png")
-    flag = Asset(id="flag", name="Flag", path="/Game/T/SM_Flag.SM_Flag", category="props",
-                 bounds_min_cm=(-1, -1, 0), bounds_max_cm=(1, 1, 1),
-                 slots=[MaterialSlot(name="Cloth", material="/Game/T/M_Red.M_Red")])
-    Pack(pack_id="t", content_folder="T", title="T", license="CC0-1.0", assets=[flag],
-         materials=[Material(path="/Game/T/M_Red.M_Red", base_color=(1, 1, 1), texture="textures/red.png")]).write(
-             folder / "pack.json")
+    flag = Asset(
+        id="flag",
+        name="Flag",
+        path="/Game/T/SM_Flag.SM_Flag",
+        category="props",
+        bounds_min_cm=(-1, -1, 0),
+        bounds_max_cm=(1, 1, 1),
+        slots=[MaterialSlot(name="Cloth", material="/Game/T/M_Red.M_Red")],
+    )
+    Pack(
+        pack_id="t",
+        content_folder="T",
+        title="T",
+        license="CC0-1.0",
+        assets=[flag],
+        materials=[Material(path="/Game/T/M_Red.M_Red", base_color=(1, 1, 1), texture="textures/red.png")],
+    ).write(folder / "pack.json")
     return folder
 
 
@@ -49,8 +60,9 @@ def test_a_copied_material_keeps_its_texture(pack, tmp_path):
     copy = unreal.EditorAssetLibrary.duplicate_asset("/Game/T/M_Red", "/Game/Mine/M_Copy")
     second = unreal.EditorAssetLibrary.duplicate_asset("/Game/Mine/M_Copy", "/Game/Mine/M_Second")
     tools = unreal.AssetToolsHelpers.get_asset_tools()
-    instance = tools.create_asset("MI_Copy", "/Game/Mine", unreal.MaterialInstanceConstant,
-                                  unreal.MaterialInstanceConstantFactoryNew())
+    instance = tools.create_asset(
+        "MI_Copy", "/Game/Mine", unreal.MaterialInstanceConstant, unreal.MaterialInstanceConstantFactoryNew()
+    )
     instance.set_editor_property("parent", second)
     for material in (copy, second, instance):
         actor = painted(unreal, material)
@@ -73,8 +85,12 @@ def test_what_uses_an_asset_follows_its_new_name(pack, tmp_path):
     assert not (tmp_path / "content/Game/Mine/M_A.asset.json").exists()
     assert box.static_mesh_component.get_material(0).get_path_name() == "/Game/Other/M_B.M_B"
     assert unreal.load_asset("/Game/Other/M_B") is made and made.get_name() == "M_B"
-    for source, target in (("/Game/T/M_Red", "/Game/T/M_Other"), ("/Game/Other/M_B", "/Game/T/M_Red"),
-                           ("/Game/Other/M_B", "/Engine/M_B"), ("/Game/None", "/Game/Mine/M_C")):
+    for source, target in (
+        ("/Game/T/M_Red", "/Game/T/M_Other"),
+        ("/Game/Other/M_B", "/Game/T/M_Red"),
+        ("/Game/Other/M_B", "/Engine/M_B"),
+        ("/Game/None", "/Game/Mine/M_C"),
+    ):
         assert not library.rename_asset(source, target)
     assert library.rename_directory("/Game/Other", "/Game/Last") and library.does_asset_exist("/Game/Last/M_B")
     assert not library.rename_directory("/Game/T", "/Game/U")
@@ -111,16 +127,17 @@ def test_parameters_have_the_names_that_a_script_gave_them(tmp_path):
     unreal = boot([], tmp_path)
     edit, tools = unreal.MaterialEditingLibrary, unreal.AssetToolsHelpers.get_asset_tools()
     base = tools.create_asset("M_Base", "/Game/M", unreal.Material, unreal.MaterialFactoryNew())
-    for kind, name, where in ((unreal.MaterialExpressionVectorParameter, "PaintColor",
-                               unreal.MaterialProperty.MP_BASE_COLOR),
-                              (unreal.MaterialExpressionScalarParameter, "Shine",
-                               unreal.MaterialProperty.MP_ROUGHNESS)):
+    for kind, name, where in (
+        (unreal.MaterialExpressionVectorParameter, "PaintColor", unreal.MaterialProperty.MP_BASE_COLOR),
+        (unreal.MaterialExpressionScalarParameter, "Shine", unreal.MaterialProperty.MP_ROUGHNESS),
+    ):
         node = edit.create_material_expression(base, kind, -300, 0)
         node.set_editor_property("parameter_name", name)
         assert edit.connect_material_property(node, "", where)
     edit.recompile_material(base)
-    made = tools.create_asset("MI_A", "/Game/M", unreal.MaterialInstanceConstant,
-                              unreal.MaterialInstanceConstantFactoryNew())
+    made = tools.create_asset(
+        "MI_A", "/Game/M", unreal.MaterialInstanceConstant, unreal.MaterialInstanceConstantFactoryNew()
+    )
     edit.set_material_instance_parent(made, base)
     assert edit.set_material_instance_vector_parameter_value(made, "paintcolor", unreal.LinearColor(0, 1, 0, 1))
     assert edit.set_material_instance_scalar_parameter_value(made, "Shine", 0.25)
@@ -151,8 +168,12 @@ def test_folders_lists_and_metadata(pack, tmp_path):
     assert list(library.list_assets("/Game/Twin")) == ["/Game/Twin/Deep/M_A.M_A"]
     assert library.delete_directory("/Game/Mine") and not library.does_directory_exist("/Game/Mine/Deep")
     registry = unreal.AssetRegistryHelpers.get_asset_registry()
-    wanted = unreal.ARFilter(class_paths=[unreal.TopLevelAssetPath("/Script/Engine", "MaterialInterface")],
-                             package_paths=["/Game"], recursive_paths=True, recursive_classes=True)
+    wanted = unreal.ARFilter(
+        class_paths=[unreal.TopLevelAssetPath("/Script/Engine", "MaterialInterface")],
+        package_paths=["/Game"],
+        recursive_paths=True,
+        recursive_classes=True,
+    )
     assert [str(d.asset_name) for d in registry.get_assets(wanted)] == ["M_Red", "M_A"]
 
 
@@ -183,8 +204,11 @@ def test_transactions_open_and_close_and_edits_stay(tmp_path):
 
 def test_older_functions_warn_their_caller(tmp_path):
     unreal = boot([], tmp_path)
-    with pytest.warns(DeprecationWarning, match="Function 'get_all_level_actors' on 'EditorLevelLibrary' is "
-                                                "deprecated: .* Use the function in Editor Actor Utilities Subsystem"):
+    with pytest.warns(
+        DeprecationWarning,
+        match="Function 'get_all_level_actors' on 'EditorLevelLibrary' is "
+        "deprecated: .* Use the function in Editor Actor Utilities Subsystem",
+    ):
         unreal.EditorLevelLibrary.get_all_level_actors()
 
 
@@ -213,13 +237,17 @@ def test_properties_by_their_other_names_and_errors_in_unreals_words(tmp_path):
         "PointLightComponent: Failed to convert type 'LinearColor' to property 'LightColor' (StructProperty) for "
         "attribute 'light_color' on 'PointLightComponent'",
         "  TypeError: NativizeProperty: Cannot nativize 'LinearColor' as 'LightColor' (StructProperty)",
-        "    TypeError: NativizeStructInstance: Cannot nativize 'LinearColor' as 'Color'"]
+        "    TypeError: NativizeStructInstance: Cannot nativize 'LinearColor' as 'Color'",
+    ]
     with pytest.raises(TypeError, match=r"set_actor_location\(\) required argument 'sweep' \(pos 2\) not found"):
         lamp.set_actor_location(unreal.Vector())
     with pytest.raises(TypeError, match=r"get_actor_label\(\) takes at most 1 argument \(2 given\)"):
         lamp.get_actor_label(True, True)
-    with pytest.raises(TypeError, match=r"'loc' is an invalid keyword argument for set_actor_scale3d\(\)|"
-                                        r"required argument 'new_scale3d'"):
+    with pytest.raises(
+        TypeError,
+        match=r"'loc' is an invalid keyword argument for set_actor_scale3d\(\)|"
+        r"required argument 'new_scale3d'",
+    ):
         lamp.set_actor_scale3d(loc=unreal.Vector())
     with pytest.raises(Exception, match="is read-only and cannot be set"):
         lamp.set_editor_property("root_component", part)

@@ -71,8 +71,9 @@ def test_arithmetic_drives_a_surface_and_its_parameters_reach_instances(unreal):
     assert edit.get_num_material_expressions(material) == 4
     assert [str(n) for n in edit.get_scalar_parameter_names(material)] == ["Roughness", "Metallic", "Opacity"]
 
-    instance = tools.create_asset("MI_Mix", "/Game/Made", unreal.MaterialInstanceConstant,
-                                  unreal.MaterialInstanceConstantFactoryNew())
+    instance = tools.create_asset(
+        "MI_Mix", "/Game/Made", unreal.MaterialInstanceConstant, unreal.MaterialInstanceConstantFactoryNew()
+    )
     edit.set_material_instance_parent(instance, material)
     assert edit.set_material_instance_vector_parameter_value(instance, "Tint", unreal.LinearColor(0, 0, 1, 1))
     assert [str(data.asset_name) for data in edit.get_child_instances(material)] == ["MI_Mix"]
@@ -85,7 +86,8 @@ def test_arithmetic_drives_a_surface_and_its_parameters_reach_instances(unreal):
 
 def test_parameters_on_all_materials_of_a_component(unreal):
     box = unreal.EditorLevelLibrary.spawn_actor_from_object(
-        unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector()).static_mesh_component
+        unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector()
+    ).static_mesh_component
     box.set_vector_parameter_value_on_materials("BaseColor", unreal.Vector(1, 0.5, 0))
     box.set_scalar_parameter_value_on_materials("Roughness", 0.25)
     made = box.get_material(0)

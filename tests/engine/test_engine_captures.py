@@ -15,8 +15,9 @@ def test_a_capture_actor_draws_into_its_target(tmp_path: Path):
     unreal = boot([], tmp_path / "content")
     world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
     spawn = unreal.EditorLevelLibrary.spawn_actor_from_class
-    cube = unreal.EditorLevelLibrary.spawn_actor_from_object(unreal.load_asset("/Engine/BasicShapes/Cube"),
-                                                             unreal.Vector(300, 0, 0))
+    cube = unreal.EditorLevelLibrary.spawn_actor_from_object(
+        unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector(300, 0, 0)
+    )
     red = cube.static_mesh_component.create_dynamic_material_instance(0)
     red.set_vector_parameter_value("BaseColor", unreal.LinearColor(1, 0, 0, 1))
     capture = spawn(unreal.SceneCapture2D, unreal.Vector()).capture_component2d

@@ -43,5 +43,9 @@ def test_a_copy_of_a_mesh_that_no_pack_holds_shows_nothing(tmp_path):
     again = boot([], tmp_path / "content", start_map="/Game/Made/Yard")
     assert shown(tmp_path) == {}
     assert again.load_asset("/Game/Made/SM_Copy").get_num_triangles(0) == 0
-    assert again.get_editor_subsystem(again.StaticMeshEditorSubsystem).get_number_verts(
-        again.load_asset("/Game/Made/SM_Copy"), 0) == 0
+    assert (
+        again.get_editor_subsystem(again.StaticMeshEditorSubsystem).get_number_verts(
+            again.load_asset("/Game/Made/SM_Copy"), 0
+        )
+        == 0
+    )

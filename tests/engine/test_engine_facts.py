@@ -13,23 +13,39 @@ from hypothesis import strategies as st
 from c4s.engine.headless.boot import boot
 
 SHAPES = ("Cube", "Sphere", "Cylinder")
-CLASSES = ("PointLight", "SpotLight", "DirectionalLight", "ExponentialHeightFog", "PostProcessVolume", "CameraActor",
-           "StaticMeshActor", "TextRenderActor", "DecalActor", "SkyLight")
+CLASSES = (
+    "PointLight",
+    "SpotLight",
+    "DirectionalLight",
+    "ExponentialHeightFog",
+    "PostProcessVolume",
+    "CameraActor",
+    "StaticMeshActor",
+    "TextRenderActor",
+    "DecalActor",
+    "SkyLight",
+)
 NUMBERS = st.integers(-4000, 4000).map(lambda whole: whole / 8)
 SCALES = st.sampled_from([-2.0, -1.0, 0.0, 0.5, 1.0, 3.0])
 PICK = st.integers(0, 30)
-EDITS = st.lists(st.one_of(
-    st.tuples(st.just("mesh"), st.sampled_from(SHAPES), NUMBERS, NUMBERS),
-    st.tuples(st.just("class"), st.sampled_from(CLASSES), NUMBERS, NUMBERS),
-    st.tuples(st.just("move"), PICK, NUMBERS, NUMBERS),
-    st.tuples(st.just("turn"), PICK, NUMBERS, NUMBERS, NUMBERS),
-    st.tuples(st.just("scale"), PICK, SCALES, SCALES, SCALES),
-    st.tuples(st.just("attach"), PICK, PICK, st.booleans()),
-    st.tuples(st.sampled_from(["detach", "delete", "copy", "swap", "dynamic", "quiet", "hide", "bare", "lone"]), PICK),
-    st.tuples(st.just("label"), PICK, st.sampled_from(["Door", "Tür", " a b "])),
-    st.tuples(st.just("tags"), PICK, st.sampled_from([["simcodearena.stable_actor_id=x1"], ["a", "A", ""], []])),
-    st.tuples(st.just("rename"), PICK, st.sampled_from(["Named_1", "Named_2"])),
-    st.tuples(st.just("instances"), PICK, st.lists(st.tuples(NUMBERS, NUMBERS, SCALES), max_size=3))), max_size=25)
+EDITS = st.lists(
+    st.one_of(
+        st.tuples(st.just("mesh"), st.sampled_from(SHAPES), NUMBERS, NUMBERS),
+        st.tuples(st.just("class"), st.sampled_from(CLASSES), NUMBERS, NUMBERS),
+        st.tuples(st.just("move"), PICK, NUMBERS, NUMBERS),
+        st.tuples(st.just("turn"), PICK, NUMBERS, NUMBERS, NUMBERS),
+        st.tuples(st.just("scale"), PICK, SCALES, SCALES, SCALES),
+        st.tuples(st.just("attach"), PICK, PICK, st.booleans()),
+        st.tuples(
+            st.sampled_from(["detach", "delete", "copy", "swap", "dynamic", "quiet", "hide", "bare", "lone"]), PICK
+        ),
+        st.tuples(st.just("label"), PICK, st.sampled_from(["Door", "Tür", " a b "])),
+        st.tuples(st.just("tags"), PICK, st.sampled_from([["simcodearena.stable_actor_id=x1"], ["a", "A", ""], []])),
+        st.tuples(st.just("rename"), PICK, st.sampled_from(["Named_1", "Named_2"])),
+        st.tuples(st.just("instances"), PICK, st.lists(st.tuples(NUMBERS, NUMBERS, SCALES), max_size=3)),
+    ),
+    max_size=25,
+)
 
 
 class Editor:
@@ -41,8 +57,11 @@ class Editor:
 
     def __call__(self, kind: str, *given: Any) -> None:
         if kind in ("mesh", "class"):
-            what = (self.unreal.load_asset(f"/Engine/BasicShapes/{given[0]}") if kind == "mesh"
-                    else getattr(self.unreal, given[0]))
+            what = (
+                self.unreal.load_asset(f"/Engine/BasicShapes/{given[0]}")
+                if kind == "mesh"
+                else getattr(self.unreal, given[0])
+            )
             spawn = self.actors.spawn_actor_from_object if kind == "mesh" else self.actors.spawn_actor_from_class
             spawn(what, self.unreal.Vector(given[1], given[2], 10))
             return
@@ -110,8 +129,11 @@ class Editor:
     def instances(self, actor, rows):
         subsystem = self.unreal.get_engine_subsystem(self.unreal.SubobjectDataSubsystem)
         handles = subsystem.k2_gather_subobject_data_for_instance(actor)
-        handle, _ = subsystem.add_new_subobject(self.unreal.AddNewSubobjectParams(
-            parent_handle=handles[0], new_class=self.unreal.InstancedStaticMeshComponent))
+        handle, _ = subsystem.add_new_subobject(
+            self.unreal.AddNewSubobjectParams(
+                parent_handle=handles[0], new_class=self.unreal.InstancedStaticMeshComponent
+            )
+        )
         library = self.unreal.SubobjectDataBlueprintFunctionLibrary
         made = library.get_object(library.get_data(handle))
         made.set_static_mesh(self.unreal.load_asset("/Engine/BasicShapes/Cube"))
@@ -136,8 +158,10 @@ def test_both_readers_give_the_same_snapshot(content, edits):
     for number, each in enumerate([*edits, ("mesh", "Cube", 0.0, 0.0)]):
         edit(*each)
         if number % 5 == 0 or number == len(edits):
-            texts = [[json.dumps(snapshot.export_actor(actor, {}, reader)) for actor in
-                      edit.actors.get_all_level_actors()] for reader in (Reader(), DirectReader())]
+            texts = [
+                [json.dumps(snapshot.export_actor(actor, {}, reader)) for actor in edit.actors.get_all_level_actors()]
+                for reader in (Reader(), DirectReader())
+            ]
             assert texts[0] == texts[1]
 
 

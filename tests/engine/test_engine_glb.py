@@ -67,18 +67,30 @@ def lit_level(folder: Path) -> tuple[dict, dict]:
     sun = spawn("DirectionalLight", pitch=-30, yaw=40).get_component_by_class(unreal.DirectionalLightComponent)
     sun.set_editor_properties({"intensity": 8.0, "use_temperature": True, "temperature": 3000.0})
     lamp = spawn("PointLight", (100, 200, 300)).point_light_component
-    lamp.set_editor_properties({"intensity": 800.0, "intensity_units": unreal.LightUnits.LUMENS,
-                                "light_color": unreal.Color(r=255, g=188, b=0), "attenuation_radius": 450.0})
+    lamp.set_editor_properties(
+        {
+            "intensity": 800.0,
+            "intensity_units": unreal.LightUnits.LUMENS,
+            "light_color": unreal.Color(r=255, g=188, b=0),
+            "attenuation_radius": 450.0,
+        }
+    )
     spot = spawn("SpotLight", pitch=90).spot_light_component
-    spot.set_editor_properties({"intensity": 50.0, "intensity_units": unreal.LightUnits.CANDELAS,
-                                "inner_cone_angle": 60.0, "outer_cone_angle": 44.0})
+    spot.set_editor_properties(
+        {
+            "intensity": 50.0,
+            "intensity_units": unreal.LightUnits.CANDELAS,
+            "inner_cone_angle": 60.0,
+            "outer_cone_angle": 44.0,
+        }
+    )
     spawn("RectLight", yaw=90).rect_light_component.set_editor_property("intensity", 625.0)
     spawn("SkyLight")
     spawn("PointLight").set_is_temporarily_hidden_in_editor(True)
     spawn("CameraActor", (-500, 0, 0), yaw=180, roll=20).camera_component.set_editor_property("field_of_view", 90.0)
     told = write_glb(world(), folder / "lit.glb")
     data = (folder / "lit.glb").read_bytes()
-    return json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]]), told
+    return json.loads(data[20 : 20 + struct.unpack_from("<I", data, 12)[0]]), told
 
 
 def forward(node: dict, local=(0.0, 0.0, -1.0)) -> list[float]:
@@ -99,8 +111,12 @@ def test_lights_and_cameras_come_along_with_their_units_and_directions(tmp_path:
     sun = lights["DirectionalLight"]
     assert sun["type"] == "directional" and "range" not in sun and max(sun["color"]) == 1 and sun["color"][2] < 0.3
     assert forward(nodes["DirectionalLight"]) == pytest.approx(
-        [math.cos(math.radians(30)) * math.cos(math.radians(40)), math.cos(math.radians(30)) * math.sin(
-            math.radians(40)), -0.5])
+        [
+            math.cos(math.radians(30)) * math.cos(math.radians(40)),
+            math.cos(math.radians(30)) * math.sin(math.radians(40)),
+            -0.5,
+        ]
+    )
     lamp = lights["PointLight"]
     assert lamp["intensity"] == pytest.approx(800 / (4 * math.pi)) and lamp["range"] == 4.5
     assert lamp["color"] == pytest.approx([1.0, 0.5029, 0.0], abs=1e-3)
@@ -122,8 +138,9 @@ def test_lights_and_cameras_come_along_with_their_units_and_directions(tmp_path:
 def test_nits_count_by_the_area_that_shines(tmp_path: Path):
     unreal = boot([], tmp_path / "content")
     light = unreal.EditorLevelLibrary.spawn_actor_from_class(unreal.RectLight, unreal.Vector()).rect_light_component
-    light.set_editor_properties({"intensity": 200.0, "intensity_units": unreal.LightUnits.NITS,
-                                 "source_width": 100.0, "source_height": 50.0})
+    light.set_editor_properties(
+        {"intensity": 200.0, "intensity_units": unreal.LightUnits.NITS, "source_width": 100.0, "source_height": 50.0}
+    )
     (source,) = world().light_sources()
     assert candela_of(source) == pytest.approx(100.0)
     assert lights_of([source]).local[0].intensity_cd == pytest.approx(100.0)
@@ -136,7 +153,9 @@ def test_the_khronos_validator_accepts_lights_cameras_and_instances(tmp_path: Pa
     if subprocess.run(["node", "-e", "require.resolve('gltf-validator')"], capture_output=True, check=False).returncode:
         pytest.skip("the npm package gltf-validator is not installed")
     lit_level(tmp_path)
-    script = ("require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[1])))"
-              ".then(found => console.log(JSON.stringify(found.issues)))")
+    script = (
+        "require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[1])))"
+        ".then(found => console.log(JSON.stringify(found.issues)))"
+    )
     done = subprocess.run(["node", "-e", script, str(tmp_path / "lit.glb")], capture_output=True, text=True, check=True)
     assert json.loads(done.stdout)["messages"] == []

@@ -23,16 +23,40 @@ SECONDS = 2.0
 def pack(tmp_path: Path) -> Path:
     """A pack with a mesh, a Blueprint of two parts, and a material."""
     box = {"bounds_min_cm": (-20, -20, 0), "bounds_max_cm": (20, 20, 80)}
-    mesh = Asset(id="sm_post", name="Post", path="/Game/T/SM_Post.SM_Post", category="props", mesh="meshes/post.glb",
-                 mesh_sha256="0" * 64, slots=[MaterialSlot(name="Wood", material="/Game/T/M_Wood.M_Wood")],
-                 collision=[BoxBody(center=(0, 0, 40), half_extent=(20, 20, 40))], **box)
-    parts = [BlueprintPart(name="Left", asset=mesh.path),
-             BlueprintPart(name="Right", asset=mesh.path, relative=Transform(location_cm=(100, 0, 0)))]
-    gate = Asset(id="bp_gate", name="Gate", kind="blueprint", path="/Game/T/BP_Gate.BP_Gate", category="props",
-                 bounds_min_cm=(-20, -20, 0), bounds_max_cm=(120, 20, 80), parts=parts)
+    mesh = Asset(
+        id="sm_post",
+        name="Post",
+        path="/Game/T/SM_Post.SM_Post",
+        category="props",
+        mesh="meshes/post.glb",
+        mesh_sha256="0" * 64,
+        slots=[MaterialSlot(name="Wood", material="/Game/T/M_Wood.M_Wood")],
+        collision=[BoxBody(center=(0, 0, 40), half_extent=(20, 20, 40))],
+        **box,
+    )
+    parts = [
+        BlueprintPart(name="Left", asset=mesh.path),
+        BlueprintPart(name="Right", asset=mesh.path, relative=Transform(location_cm=(100, 0, 0))),
+    ]
+    gate = Asset(
+        id="bp_gate",
+        name="Gate",
+        kind="blueprint",
+        path="/Game/T/BP_Gate.BP_Gate",
+        category="props",
+        bounds_min_cm=(-20, -20, 0),
+        bounds_max_cm=(120, 20, 80),
+        parts=parts,
+    )
     folder = tmp_path / "pack"
-    Pack(pack_id="t", content_folder="T", title="T", license="CC0-1.0", assets=[mesh, gate],
-         materials=[Material(path="/Game/T/M_Wood.M_Wood", base_color=(0.4, 0.2, 0.1))]).write(folder / "pack.json")
+    Pack(
+        pack_id="t",
+        content_folder="T",
+        title="T",
+        license="CC0-1.0",
+        assets=[mesh, gate],
+        materials=[Material(path="/Game/T/M_Wood.M_Wood", base_color=(0.4, 0.2, 0.1))],
+    ).write(folder / "pack.json")
     return folder
 
 
@@ -45,8 +69,7 @@ def build_scene(unreal):
     """One of each kind of thing that a level document holds."""
     spawn = unreal.EditorLevelLibrary.spawn_actor_from_class
     mesh = unreal.load_asset("/Game/T/SM_Post")
-    post = unreal.EditorLevelLibrary.spawn_actor_from_object(mesh, unreal.Vector(1, 2, 3),
-                                                             unreal.Rotator(10, 20, 30))
+    post = unreal.EditorLevelLibrary.spawn_actor_from_object(mesh, unreal.Vector(1, 2, 3), unreal.Rotator(10, 20, 30))
     post.set_actor_scale3d(unreal.Vector(-1.5, 1, 2))
     post.set_editor_property("tags", ["simcodearena.stable_actor_id=sca_source_1", "simcodearena.actor_origin=source"])
     post.set_folder_path("Props/Wood")
@@ -112,11 +135,13 @@ def test_created_assets_live_in_memory_until_saved(pack, tmp_path):
     tools = unreal.AssetToolsHelpers.get_asset_tools()
     names = ("MI_Kept", "MI_Lost")
     for name in names:
-        made = tools.create_asset(name, "/Game/Mine", unreal.MaterialInstanceConstant,
-                                  unreal.MaterialInstanceConstantFactoryNew())
+        made = tools.create_asset(
+            name, "/Game/Mine", unreal.MaterialInstanceConstant, unreal.MaterialInstanceConstantFactoryNew()
+        )
         unreal.MaterialEditingLibrary.set_material_instance_parent(made, unreal.load_asset("/Game/T/M_Wood"))
         assert unreal.MaterialEditingLibrary.set_material_instance_vector_parameter_value(
-            made, "BaseColor", unreal.LinearColor(0, 0, 1))
+            made, "BaseColor", unreal.LinearColor(0, 0, 1)
+        )
         post = unreal.EditorLevelLibrary.spawn_actor_from_object(unreal.load_asset("/Game/T/SM_Post"), unreal.Vector())
         post.static_mesh_component.set_material(0, made)
     assert unreal.EditorAssetLibrary.save_asset("/Game/Mine/MI_Kept")
@@ -133,15 +158,17 @@ def test_created_assets_live_in_memory_until_saved(pack, tmp_path):
 
 def test_material_made_of_expressions(tmp_path):
     unreal = boot([], tmp_path)
-    made = unreal.AssetToolsHelpers.get_asset_tools().create_asset("M_Red", "/Game/M", unreal.Material,
-                                                                   unreal.MaterialFactoryNew())
+    made = unreal.AssetToolsHelpers.get_asset_tools().create_asset(
+        "M_Red", "/Game/M", unreal.Material, unreal.MaterialFactoryNew()
+    )
     edit = unreal.MaterialEditingLibrary
     node = edit.create_material_expression(made, unreal.MaterialExpressionConstant3Vector, -300, 0)
     node.set_editor_property("constant", unreal.LinearColor(0.8, 0.1, 0.1))
     assert edit.connect_material_property(node, "", unreal.MaterialProperty.MP_BASE_COLOR)
     edit.recompile_material(made)
-    cube = unreal.EditorLevelLibrary.spawn_actor_from_object(unreal.load_asset("/Engine/BasicShapes/Cube"),
-                                                             unreal.Vector())
+    cube = unreal.EditorLevelLibrary.spawn_actor_from_object(
+        unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector()
+    )
     cube.static_mesh_component.set_material(0, made)
     assert next(state.world().drawables()).materials[0].base_color == (0.8, 0.1, 0.1)
 
@@ -158,8 +185,9 @@ def test_loading_closes_without_saving(pack, tmp_path):
         actor.get_name()
 
 
-@pytest.mark.parametrize("path", ["/Game/../../etc/x",
-                                  "/Engine/Maps/X", "Game/X", "/Game/", "/Game/a b", "/Game/T/SM_Post"])
+@pytest.mark.parametrize(
+    "path", ["/Game/../../etc/x", "/Engine/Maps/X", "Game/X", "/Game/", "/Game/a b", "/Game/T/SM_Post"]
+)
 def test_places_where_no_level_can_be_saved(pack, tmp_path, path):
     unreal = boot([pack], tmp_path / "content")
     assert not unreal.EditorLoadingAndSavingUtils.save_map(unreal.EditorLevelLibrary.get_editor_world(), path)
@@ -167,11 +195,24 @@ def test_places_where_no_level_can_be_saved(pack, tmp_path, path):
 
 
 def test_given_levels_are_read_only_and_unknown_things_are_told(pack, tmp_path, capsys):
-    level = Level(package="/Game/Given/Start", actors=[
-        LevelActor(name="Lost_0", label="Lost", class_path="/Script/Engine.StaticMeshActor", guid="AB" * 16,
-                   components=[LevelComponent(name="StaticMeshComponent0",
-                                              class_path="/Script/Engine.StaticMeshComponent",
-                                              static_mesh="/Game/T/SM_Gone.SM_Gone")])])
+    level = Level(
+        package="/Game/Given/Start",
+        actors=[
+            LevelActor(
+                name="Lost_0",
+                label="Lost",
+                class_path="/Script/Engine.StaticMeshActor",
+                guid="AB" * 16,
+                components=[
+                    LevelComponent(
+                        name="StaticMeshComponent0",
+                        class_path="/Script/Engine.StaticMeshComponent",
+                        static_mesh="/Game/T/SM_Gone.SM_Gone",
+                    )
+                ],
+            )
+        ],
+    )
     level.write(tmp_path / "start.level.json")
     unreal = boot([pack], tmp_path / "content", levels=[tmp_path / "start.level.json"], start_map="/Game/Given/Start")
     assert "SM_Gone" in capsys.readouterr().out
@@ -203,20 +244,37 @@ def test_many_actors_load_and_save_fast(tmp_path):
 
 def place(**changes):
     """A level document of one cube with some of its content changed."""
-    component = {"name": "StaticMeshComponent0", "class_path": "/Script/Engine.StaticMeshComponent",
-                 "static_mesh": "/Engine/BasicShapes/Cube.Cube", **changes.pop("component", {})}
-    actor = {"name": "A_0", "label": "A", "class_path": "/Script/Engine.StaticMeshActor", "guid": "AB" * 16,
-             "components": [component], **changes}
+    component = {
+        "name": "StaticMeshComponent0",
+        "class_path": "/Script/Engine.StaticMeshComponent",
+        "static_mesh": "/Engine/BasicShapes/Cube.Cube",
+        **changes.pop("component", {}),
+    }
+    actor = {
+        "name": "A_0",
+        "label": "A",
+        "class_path": "/Script/Engine.StaticMeshActor",
+        "guid": "AB" * 16,
+        "components": [component],
+        **changes,
+    }
     return {"schema_version": "c4s.level.v1", "package": "/Game/A", "actors": [actor]}
 
 
-@pytest.mark.parametrize("document", [
-    place(transform={"location_cm": [float("nan"), 0, 0]}), place(guid="xyz"), place(parent="Nobody"),
-    place(parent="A_0"), place(properties={"colour": 1}), place(component={"properties": {"visible": [1]}}),
-    place(component={"class_path": "/Script/Engine.Magic"}),
-    place(component={"properties": {"dynamic_materials": {"0": {"name": "x"}}}}),
-    place(component={"properties": {"dynamic_materials": {"first": {"name": "x", "parent": ""}}}}),
-])
+@pytest.mark.parametrize(
+    "document",
+    [
+        place(transform={"location_cm": [float("nan"), 0, 0]}),
+        place(guid="xyz"),
+        place(parent="Nobody"),
+        place(parent="A_0"),
+        place(properties={"colour": 1}),
+        place(component={"properties": {"visible": [1]}}),
+        place(component={"class_path": "/Script/Engine.Magic"}),
+        place(component={"properties": {"dynamic_materials": {"0": {"name": "x"}}}}),
+        place(component={"properties": {"dynamic_materials": {"first": {"name": "x", "parent": ""}}}}),
+    ],
+)
 def test_tampered_levels_are_bad_input(tmp_path, document):
     (tmp_path / "a.level.json").write_text(json.dumps(document))
     with pytest.raises(BadInput):
@@ -227,8 +285,15 @@ def test_material_instances_that_follow_each_other_are_refused(tmp_path):
     for name, parent in (("A", "B"), ("B", "A")):
         file = tmp_path / f"Game/M/{name}.asset.json"
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(json.dumps({"path": f"/Game/M/{name}.{name}", "parent": f"/Game/M/{parent}.{parent}",
-                                    "class_path": "/Script/Engine.MaterialInstanceConstant"}))
+        file.write_text(
+            json.dumps(
+                {
+                    "path": f"/Game/M/{name}.{name}",
+                    "parent": f"/Game/M/{parent}.{parent}",
+                    "class_path": "/Script/Engine.MaterialInstanceConstant",
+                }
+            )
+        )
     unreal = boot([], tmp_path)
     with pytest.raises(BadInput, match="parent"):
         unreal.load_asset("/Game/M/A")

@@ -41,15 +41,16 @@ def test_mixes_and_chance(unreal):
     a, b = unreal.Vector(), unreal.Vector(10, 20, 0)
     assert unreal.MathLibrary.v_lerp(a, b, 0.5).to_tuple() == a.lerp_to(b, 0.5).to_tuple() == (5, 10, 0)
     assert unreal.MathLibrary.make_rot_from_x(unreal.Vector(0, 1, 0)).yaw == pytest.approx(90)
-    assert b.length2d() == pytest.approx(500 ** 0.5)
+    assert b.length2d() == pytest.approx(500**0.5)
     assert all(2 <= unreal.MathLibrary.random_float_in_range(2, 3) <= 3 for _ in range(20))
     assert {unreal.MathLibrary.random_integer_in_range(1, 2) for _ in range(60)} == {1, 2}
 
 
 def test_what_materials_lack_is_said(unreal):
     tools, library = unreal.AssetToolsHelpers.get_asset_tools(), unreal.MaterialEditingLibrary
-    made = tools.create_asset("MI_A", "/Game/M", unreal.MaterialInstanceConstant,
-                              unreal.MaterialInstanceConstantFactoryNew())
+    made = tools.create_asset(
+        "MI_A", "/Game/M", unreal.MaterialInstanceConstant, unreal.MaterialInstanceConstantFactoryNew()
+    )
     assert not library.set_material_instance_texture_parameter_value(made, "Albedo", None)
     assert len(library.get_texture_parameter_names(made)) == 0
     with pytest.raises(TypeError):

@@ -21,20 +21,28 @@ def unreal(tmp_path: Path) -> ModuleType:
 @pytest.fixture
 def cube(unreal):
     return unreal.EditorLevelLibrary.spawn_actor_from_object(
-        unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector(0, 0, 50), unreal.Rotator(yaw=45))
+        unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector(0, 0, 50), unreal.Rotator(yaw=45)
+    )
 
 
 def trace(unreal, start, end, ignore=()):
     return unreal.SystemLibrary.line_trace_single(
-        unreal.EditorLevelLibrary.get_editor_world(), unreal.Vector(*start), unreal.Vector(*end),
-        unreal.TraceTypeQuery.TRACE_TYPE_QUERY1, False, list(ignore), unreal.DrawDebugTrace.NONE, True)
+        unreal.EditorLevelLibrary.get_editor_world(),
+        unreal.Vector(*start),
+        unreal.Vector(*end),
+        unreal.TraceTypeQuery.TRACE_TYPE_QUERY1,
+        False,
+        list(ignore),
+        unreal.DrawDebugTrace.NONE,
+        True,
+    )
 
 
 def test_a_trace_hits_the_turned_cube(unreal, cube):
     hit = trace(unreal, (-200, 0, 50), (200, 0, 50))
     fields = hit.to_dict()
     assert fields["hit_actor"] is cube and fields["blocking_hit"]
-    assert fields["distance"] == pytest.approx(200 - 50 * 2 ** 0.5)
+    assert fields["distance"] == pytest.approx(200 - 50 * 2**0.5)
     assert trace(unreal, (0, 0, 500), (0, 0, -10)).to_tuple()[5].z == pytest.approx(100)
     assert trace(unreal, (-200, 80, 50), (200, 80, 50)) is None
     assert trace(unreal, (-200, 0, 50), (200, 0, 50), [cube]) is None
@@ -46,7 +54,8 @@ def test_a_component_can_be_added_and_survives_saving(unreal, cube, tmp_path):
     subsystem = unreal.get_engine_subsystem(unreal.SubobjectDataSubsystem)
     parent = subsystem.k2_gather_subobject_data_for_instance(cube)[0]
     handle, fault = subsystem.add_new_subobject(
-        unreal.AddNewSubobjectParams(parent_handle=parent, new_class=unreal.InstancedStaticMeshComponent))
+        unreal.AddNewSubobjectParams(parent_handle=parent, new_class=unreal.InstancedStaticMeshComponent)
+    )
     assert str(fault) == ""
     library = unreal.SubobjectDataBlueprintFunctionLibrary
     row = library.get_object(subsystem.k2_find_subobject_data_from_handle(handle))
@@ -65,8 +74,11 @@ def test_a_component_can_be_added_and_survives_saving(unreal, cube, tmp_path):
 
 def test_searches(unreal, cube):
     registry = unreal.AssetRegistryHelpers.get_asset_registry()
-    wanted = unreal.ARFilter(class_paths=[unreal.TopLevelAssetPath("/Script/Engine", "StaticMesh")],
-                             package_paths=["/Engine"], recursive_paths=True)
+    wanted = unreal.ARFilter(
+        class_paths=[unreal.TopLevelAssetPath("/Script/Engine", "StaticMesh")],
+        package_paths=["/Engine"],
+        recursive_paths=True,
+    )
     assert [str(d.asset_name) for d in registry.get_assets(wanted)] == ["Cone", "Cube", "Cylinder", "Plane", "Sphere"]
     stats = unreal.GameplayStatics
     assert list(stats.get_all_actors_of_class(None, unreal.StaticMeshActor)) == [cube]

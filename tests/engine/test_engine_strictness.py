@@ -18,13 +18,21 @@ def unreal(tmp_path: Path) -> ModuleType:
 @pytest.fixture
 def actor(unreal):
     return unreal.EditorLevelLibrary.spawn_actor_from_object(
-        unreal.load_asset("/Engine/BasicShapes/Cube.Cube"), unreal.Vector())
+        unreal.load_asset("/Engine/BasicShapes/Cube.Cube"), unreal.Vector()
+    )
 
 
 def test_unknown_names(unreal, actor):
-    for owner, name in ((unreal, "MakeScene"), (actor, "set_location"), (unreal.Vector(), "w"),
-                        (unreal.EditorAssetLibrary, "find"), (actor.static_mesh_component, "mesh"),
-                        (actor, "actor_guid_text"), (unreal.Guid(), "a"), (unreal.KBoxElem(), "center")):
+    for owner, name in (
+        (unreal, "MakeScene"),
+        (actor, "set_location"),
+        (unreal.Vector(), "w"),
+        (unreal.EditorAssetLibrary, "find"),
+        (actor.static_mesh_component, "mesh"),
+        (actor, "actor_guid_text"),
+        (unreal.Guid(), "a"),
+        (unreal.KBoxElem(), "center"),
+    ):
         with pytest.raises(AttributeError):
             getattr(owner, name)
     with pytest.raises(AttributeError):
@@ -33,29 +41,32 @@ def test_unknown_names(unreal, actor):
         unreal.Vector().length_cm = 1
 
 
-@pytest.mark.parametrize("call", [
-    lambda u, a: a.set_actor_location(u.Vector()),
-    lambda u, a: a.set_actor_location([0, 0, 0, 0], False, False),
-    lambda u, a: a.set_actor_location("abc", False, False),
-    lambda u, a: a.static_mesh_component.set_material(True, None),
-    lambda u, a: a.set_actor_rotation(u.Rotator()),
-    lambda u, a: a.set_actor_transform(u.Transform()),
-    lambda u, a: a.set_actor_location(u.Vector(), False, teleported=False),
-    lambda u, a: a.set_actor_label(7),
-    lambda u, a: a.get_actor_bounds(),
-    lambda u, a: a.add_actor_world_offset(u.Vector()),
-    lambda u, a: u.Vector(1, 2, 3, 4),
-    lambda u, a: u.Vector("1"),
-    lambda u, a: u.Rotator(pitch="x"),
-    lambda u, a: u.load_asset(a),
-    lambda u, a: u.EditorLevelLibrary.spawn_actor_from_class("StaticMeshActor", u.Vector()),
-    lambda u, a: u.EditorLevelLibrary.spawn_actor_from_class(u.StaticMeshActor),
-    lambda u, a: a.static_mesh_component.set_static_mesh("/Engine/BasicShapes/Cube"),
-    lambda u, a: a.static_mesh_component.set_material(0, "/Game/M"),
-    lambda u, a: a.set_editor_property("tags", "one"),
-    lambda u, a: u.get_editor_subsystem(u.StaticMeshActor),
-    lambda u, a: u.Vector(*u.Vector(1, 2, 3)),
-])
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda u, a: a.set_actor_location(u.Vector()),
+        lambda u, a: a.set_actor_location([0, 0, 0, 0], False, False),
+        lambda u, a: a.set_actor_location("abc", False, False),
+        lambda u, a: a.static_mesh_component.set_material(True, None),
+        lambda u, a: a.set_actor_rotation(u.Rotator()),
+        lambda u, a: a.set_actor_transform(u.Transform()),
+        lambda u, a: a.set_actor_location(u.Vector(), False, teleported=False),
+        lambda u, a: a.set_actor_label(7),
+        lambda u, a: a.get_actor_bounds(),
+        lambda u, a: a.add_actor_world_offset(u.Vector()),
+        lambda u, a: u.Vector(1, 2, 3, 4),
+        lambda u, a: u.Vector("1"),
+        lambda u, a: u.Rotator(pitch="x"),
+        lambda u, a: u.load_asset(a),
+        lambda u, a: u.EditorLevelLibrary.spawn_actor_from_class("StaticMeshActor", u.Vector()),
+        lambda u, a: u.EditorLevelLibrary.spawn_actor_from_class(u.StaticMeshActor),
+        lambda u, a: a.static_mesh_component.set_static_mesh("/Engine/BasicShapes/Cube"),
+        lambda u, a: a.static_mesh_component.set_material(0, "/Game/M"),
+        lambda u, a: a.set_editor_property("tags", "one"),
+        lambda u, a: u.get_editor_subsystem(u.StaticMeshActor),
+        lambda u, a: u.Vector(*u.Vector(1, 2, 3)),
+    ],
+)
 def test_wrong_arguments_are_type_errors(unreal, actor, call):
     with pytest.raises(TypeError):
         call(unreal, actor)

@@ -13,10 +13,13 @@ from hypothesis import strategies as st
 from c4s.engine.headless.boot import boot
 from c4s.engine.headless.pose import Pose, compose, relative_to
 
-VECTORS = [((0, 90, 0), (0, 0, 0.707107, 0.707107), (0, 1, 0)), ((90, 0, 0), (0, -0.707107, 0, 0.707107), (0, 0, 1)),
-           ((0, 0, 90), (-0.707107, 0, 0, 0.707107), (1, 0, 0)),
-           ((-45, 30, 0), (-0.099046, 0.369644, 0.239118, 0.892399), (0.612372, 0.353553, -0.707107)),
-           ((10, 20, 30), (-0.239298, -0.127679, 0.144878, 0.951549), (0.925417, 0.336824, 0.173648))]
+VECTORS = [
+    ((0, 90, 0), (0, 0, 0.707107, 0.707107), (0, 1, 0)),
+    ((90, 0, 0), (0, -0.707107, 0, 0.707107), (0, 0, 1)),
+    ((0, 0, 90), (-0.707107, 0, 0, 0.707107), (1, 0, 0)),
+    ((-45, 30, 0), (-0.099046, 0.369644, 0.239118, 0.892399), (0.612372, 0.353553, -0.707107)),
+    ((10, 20, 30), (-0.239298, -0.127679, 0.144878, 0.951549), (0.925417, 0.336824, 0.173648)),
+]
 
 angle = st.floats(-180, 180, allow_nan=False)
 length = st.floats(-5000, 5000, allow_nan=False)
@@ -56,8 +59,14 @@ def test_a_turned_child_of_a_stretched_parent_has_no_shear():
     assert world.scale == (3, 1, 1) and world.rotation_deg == pytest.approx((0, 45, 0))
 
 
-@given(st.tuples(length, length, length), st.tuples(angle, angle, angle), st.tuples(length, length, length),
-       st.tuples(angle, angle, angle), st.floats(0.1, 4), st.tuples(factor, factor, factor))
+@given(
+    st.tuples(length, length, length),
+    st.tuples(angle, angle, angle),
+    st.tuples(length, length, length),
+    st.tuples(angle, angle, angle),
+    st.floats(0.1, 4),
+    st.tuples(factor, factor, factor),
+)
 def test_relative_pose_composes_back(place, turn, base, base_turn, base_scale, scale):
     world = Pose.from_rotator(place, turn, scale)
     parent = Pose.from_rotator(base, base_turn, (base_scale,) * 3)

@@ -49,8 +49,9 @@ def signature(function: Any) -> Signature:
     if parameters and parameters[0].name in ("self", "cls"):
         parameters = parameters[1:]
     kinds = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}
-    return tuple(Parameter(p.name, p.default is p.empty and p.kind not in kinds, kinds.get(p.kind, ""))
-                 for p in parameters)
+    return tuple(
+        Parameter(p.name, p.default is p.empty and p.kind not in kinds, kinds.get(p.kind, "")) for p in parameters
+    )
 
 
 def members(cls: type) -> Iterator[tuple[str, Any]]:
@@ -93,21 +94,25 @@ def constructor_differences(stub: StubIndex, name: str, cls: type[StructBase]) -
     if name in OTHER_CONSTRUCTORS:
         return
     own = "__init__" in cls.__dict__
-    taken = [p.name for p in signature(cls.__init__)] if own else list(cls._fields)[:cls._takes]
+    taken = [p.name for p in signature(cls.__init__)] if own else list(cls._fields)[: cls._takes]
     theirs = stub.method(name, "__init__")
     if theirs is not None and taken != [p.name for p in theirs]:
         yield f"{name}(): {taken} is not {[p.name for p in theirs]}"
 
 
 def test_every_name_is_unreals_own(stub, ours):
-    unknown = {name for name, value in ours.items()
-               if name not in (stub.classes() if isinstance(value, type) else stub.functions())}
+    unknown = {
+        name
+        for name, value in ours.items()
+        if name not in (stub.classes() if isinstance(value, type) else stub.functions())
+    }
     assert unknown == {name for name in BEYOND_THE_STUB if "." not in name}
 
 
 def test_functions_take_what_unreals_take(stub, ours):
-    functions = {name: value for name, value in ours.items()
-                 if not isinstance(value, type) and name not in BEYOND_THE_STUB}
+    functions = {
+        name: value for name, value in ours.items() if not isinstance(value, type) and name not in BEYOND_THE_STUB
+    }
     assert {n: signature(f) for n, f in functions.items()} == {n: stub.function(n) for n in functions}
 
 
@@ -121,8 +126,11 @@ def test_classes_follow_the_stub(stub, ours):
             wrong += [f"{name}.{member}" for member in cls.__members__ if not stub.has(name, member)]
             continue
         line = {c.name for c in stub.lineage(name)}
-        wrong += [f"{name}: {b.__name__} is no base of it" for b in cls.__mro__[1:]
-                  if ours.get(b.__name__) is b and b.__name__ not in line]
+        wrong += [
+            f"{name}: {b.__name__} is no base of it"
+            for b in cls.__mro__[1:]
+            if ours.get(b.__name__) is b and b.__name__ not in line
+        ]
         wrong += call_differences(stub, name, cls)
         calls += sum(1 for _ in members(cls))
         if issubclass(cls, StructBase):
@@ -138,7 +146,7 @@ def plain(result: str) -> str:
     """A result of the stub in the words of ours: items of containers and the module's name aside."""
     result = result.removeprefix("unreal.")
     if result.startswith("Optional["):
-        return f"{plain(result[len('Optional['):-1])} | None"
+        return f"{plain(result[len('Optional[') : -1])} | None"
     return re.sub(r"\b(Array|Map|Set)\[[^\]]*\]*?\]", r"\1", result).replace("Tuple", "tuple")
 
 
@@ -167,8 +175,13 @@ def default_differences(stub: StubIndex, name: str, cls: type) -> Iterator[str]:
         if node is None or not inspect.isfunction(function):
             continue
         arguments = node.args
-        theirs = dict(zip([a.arg for a in arguments.args][len(arguments.args) - len(arguments.defaults):],
-                          arguments.defaults, strict=True))
+        theirs = dict(
+            zip(
+                [a.arg for a in arguments.args][len(arguments.args) - len(arguments.defaults) :],
+                arguments.defaults,
+                strict=True,
+            )
+        )
         for parameter in inspect.signature(function).parameters.values():
             if parameter.default is parameter.empty or parameter.name not in theirs:
                 continue
@@ -207,61 +220,76 @@ def test_enums_have_unreals_numbers(stub, ours):
     """Of those enums whose numbers the stub tells."""
     enums = {n: c for n, c in ours.items() if isinstance(c, type) and issubclass(c, Enum)}
     told = {(n, member): number for n in enums for member, number in stub.numbers(n).items()}
-    wrong = {key: number for key, number in told.items()
-             if key[1] in enums[key[0]].__members__ and enums[key[0]][key[1]].value != number}
+    wrong = {
+        key: number
+        for key, number in told.items()
+        if key[1] in enums[key[0]].__members__ and enums[key[0]][key[1]].value != number
+    }
     assert not wrong and len(told) > 50
 
 
 COMMON = {
     "": "get_editor_subsystem log log_warning log_error load_asset load_class load_object Name Array Text Vector "
-        "Rotator Transform LinearColor Color ARFilter TopLevelAssetPath AssetImportTask StaticMeshActor "
-        "DirectionalLight PointLight SpotLight RectLight SkyLight SkyAtmosphere ExponentialHeightFog CameraActor "
-        "PlayerStart NavMeshBoundsVolume PostProcessVolume MaterialFactoryNew MaterialInstanceConstantFactoryNew "
-        "BlueprintFactory ScopedEditorTransaction ScopedSlowTask InstancedStaticMeshComponent SubobjectDataSubsystem "
-        "MathLibrary register_slate_post_tick_callback unregister_slate_post_tick_callback",
+    "Rotator Transform LinearColor Color ARFilter TopLevelAssetPath AssetImportTask StaticMeshActor "
+    "DirectionalLight PointLight SpotLight RectLight SkyLight SkyAtmosphere ExponentialHeightFog CameraActor "
+    "PlayerStart NavMeshBoundsVolume PostProcessVolume MaterialFactoryNew MaterialInstanceConstantFactoryNew "
+    "BlueprintFactory ScopedEditorTransaction ScopedSlowTask InstancedStaticMeshComponent SubobjectDataSubsystem "
+    "MathLibrary register_slate_post_tick_callback unregister_slate_post_tick_callback",
     "EditorAssetLibrary": "load_asset does_asset_exist list_assets save_asset delete_asset make_directory "
-                          "load_blueprint_class save_loaded_asset find_asset_data duplicate_asset does_directory_exist",
+    "load_blueprint_class save_loaded_asset find_asset_data duplicate_asset does_directory_exist",
     "EditorActorSubsystem": "spawn_actor_from_class spawn_actor_from_object get_all_level_actors destroy_actor",
     "EditorLevelLibrary": "get_editor_world get_all_level_actors spawn_actor_from_class get_selected_level_actors",
     "UnrealEditorSubsystem": "get_editor_world set_level_viewport_camera_info",
     "LevelEditorSubsystem": "save_current_level load_level new_level",
     "EditorLoadingAndSavingUtils": "save_map load_map save_dirty_packages",
     "SystemLibrary": "execute_console_command get_engine_version line_trace_single quit_editor collect_garbage "
-                     + " ".join(f"{shape}_trace_{number}{by}" for shape in ("line", "sphere", "box", "capsule")
-                                for number in ("single", "multi") for by in ("", "_for_objects", "_by_profile"))
-                     + " " + " ".join(f"{shape}_overlap_{what}" for shape in ("sphere", "box", "capsule", "component")
-                                      for what in ("actors", "components")),
+    + " ".join(
+        f"{shape}_trace_{number}{by}"
+        for shape in ("line", "sphere", "box", "capsule")
+        for number in ("single", "multi")
+        for by in ("", "_for_objects", "_by_profile")
+    )
+    + " "
+    + " ".join(
+        f"{shape}_overlap_{what}"
+        for shape in ("sphere", "box", "capsule", "component")
+        for what in ("actors", "components")
+    ),
     "NavigationSystemV1": "get_navigation_system is_navigation_being_built project_point_to_navigation "
-                          "find_path_to_location_synchronously get_random_reachable_point_in_radius "
-                          "navigation_raycast get_path_length on_navigation_bounds_updated",
+    "find_path_to_location_synchronously get_random_reachable_point_in_radius "
+    "navigation_raycast get_path_length on_navigation_bounds_updated",
     "PrimitiveComponent": "set_collision_enabled get_collision_response_to_channel get_collision_profile_name "
-                          "line_trace_component get_closest_point_on_collision ignore_component_when_moving",
+    "line_trace_component get_closest_point_on_collision ignore_component_when_moving",
     "GameplayStatics": "get_all_actors_of_class",
     "AssetRegistryHelpers": "get_asset_registry",
     "AssetToolsHelpers": "get_asset_tools",
     "AssetTools": "create_asset import_asset_tasks",
     "StaticMeshComponent": "set_static_mesh set_material set_mobility set_world_location",
     "MaterialEditingLibrary": "create_material_expression connect_material_property recompile_material "
-                              "set_material_instance_vector_parameter_value "
-                              "set_material_instance_scalar_parameter_value "
-                              "set_material_instance_texture_parameter_value",
+    "set_material_instance_vector_parameter_value "
+    "set_material_instance_scalar_parameter_value "
+    "set_material_instance_texture_parameter_value",
     "AutomationLibrary": "take_high_res_screenshot",
     "Paths": "project_dir project_saved_dir project_content_dir get_project_file_path",
     "PointLightComponent": "set_intensity set_light_color set_attenuation_radius set_cast_shadows",
     "DirectionalLightComponent": "set_atmosphere_sun_light",
     "Actor": "get_name get_path_name get_editor_property set_editor_property get_actor_location get_class "
-             "get_actor_label set_actor_scale3d get_components_by_class get_actor_rotation set_actor_location "
-             "get_component_by_class set_actor_rotation get_actor_scale3d static_class set_actor_label "
-             "get_actor_bounds set_folder_path attach_to_actor add_actor_world_offset get_actor_transform modify "
-             "destroy_actor",
+    "get_actor_label set_actor_scale3d get_components_by_class get_actor_rotation set_actor_location "
+    "get_component_by_class set_actor_rotation get_actor_scale3d static_class set_actor_label "
+    "get_actor_bounds set_folder_path attach_to_actor add_actor_world_offset get_actor_transform modify "
+    "destroy_actor",
     "Vector": "length dot cross normal distance",
 }
 """Names that public editor scripts use most, by owner."""
 
 
 def test_what_scripts_use_most_is_there(ours):
-    assert not [f"{owner}.{name}" for owner, names in COMMON.items() for name in names.split()
-                if not (hasattr(ours[owner], name) if owner else name in ours)]
+    assert not [
+        f"{owner}.{name}"
+        for owner, names in COMMON.items()
+        for name in names.split()
+        if not (hasattr(ours[owner], name) if owner else name in ours)
+    ]
 
 
 def test_reviewed_names_are_still_needed(stub, ours):
@@ -279,9 +307,14 @@ def uses(tree: ast.AST) -> Iterator[tuple[int, str, str]]:
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "unreal":
             above = owners.get(id(node))
             yield node.lineno, node.attr, above.attr if above is not None else ""
-        if (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "getattr"
-                and isinstance(node.args[0], ast.Name) and node.args[0].id == "unreal"
-                and isinstance(node.args[1], ast.Constant)):
+        if (
+            isinstance(node, ast.Call)
+            and isinstance(node.func, ast.Name)
+            and node.func.id == "getattr"
+            and isinstance(node.args[0], ast.Name)
+            and node.args[0].id == "unreal"
+            and isinstance(node.args[1], ast.Constant)
+        ):
             yield node.lineno, str(node.args[1].value), ""
 
 

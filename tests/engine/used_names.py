@@ -15,12 +15,24 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 FACTS = ROOT.parent / "shared" / "facts" / "unreal.md"
-SOURCES = ("c4s/editor", "c4s/toolbox", "c4s/agents", "c4s/planner", "cases", "tests/engine/scripts", "tests/toolbox",
-           "tests/agents", "tests/agent_clients")
+SOURCES = (
+    "c4s/editor",
+    "c4s/toolbox",
+    "c4s/agents",
+    "c4s/planner",
+    "cases",
+    "tests/engine/scripts",
+    "tests/toolbox",
+    "tests/agents",
+    "tests/agent_clients",
+)
 NAME = re.compile(r"\bunreal\.([A-Za-z]\w*)(?:\.([A-Za-z]\w*))?")
 TICKED = re.compile(r"`([^`]+)`")
-OWNERS = {"AssetRegistryHelpers.get_asset_registry": "AssetRegistry", "AssetToolsHelpers.get_asset_tools": "AssetTools",
-          "light setters": "PointLightComponent"}
+OWNERS = {
+    "AssetRegistryHelpers.get_asset_registry": "AssetRegistry",
+    "AssetToolsHelpers.get_asset_tools": "AssetTools",
+    "light setters": "PointLightComponent",
+}
 """Where a row of the facts names functions of what its first name gives."""
 
 
@@ -93,14 +105,39 @@ def table(stub: Any, ours: dict[str, Any]) -> list[Row]:
     classes = {name: cls for name, cls in ours.items() if isinstance(cls, type)}
     rows = []
     for name, users in sorted(used().items()):
-        rows.append(Row(
-            name, tuple(sorted(users)),
-            _known(name, stub.classes() | stub.functions(), lambda o, m: o in stub.classes() and stub.has(o, m),
-                   ("Actor", "SceneComponent", "StaticMeshComponent", "_ObjectBase", "StaticMesh", "MeshComponent",
-                    "PrimitiveComponent")),
-            _known(name, ours, lambda o, m: o in classes and (
-                hasattr(classes[o], m) or m in getattr(classes[o], "_properties", {})
-                or m in getattr(classes[o], "_fields", {})), classes)))
+        rows.append(
+            Row(
+                name,
+                tuple(sorted(users)),
+                _known(
+                    name,
+                    stub.classes() | stub.functions(),
+                    lambda o, m: o in stub.classes() and stub.has(o, m),
+                    (
+                        "Actor",
+                        "SceneComponent",
+                        "StaticMeshComponent",
+                        "_ObjectBase",
+                        "StaticMesh",
+                        "MeshComponent",
+                        "PrimitiveComponent",
+                    ),
+                ),
+                _known(
+                    name,
+                    ours,
+                    lambda o, m: (
+                        o in classes
+                        and (
+                            hasattr(classes[o], m)
+                            or m in getattr(classes[o], "_properties", {})
+                            or m in getattr(classes[o], "_fields", {})
+                        )
+                    ),
+                    classes,
+                ),
+            )
+        )
     return rows
 
 
@@ -113,10 +150,14 @@ def main() -> None:
     ours = {name: value for name, value in vars(build()).items() if not name.startswith("__")}
     rows = table(StubIndex.installed(), ours)
     for row in rows:
-        print(f"{row.name:60} unreal {'yes' if row.in_unreal else 'no ':3}  here {'yes' if row.here else 'no ':3}  "
-              f"{', '.join(row.users)}")
-    print(f"{len(rows)} names, {sum(r.in_unreal for r in rows)} of Unreal 5.6, "
-          f"{sum(r.in_unreal and r.here for r in rows)} of these here")
+        print(
+            f"{row.name:60} unreal {'yes' if row.in_unreal else 'no ':3}  here {'yes' if row.here else 'no ':3}  "
+            f"{', '.join(row.users)}"
+        )
+    print(
+        f"{len(rows)} names, {sum(r.in_unreal for r in rows)} of Unreal 5.6, "
+        f"{sum(r.in_unreal and r.here for r in rows)} of these here"
+    )
 
 
 if __name__ == "__main__":

@@ -55,9 +55,15 @@ def prey(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Prey]:
         patch = stack.enter_context(pytest.MonkeyPatch.context())
         patch.setenv("OPENROUTER_API_KEY", SECRET)
         patch.setenv("C4S_HOME", str(root))
-        engine = stack.enter_context(EngineSession.start(
-            packs=[pack], content=root / "content", scratch=root / "scratch",
-            levels=[agent_folder / "start.level.json"], start_map=START))
+        engine = stack.enter_context(
+            EngineSession.start(
+                packs=[pack],
+                content=root / "content",
+                scratch=root / "scratch",
+                levels=[agent_folder / "start.level.json"],
+                start_map=START,
+            )
+        )
         gateway = stack.enter_context(Gateway())
         bench = Workbench(case, agent_folder, CaseCatalog.load(case, [pack]), engine, root / "scratch")
         run = Run("room-1", bench, case.budget, root / "trajectory.jsonl")

@@ -14,8 +14,12 @@ from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped
 from c4s.toolbox.run import Run
 
 ACCEPT = {"Accept": "application/json, text/event-stream", "Content-Type": "application/json"}
-HELLO = {"jsonrpc": "2.0", "id": 0, "method": "initialize", "params": {
-    "protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "h", "version": "1"}}}
+HELLO = {
+    "jsonrpc": "2.0",
+    "id": 0,
+    "method": "initialize",
+    "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "h", "version": "1"}},
+}
 
 
 @pytest.fixture
@@ -32,11 +36,23 @@ def test_tokens_cannot_be_guessed_or_bent(prey: Prey) -> None:
     token = prey.run.token
     assert len(token) >= 43
     answers = set()
-    for guess in ("", "Bearer", f"Bearer {token[:-1]}", f"Bearer {token}x", f"Bearer {token.swapcase()}",
-                  f"Basic {token}", token, "Bearer *", "Bearer null", "Bearer room-1", f"Bearer {'A' * 100_000}"[:9000],
-                  "Bearer \u00e9"):
-        told = httpx2.post(prey.endpoint.url, json=HELLO, trust_env=False,
-                           headers={**ACCEPT, "Authorization": guess.encode("latin-1")})
+    for guess in (
+        "",
+        "Bearer",
+        f"Bearer {token[:-1]}",
+        f"Bearer {token}x",
+        f"Bearer {token.swapcase()}",
+        f"Basic {token}",
+        token,
+        "Bearer *",
+        "Bearer null",
+        "Bearer room-1",
+        f"Bearer {'A' * 100_000}"[:9000],
+        "Bearer \u00e9",
+    ):
+        told = httpx2.post(
+            prey.endpoint.url, json=HELLO, trust_env=False, headers={**ACCEPT, "Authorization": guess.encode("latin-1")}
+        )
         answers.add((told.status_code, told.text))
     assert len(answers) == 1 and answers.pop()[0] == 401
     bare = prey.endpoint.url
@@ -51,8 +67,12 @@ def test_another_runs_session_cannot_be_used_ended_or_listened_to(prey: Prey, ot
     with httpx2.Client(trust_env=False) as http:
         session = http.post(endpoint.url, headers=theirs, json=HELLO).headers["mcp-session-id"]
         stolen = {**mine, "mcp-session-id": session}
-        call = {"jsonrpc": "2.0", "id": 1, "method": "tools/call",
-                "params": {"name": "get_categories", "arguments": {}}}
+        call = {
+            "jsonrpc": "2.0",
+            "id": 1,
+            "method": "tools/call",
+            "params": {"name": "get_categories", "arguments": {}},
+        }
         assert http.post(endpoint.url, headers=stolen, json=call).status_code == 404
         assert http.delete(endpoint.url, headers=stolen).status_code == 404
         assert http.get(endpoint.url, headers=stolen).status_code == 404
@@ -66,8 +86,16 @@ def test_a_run_names_no_tool_of_another_and_none_off_the_list(prey: Prey, other)
     run, endpoint = other
     with GatewayClient(endpoint) as client:
         assert [tool.name for tool in client.tools()] == ["get_categories"]
-        for name in ("delete_all_spawned", "execute_python_script", "run_shell", "__class__", "get_categories ", "",
-                     "GET_CATEGORIES", "c4s:get_categories"):
+        for name in (
+            "delete_all_spawned",
+            "execute_python_script",
+            "run_shell",
+            "__class__",
+            "get_categories ",
+            "",
+            "GET_CATEGORIES",
+            "c4s:get_categories",
+        ):
             with pytest.raises(CallRefused, match="there is no tool"):
                 client.call(name)
     assert run.calls == 0 and run.blocked == 8
@@ -94,8 +122,12 @@ def test_a_token_is_dead_when_its_run_is_closed(prey: Prey, other) -> None:
         with pytest.raises(RunStopped):
             client.call("get_categories")
     prey.gateway.close_run(run)
-    assert httpx2.post(endpoint.url, json=HELLO, trust_env=False,
-                       headers={**ACCEPT, "Authorization": f"Bearer {endpoint.token}"}).status_code == 401
+    assert (
+        httpx2.post(
+            endpoint.url, json=HELLO, trust_env=False, headers={**ACCEPT, "Authorization": f"Bearer {endpoint.token}"}
+        ).status_code
+        == 401
+    )
 
 
 def test_no_call_is_free_by_a_reused_id(prey: Prey, other) -> None:
@@ -142,8 +174,12 @@ def test_calls_are_one_line_each_whatever_they_hold(prey: Prey) -> None:
     with prey.run.trajectory.open() as lines:
         before = len(list(json_lines(lines)))
     forged = 'x"}\n{"event": "call", "counted": true, "outcome": "ok", "tool": "forged"}\r\n\x1b[2J\u2028\x00'
-    for tool, arguments in (("delete_actor", {"name": forged}), ("find_actors_by_name", {"pattern": forged[:400]}),
-                            (forged, {}), ("search_assets", {"query": forged, "k": 1})):
+    for tool, arguments in (
+        ("delete_actor", {"name": forged}),
+        ("find_actors_by_name", {"pattern": forged[:400]}),
+        (forged, {}),
+        ("search_assets", {"query": forged, "k": 1}),
+    ):
         prey.client.answer(tool, arguments)
     prey.python(f"print({forged!r}); import sys; sys.stderr.write({forged!r})")
     raw = prey.run.trajectory.read_bytes()

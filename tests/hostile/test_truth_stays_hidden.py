@@ -68,19 +68,22 @@ print("TOLD", "\\n".join(told))
     assert "withheld" not in json.dumps(state)
 
 
-@pytest.mark.parametrize(("tool", "arguments"), [
-    ("read_job_log", {"log_path": "../../suite/withheld/room/truth.level.json"}),
-    ("read_job_log", {"job_id": "../truth"}),
-    ("get_asset_preview", {"id": "../../suite/withheld/room/truth.level.json"}),
-    ("get_asset_metadata", {"ids": ["/Game/Oracle/room.room", "../withheld"]}),
-    ("spawn_actor", {"name": "T", "static_mesh": "/Game/Oracle/room", "location": [0, 0, 0]}),
-    ("spawn_blueprint_actor", {"actor_name": "T", "blueprint_id": "/Game/Oracle/room", "location": [0, 0, 0]}),
-    ("take_screenshot", {"filename": "../../suite/withheld/room/x"}),
-    ("take_screenshot", {"filename": "..\\\\x"}),
-    ("save_scene_as", {"name": "../../../withheld/room/truth"}),
-    ("find_actors_by_name", {"pattern": "[" * 400 + "*" * 400}),
-    ("build_tier", {"entries": [{"name": "T", "asset": "/Game/Oracle/room", "location": [0, 0, 0]}]}),
-])
+@pytest.mark.parametrize(
+    ("tool", "arguments"),
+    [
+        ("read_job_log", {"log_path": "../../suite/withheld/room/truth.level.json"}),
+        ("read_job_log", {"job_id": "../truth"}),
+        ("get_asset_preview", {"id": "../../suite/withheld/room/truth.level.json"}),
+        ("get_asset_metadata", {"ids": ["/Game/Oracle/room.room", "../withheld"]}),
+        ("spawn_actor", {"name": "T", "static_mesh": "/Game/Oracle/room", "location": [0, 0, 0]}),
+        ("spawn_blueprint_actor", {"actor_name": "T", "blueprint_id": "/Game/Oracle/room", "location": [0, 0, 0]}),
+        ("take_screenshot", {"filename": "../../suite/withheld/room/x"}),
+        ("take_screenshot", {"filename": "..\\\\x"}),
+        ("save_scene_as", {"name": "../../../withheld/room/truth"}),
+        ("find_actors_by_name", {"pattern": "[" * 400 + "*" * 400}),
+        ("build_tier", {"entries": [{"name": "T", "asset": "/Game/Oracle/room", "location": [0, 0, 0]}]}),
+    ],
+)
 def test_no_tool_leads_to_the_truth(prey: Prey, tool: str, arguments: dict) -> None:
     with pytest.raises(CallRefused) as refused:
         prey.client.call(tool, **arguments)
@@ -88,7 +91,11 @@ def test_no_tool_leads_to_the_truth(prey: Prey, tool: str, arguments: dict) -> N
 
 
 def test_no_listing_tells_the_truth(prey: Prey) -> None:
-    for tool, arguments in (("get_actors_in_level", {}), ("find_actors_by_name", {"pattern": "*"}),
-                            ("search_assets", {"query": "globe truth oracle withheld crate"}), ("get_categories", {}),
-                            ("measure_scene", {})):
+    for tool, arguments in (
+        ("get_actors_in_level", {}),
+        ("find_actors_by_name", {"pattern": "*"}),
+        ("search_assets", {"query": "globe truth oracle withheld crate"}),
+        ("get_categories", {}),
+        ("measure_scene", {}),
+    ):
         assert TRUTH not in json.dumps(prey.client.call(tool, **arguments).data)

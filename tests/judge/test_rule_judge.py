@@ -23,37 +23,68 @@ BAZAAR = SHARED / "upstream/benchmark/public/text-to-scene/bazaar/requirements/b
 
 def asset(name: str, category: str = "prop", tags: tuple[str, ...] = (), color: Any = None, material: str = "M_X"):
     path = f"/Game/P/SM_{name.replace(' ', '')}"
-    return {"name": name, "category": category, "tags": list(tags), "description": "",
-            "materials": [{"path": f"/Game/P/{material}.{material}", "texture": None,
-                           "base_color": color or [0.5, 0.5, 0.5]}]}, f"{path}.{path.rsplit('/', 1)[-1]}"
+    return {
+        "name": name,
+        "category": category,
+        "tags": list(tags),
+        "description": "",
+        "materials": [
+            {"path": f"/Game/P/{material}.{material}", "texture": None, "base_color": color or [0.5, 0.5, 0.5]}
+        ],
+    }, f"{path}.{path.rsplit('/', 1)[-1]}"
 
 
-CATALOG = {path: facts for facts, path in [
-    asset("Office chair", "chair", ("seat",), [0.6, 0.01, 0.01], "M_Wood_Oak"), asset("Desk", "table", ("table",)),
-    asset("Table lamp", "lighting", ("lamp",)), asset("Crate Large 02", "storage", (), None, "M_Steel"),
-    asset("Stone wall", "architecture", ("wall",)), asset("Fishing boat", "vessel", ("boat",))]}
+CATALOG = {
+    path: facts
+    for facts, path in [
+        asset("Office chair", "chair", ("seat",), [0.6, 0.01, 0.01], "M_Wood_Oak"),
+        asset("Desk", "table", ("table",)),
+        asset("Table lamp", "lighting", ("lamp",)),
+        asset("Crate Large 02", "storage", (), None, "M_Steel"),
+        asset("Stone wall", "architecture", ("wall",)),
+        asset("Fishing boat", "vessel", ("boat",)),
+    ]
+}
 PATHS = {facts["name"]: path for path, facts in CATALOG.items()}
 
 
 def thing(name: str, asset_name: str, centre, half=(50, 50, 50)) -> dict[str, Any]:
     path = PATHS.get(asset_name, asset_name)
-    return {"name": name, "label": f"label of {name}", "class": "/Script/Engine.StaticMeshActor", "asset_path": path,
-            "component_asset_paths": [path], "material_paths": [],
-            "transform": {"location_cm": list(centre), "rotation_deg": [0, 0, 0], "scale": [1, 1, 1]},
-            "bounds": {"origin_cm": list(centre), "extent_cm": list(half)}}
+    return {
+        "name": name,
+        "label": f"label of {name}",
+        "class": "/Script/Engine.StaticMeshActor",
+        "asset_path": path,
+        "component_asset_paths": [path],
+        "material_paths": [],
+        "transform": {"location_cm": list(centre), "rotation_deg": [0, 0, 0], "scale": [1, 1, 1]},
+        "bounds": {"origin_cm": list(centre), "extent_cm": list(half)},
+    }
 
 
 def entity(key: str, *aliases: str, collection=False, region=False) -> dict[str, Any]:
-    return {"node_type": "entity", "id": f"entity_{key}", "name": key, "aliases": list(aliases),
-            "entity_type": "region" if region else "object",
-            "referent_kind": "collection" if collection else "individual",
-            "grounding_mode": "derived_region" if region else "actor"}
+    return {
+        "node_type": "entity",
+        "id": f"entity_{key}",
+        "name": key,
+        "aliases": list(aliases),
+        "entity_type": "region" if region else "object",
+        "referent_kind": "collection" if collection else "individual",
+        "grounding_mode": "derived_region" if region else "actor",
+    }
 
 
 def predicate(kind: str, *arguments: str, negative=False, **parameters) -> dict[str, Any]:
-    return {"node_type": "predicate", "id": "p", "predicate_type": kind, "text": kind,
-            "polarity": "negative" if negative else "affirmative", "source_span": {"start": 0, "end": 1},
-            "semantic_parameters": parameters, "arguments": arguments}
+    return {
+        "node_type": "predicate",
+        "id": "p",
+        "predicate_type": kind,
+        "text": kind,
+        "polarity": "negative" if negative else "affirmative",
+        "source_span": {"start": 0, "end": 1},
+        "semantic_parameters": parameters,
+        "arguments": arguments,
+    }
 
 
 def bundle(entities, *predicates) -> dict[str, Any]:
@@ -61,11 +92,20 @@ def bundle(entities, *predicates) -> dict[str, Any]:
     for number, node in enumerate(predicates):
         made = dict(node, id=f"p{number}")
         for ordinal, key in enumerate(made.pop("arguments")):
-            edges.append({"edge_type": "argument", "source_id": made["id"], "target_id": f"entity_{key}",
-                          "ordinal": ordinal, "role": "subject" if ordinal == 0 else "reference"})
+            edges.append(
+                {
+                    "edge_type": "argument",
+                    "source_id": made["id"],
+                    "target_id": f"entity_{key}",
+                    "ordinal": ordinal,
+                    "role": "subject" if ordinal == 0 else "reference",
+                }
+            )
         nodes.append(made)
-    return {"graph": {"prompt": "A scene.", "nodes": nodes, "edges": edges},
-            "requirements": [{"node_id": f"p{i}"} for i in range(len(predicates))]}
+    return {
+        "graph": {"prompt": "A scene.", "nodes": nodes, "edges": edges},
+        "requirements": [{"node_id": f"p{i}"} for i in range(len(predicates))],
+    }
 
 
 def decide(scene, entities, *predicates):
@@ -74,17 +114,39 @@ def decide(scene, entities, *predicates):
     return found[0] if len(found) == 1 else found
 
 
-@pytest.mark.parametrize(("plural", "one"), [
-    ("chairs", "chair"), ("benches", "bench"), ("boxes", "box"), ("glass", "glass"), ("shelves", "shelf"),
-    ("bus", "bus"), ("ladies", "lady"), ("crates", "crate"), ("dishes", "dish"), ("houses", "house")])
+@pytest.mark.parametrize(
+    ("plural", "one"),
+    [
+        ("chairs", "chair"),
+        ("benches", "bench"),
+        ("boxes", "box"),
+        ("glass", "glass"),
+        ("shelves", "shelf"),
+        ("bus", "bus"),
+        ("ladies", "lady"),
+        ("crates", "crate"),
+        ("dishes", "dish"),
+        ("houses", "house"),
+    ],
+)
 def test_singular(plural, one):
     assert singular(plural) == one
 
 
-@pytest.mark.parametrize(("name", "wanted", "found"), [
-    ("SM_Chair_Large_02", "chair", True), ("Table lamp", "table", False), ("Table lamp", "lamp", True),
-    ("Barrel of apples", "apple", False), ("Barrel of apples", "barrels", True), ("Armchair", "chair", False),
-    ("SM_FishingBoat", "fishing boats", True), ("SM_Boat", "fishing boat", False), ("CeilingLight01", "light", True)])
+@pytest.mark.parametrize(
+    ("name", "wanted", "found"),
+    [
+        ("SM_Chair_Large_02", "chair", True),
+        ("Table lamp", "table", False),
+        ("Table lamp", "lamp", True),
+        ("Barrel of apples", "apple", False),
+        ("Barrel of apples", "barrels", True),
+        ("Armchair", "chair", False),
+        ("SM_FishingBoat", "fishing boats", True),
+        ("SM_Boat", "fishing boat", False),
+        ("CeilingLight01", "light", True),
+    ],
+)
 def test_a_name_is_matched_by_its_whole_head_noun(name, wanted, found):
     assert names_object(name, phrases_of([wanted])) is found
 
@@ -94,9 +156,17 @@ def test_any_text_has_a_head(text):
     assert isinstance(head(text), tuple)
 
 
-@pytest.mark.parametrize(("wanted", "status"), [
-    (("office chair",), "MATCH"), (("chairs",), "MATCH"), (("stool", "seat"), "MATCH"), (("furniture",), "MISMATCH"),
-    (("armchair",), "MISMATCH"), (("label of a",), "MISMATCH")])
+@pytest.mark.parametrize(
+    ("wanted", "status"),
+    [
+        (("office chair",), "MATCH"),
+        (("chairs",), "MATCH"),
+        (("stool", "seat"), "MATCH"),
+        (("furniture",), "MISMATCH"),
+        (("armchair",), "MISMATCH"),
+        (("label of a",), "MISMATCH"),
+    ],
+)
 def test_existence_by_name_alias_tag_but_never_by_label_or_broader_category(wanted, status):
     scene = [thing("a", "Office chair", (0, 0, 50))]
     found = decide(scene, [entity(*wanted)], predicate("existence", wanted[0]))
@@ -106,8 +176,10 @@ def test_existence_by_name_alias_tag_but_never_by_label_or_broader_category(want
 
 def test_unknown_assets_and_primitives_leave_absence_open():
     for path in ("/Engine/BasicShapes/Cube.Cube", "/Game/Other/SM_Thing.SM_Thing"):
-        assert decide([thing("a", path, (0, 0, 0))], [entity("tower")], predicate("existence", "tower")).status == \
-            "UNKNOWN"
+        assert (
+            decide([thing("a", path, (0, 0, 0))], [entity("tower")], predicate("existence", "tower")).status
+            == "UNKNOWN"
+        )
 
 
 def test_a_region_has_to_be_seen_and_an_empty_scene_holds_nothing():
@@ -116,12 +188,19 @@ def test_a_region_has_to_be_seen_and_an_empty_scene_holds_nothing():
     assert decide([], *plaza).status == "MISMATCH"
 
 
-@pytest.mark.parametrize(("quantity", "status"), [
-    ({"mode": "exact", "value": 4}, "MATCH"), ({"mode": "exact", "value": 5}, "MISMATCH"),
-    ({"mode": "approximately", "value": 5}, "MATCH"), ({"mode": "approximately", "value": 12}, "MISMATCH"),
-    ({"mode": "at_least", "value": 4}, "MATCH"), ({"mode": "range", "lower": 5, "upper": 9}, "MISMATCH"),
-    ({"mode": "qualitative", "qualitative": "several"}, "MATCH"),
-    ({"mode": "qualitative", "qualitative": "dense"}, "UNKNOWN")])
+@pytest.mark.parametrize(
+    ("quantity", "status"),
+    [
+        ({"mode": "exact", "value": 4}, "MATCH"),
+        ({"mode": "exact", "value": 5}, "MISMATCH"),
+        ({"mode": "approximately", "value": 5}, "MATCH"),
+        ({"mode": "approximately", "value": 12}, "MISMATCH"),
+        ({"mode": "at_least", "value": 4}, "MATCH"),
+        ({"mode": "range", "lower": 5, "upper": 9}, "MISMATCH"),
+        ({"mode": "qualitative", "qualitative": "several"}, "MATCH"),
+        ({"mode": "qualitative", "qualitative": "dense"}, "UNKNOWN"),
+    ],
+)
 def test_quantities(quantity, status):
     scene = [thing(f"c{i}", "Office chair", (i * 100, 0, 50)) for i in range(4)]
     found = decide(scene, [entity("chairs", collection=True)], predicate("quantity", "chairs", quantity=quantity))
@@ -133,9 +212,17 @@ def test_approximately_a_dozen():
     assert limits({"mode": "approximately", "value": 2}) == (1, 3)
 
 
-@pytest.mark.parametrize(("kind", "words", "status"), [
-    ("material", "wooden", "MATCH"), ("material", "metal", "MISMATCH"), ("color", "red", "MATCH"),
-    ("color", "blue", "MISMATCH"), ("style", "baroque", "UNKNOWN"), ("material", "sandstone", "MISMATCH")])
+@pytest.mark.parametrize(
+    ("kind", "words", "status"),
+    [
+        ("material", "wooden", "MATCH"),
+        ("material", "metal", "MISMATCH"),
+        ("color", "red", "MATCH"),
+        ("color", "blue", "MISMATCH"),
+        ("style", "baroque", "UNKNOWN"),
+        ("material", "sandstone", "MISMATCH"),
+    ],
+)
 def test_looks(kind, words, status):
     scene = [thing("a", "Office chair", (0, 0, 50))]
     qualifier = {"kind": kind, "name": words}
@@ -146,28 +233,43 @@ def test_looks(kind, words, status):
 DESK = thing("desk", "Desk", (0, 0, 40), (100, 60, 40))
 
 
-@pytest.mark.parametrize(("relation", "centre", "status"), [
-    ("on", (20, 0, 90), "MATCH"), ("on", (300, 0, 10), "MISMATCH"), ("above", (0, 0, 200), "MATCH"),
-    ("next_to", (350, 0, 10), "MATCH"), ("near", (900, 0, 10), "MISMATCH"), ("under", (0, 0, 5), "MATCH"),
-    ("apart_from", (900, 0, 10), "MATCH"), ("inside", (0, 0, 40), "MATCH"), ("against", (125, 0, 10), "MATCH"),
-    ("linked_by", (0, 0, 90), "UNKNOWN")])
+@pytest.mark.parametrize(
+    ("relation", "centre", "status"),
+    [
+        ("on", (20, 0, 90), "MATCH"),
+        ("on", (300, 0, 10), "MISMATCH"),
+        ("above", (0, 0, 200), "MATCH"),
+        ("next_to", (350, 0, 10), "MATCH"),
+        ("near", (900, 0, 10), "MISMATCH"),
+        ("under", (0, 0, 5), "MATCH"),
+        ("apart_from", (900, 0, 10), "MATCH"),
+        ("inside", (0, 0, 40), "MATCH"),
+        ("against", (125, 0, 10), "MATCH"),
+        ("linked_by", (0, 0, 90), "UNKNOWN"),
+    ],
+)
 def test_relations(relation, centre, status):
     lamp = thing("lamp", "Table lamp", centre, (10, 10, 10))
-    found = decide([DESK, lamp], [entity("lamp"), entity("desk")],
-                   predicate("spatial_relation", "lamp", "desk", relation=relation))
+    found = decide(
+        [DESK, lamp], [entity("lamp"), entity("desk")], predicate("spatial_relation", "lamp", "desk", relation=relation)
+    )
     assert found.status == status
 
 
 def test_a_missing_partner_is_a_mismatch():
-    found = decide([DESK], [entity("lamp"), entity("desk")],
-                   predicate("spatial_relation", "lamp", "desk", relation="on"))
+    found = decide(
+        [DESK], [entity("lamp"), entity("desk")], predicate("spatial_relation", "lamp", "desk", relation="on")
+    )
     assert found.status == "MISMATCH"
 
 
 def test_a_collection_gets_the_share_that_satisfies():
     lamps = [thing(f"lamp{i}", "Table lamp", (0 if i else 900, 0, 90), (10, 10, 10)) for i in range(4)]
-    found = decide([DESK, *lamps], [entity("lamps", "lamp", collection=True), entity("desk")],
-                   predicate("spatial_relation", "lamps", "desk", relation="on"))
+    found = decide(
+        [DESK, *lamps],
+        [entity("lamps", "lamp", collection=True), entity("desk")],
+        predicate("spatial_relation", "lamps", "desk", relation="on"),
+    )
     assert (found.status, found.score, len(found.actors)) == ("MATCH", 0.75, 3)
 
 
@@ -178,32 +280,55 @@ def ring(n: int, radius: float) -> list[tuple[float, float, float]]:
 def test_around_between_along_and_inside_a_ring():
     chairs = [thing(f"c{i}", "Office chair", place) for i, place in enumerate(ring(6, 300))]
     words = [entity("chairs", collection=True), entity("desk"), entity("walls", "wall", collection=True)]
-    assert decide([DESK, *chairs], words, predicate("spatial_relation", "chairs", "desk", relation="around")).status \
+    assert (
+        decide([DESK, *chairs], words, predicate("spatial_relation", "chairs", "desk", relation="around")).status
         == "MATCH"
-    assert decide([DESK, *chairs[:3]], words,
-                  predicate("spatial_relation", "chairs", "desk", relation="around")).status == "MISMATCH"
-    assert decide([DESK, *chairs], words, predicate("spatial_relation", "desk", "chairs", relation="inside")).status \
+    )
+    assert (
+        decide([DESK, *chairs[:3]], words, predicate("spatial_relation", "chairs", "desk", relation="around")).status
+        == "MISMATCH"
+    )
+    assert (
+        decide([DESK, *chairs], words, predicate("spatial_relation", "desk", "chairs", relation="inside")).status
         == "MATCH"
+    )
     walls = [thing(f"w{i}", "Stone wall", (x, 0, 50), (10, 400, 100)) for i, x in enumerate((-500, 500))]
-    assert decide([DESK, *walls], words, predicate("spatial_relation", "desk", "walls", relation="between")).status \
+    assert (
+        decide([DESK, *walls], words, predicate("spatial_relation", "desk", "walls", relation="between")).status
         == "MATCH"
+    )
     line = [thing(f"c{i}", "Office chair", (420, i * 150 - 300, 50), (30, 30, 50)) for i in range(4)]
-    assert decide([*walls, *line], words, predicate("spatial_relation", "chairs", "walls", relation="along")).status \
+    assert (
+        decide([*walls, *line], words, predicate("spatial_relation", "chairs", "walls", relation="along")).status
         == "MATCH"
+    )
 
 
-@pytest.mark.parametrize(("places", "words", "status"), [
-    ([(i * 200, i, 50) for i in range(5)], "in a row", "MATCH"), (ring(6, 500), "row", "MISMATCH"),
-    (ring(6, 500), "ring", "MATCH"), ([(i * 200, i, 50) for i in range(5)], "circle", "MISMATCH"),
-    ([(i % 3 * 120, i // 3 * 110, 50) for i in range(9)], "clustered", "MATCH"),
-    ([(i * 3000, i % 2 * 4000, 50) for i in range(6)], "clustered", "MISMATCH"),
-    ([(0, 0, 50), (900, 300, 50), (400, 1000, 50), (1500, 1200, 50), (1300, 200, 50), (200, 1700, 50)], "scattered",
-     "MATCH"),
-    (ring(6, 500), "layered", "UNKNOWN"), ([(0, 0, 50), (100, 0, 50)], "row", "UNKNOWN")])
+@pytest.mark.parametrize(
+    ("places", "words", "status"),
+    [
+        ([(i * 200, i, 50) for i in range(5)], "in a row", "MATCH"),
+        (ring(6, 500), "row", "MISMATCH"),
+        (ring(6, 500), "ring", "MATCH"),
+        ([(i * 200, i, 50) for i in range(5)], "circle", "MISMATCH"),
+        ([(i % 3 * 120, i // 3 * 110, 50) for i in range(9)], "clustered", "MATCH"),
+        ([(i * 3000, i % 2 * 4000, 50) for i in range(6)], "clustered", "MISMATCH"),
+        (
+            [(0, 0, 50), (900, 300, 50), (400, 1000, 50), (1500, 1200, 50), (1300, 200, 50), (200, 1700, 50)],
+            "scattered",
+            "MATCH",
+        ),
+        (ring(6, 500), "layered", "UNKNOWN"),
+        ([(0, 0, 50), (100, 0, 50)], "row", "UNKNOWN"),
+    ],
+)
 def test_distributions(places, words, status):
     scene = [thing(f"c{i}", "Office chair", place) for i, place in enumerate(places)]
-    found = decide(scene, [entity("chairs", collection=True)],
-                   predicate("distribution", "chairs", qualifiers=[{"kind": "layout", "name": words}]))
+    found = decide(
+        scene,
+        [entity("chairs", collection=True)],
+        predicate("distribution", "chairs", qualifiers=[{"kind": "layout", "name": words}]),
+    )
     assert found.status == status
 
 
@@ -215,10 +340,28 @@ def test_logic_and_polarity():
     def logic(*operands):
         return predicate("logic", logic={"operator": "any_of", "requirement_ids": list(operands)})
 
-    found = decide(scene, words, yes, no, open_, logic("p0", "p2"), logic("p1", "p2"), logic("p1"),
-                   predicate("existence", "lamp", negative=True), logic("p7"))
-    assert [d.status for d in found] == ["MATCH", "MISMATCH", "UNKNOWN", "MATCH", "UNKNOWN", "MISMATCH", "MATCH",
-                                         "UNKNOWN"]
+    found = decide(
+        scene,
+        words,
+        yes,
+        no,
+        open_,
+        logic("p0", "p2"),
+        logic("p1", "p2"),
+        logic("p1"),
+        predicate("existence", "lamp", negative=True),
+        logic("p7"),
+    )
+    assert [d.status for d in found] == [
+        "MATCH",
+        "MISMATCH",
+        "UNKNOWN",
+        "MATCH",
+        "UNKNOWN",
+        "MISMATCH",
+        "MATCH",
+        "UNKNOWN",
+    ]
 
 
 def test_scene_wide_requirements_are_unknown():
@@ -240,8 +383,9 @@ def test_published_bundles_are_read_and_decided(path):
 EMPTY = {"prompt": "", "nodes": [], "edges": []}
 
 
-@pytest.mark.parametrize("broken", [{}, {"graph": {}}, {"graph": EMPTY}, [],
-                                    {"graph": EMPTY, "requirements": [{"node_id": 1}]}])
+@pytest.mark.parametrize(
+    "broken", [{}, {"graph": {}}, {"graph": EMPTY}, [], {"graph": EMPTY, "requirements": [{"node_id": 1}]}]
+)
 def test_a_broken_bundle_is_one_line(broken):
     with pytest.raises(BadInput):
         read_requirements(broken)

@@ -14,40 +14,81 @@ from tests.shared import SHARED
 
 ALLEY = SHARED / "upstream/tests/fixtures/synthetic-alley.bundle.json"
 BENCH, CART = "/Game/P/SM_Bench.SM_Bench", "/Game/P/SM_Cart.SM_Cart"
-CATALOG = {BENCH: {"name": "Bench", "category": "seating", "tags": ["bench"], "description": "", "materials": []},
-           CART: {"name": "Hand cart", "category": "vehicle", "tags": ["cart"], "description": "", "materials": []}}
+CATALOG = {
+    BENCH: {"name": "Bench", "category": "seating", "tags": ["bench"], "description": "", "materials": []},
+    CART: {"name": "Hand cart", "category": "vehicle", "tags": ["cart"], "description": "", "materials": []},
+}
 PROMPT = "Three benches stand in a row. A cart is near the benches."
 
 
 def actor(name: str, asset: str, x: float, y: float = 0.0, scale: Any = (1, 1, 1)) -> dict[str, Any]:
-    return {"name": name, "label": "Lighthouse", "class": "/Script/Engine.StaticMeshActor", "asset_path": asset,
-            "component_asset_paths": [asset], "material_paths": [],
-            "transform": {"location_cm": [x, y, 0], "rotation_deg": [0, 0, 0], "scale": list(scale)},
-            "bounds": {"origin_cm": [x, y, 50], "extent_cm": [60, 30, 50]}}
+    return {
+        "name": name,
+        "label": "Lighthouse",
+        "class": "/Script/Engine.StaticMeshActor",
+        "asset_path": asset,
+        "component_asset_paths": [asset],
+        "material_paths": [],
+        "transform": {"location_cm": [x, y, 0], "rotation_deg": [0, 0, 0], "scale": list(scale)},
+        "bounds": {"origin_cm": [x, y, 50], "extent_cm": [60, 30, 50]},
+    }
 
 
 def requirement(number: int, kind: str, text: str, *entities: str, **parameters: Any) -> tuple[dict, list[dict]]:
     start = PROMPT.index(text)
-    node = {"node_type": "predicate", "id": f"p{number}", "predicate_type": kind, "text": text,
-            "polarity": "affirmative", "source_span": {"start": start, "end": start + len(text)},
-            "semantic_parameters": parameters}
-    return node, [{"edge_type": "argument", "source_id": f"p{number}", "target_id": entity, "ordinal": i,
-                   "role": "reference" if i else "subject"} for i, entity in enumerate(entities)]
+    node = {
+        "node_type": "predicate",
+        "id": f"p{number}",
+        "predicate_type": kind,
+        "text": text,
+        "polarity": "affirmative",
+        "source_span": {"start": start, "end": start + len(text)},
+        "semantic_parameters": parameters,
+    }
+    return node, [
+        {
+            "edge_type": "argument",
+            "source_id": f"p{number}",
+            "target_id": entity,
+            "ordinal": i,
+            "role": "reference" if i else "subject",
+        }
+        for i, entity in enumerate(entities)
+    ]
 
 
 def bundle() -> dict[str, Any]:
-    made = [requirement(0, "quantity", "Three benches", "benches", quantity={"mode": "exact", "value": 3}),
-            requirement(1, "distribution", "benches stand in a row", "benches",
-                        qualifiers=[{"kind": "layout", "name": "row"}]),
-            requirement(2, "existence", "cart", "cart"),
-            requirement(3, "spatial_relation", "near the benches", "cart", "benches", relation="near")]
+    made = [
+        requirement(0, "quantity", "Three benches", "benches", quantity={"mode": "exact", "value": 3}),
+        requirement(
+            1, "distribution", "benches stand in a row", "benches", qualifiers=[{"kind": "layout", "name": "row"}]
+        ),
+        requirement(2, "existence", "cart", "cart"),
+        requirement(3, "spatial_relation", "near the benches", "cart", "benches", relation="near"),
+    ]
     nodes: list[dict[str, Any]] = [
-        {"node_type": "entity", "id": "benches", "name": "benches", "aliases": [], "grounding_mode": "actor_collection",
-         "referent_kind": "collection"},
-        {"node_type": "entity", "id": "cart", "name": "cart", "aliases": ["handcart"], "grounding_mode": "actor",
-         "referent_kind": "individual"}, *(node for node, _ in made)]
-    return {"graph": {"prompt": PROMPT, "nodes": nodes, "edges": [edge for _, edges in made for edge in edges]},
-            "requirements": [{"node_id": node["id"], "entity_scopes": {}} for node, _ in made]}
+        {
+            "node_type": "entity",
+            "id": "benches",
+            "name": "benches",
+            "aliases": [],
+            "grounding_mode": "actor_collection",
+            "referent_kind": "collection",
+        },
+        {
+            "node_type": "entity",
+            "id": "cart",
+            "name": "cart",
+            "aliases": ["handcart"],
+            "grounding_mode": "actor",
+            "referent_kind": "individual",
+        },
+        *(node for node, _ in made),
+    ]
+    return {
+        "graph": {"prompt": PROMPT, "nodes": nodes, "edges": [edge for _, edges in made for edge in edges]},
+        "requirements": [{"node_id": node["id"], "entity_scopes": {}} for node, _ in made],
+    }
 
 
 GOOD = {"actors": [*(actor(f"bench{i}", BENCH, i * 200.0) for i in range(3)), actor("cart", CART, 200.0, 250.0)]}
@@ -55,8 +96,9 @@ GOOD = {"actors": [*(actor(f"bench{i}", BENCH, i * 200.0) for i in range(3)), ac
 
 def captures(snapshot: dict[str, Any], views: int = 4, pixels: int = 500) -> dict[str, Any]:
     visible = {a["name"]: pixels for a in snapshot["actors"]}
-    return {"views": [{"name": f"v{i}", "visible": visible, "camera": {"width": 1280, "height": 720}}
-                      for i in range(views)]}
+    return {
+        "views": [{"name": f"v{i}", "visible": visible, "camera": {"width": 1280, "height": 720}} for i in range(views)]
+    }
 
 
 def test_a_scene_that_has_it_all_scores_one():
@@ -131,8 +173,10 @@ def test_a_bare_prompt_is_mostly_unknown():
 
 @pytest.mark.parametrize("verify", [verify_detailed, verify_overview])
 def test_it_is_deterministic_plain_json(verify):
-    assert verify(bundle(), GOOD, CATALOG, captures(GOOD)).sha256() == \
+    assert (
         verify(bundle(), GOOD, CATALOG, captures(GOOD)).sha256()
+        == verify(bundle(), GOOD, CATALOG, captures(GOOD)).sha256()
+    )
 
 
 @pytest.mark.skipif(not ALLEY.exists(), reason="the published bundle is not on this machine")

@@ -39,8 +39,9 @@ class CannedUpstream:
         threading.Thread(target=self._accept, daemon=True).start()
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-                 ) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         self.release.set()
         self._listener.close()
 
@@ -61,14 +62,23 @@ class CannedUpstream:
                     return
                 head += line
             text = head.decode("latin-1")
-            length = next((int(line.split(":")[1]) for line in text.lower().split("\r\n")
-                           if line.startswith("content-length:")), 0)
+            length = next(
+                (int(line.split(":")[1]) for line in text.lower().split("\r\n") if line.startswith("content-length:")),
+                0,
+            )
             body = stream.read(length)
             with self._lock:
                 self.requests.append((text, body))
                 reply = self.replies.pop(0) if len(self.replies) > 1 else self.replies[0]
-            lines = [f"HTTP/1.1 {reply.status}", f"Content-Type: {reply.kind}", "Transfer-Encoding: chunked",
-                     "Connection: close", *reply.headers, "", ""]
+            lines = [
+                f"HTTP/1.1 {reply.status}",
+                f"Content-Type: {reply.kind}",
+                "Transfer-Encoding: chunked",
+                "Connection: close",
+                *reply.headers,
+                "",
+                "",
+            ]
             stream.write("\r\n".join(lines).encode())
             for portion in reply.portions:
                 stream.write(f"{len(portion):x}\r\n".encode() + portion + b"\r\n")

@@ -20,8 +20,18 @@ from c4s.meter.run import MeterRun
 from c4s.meter.wire import BY_NAME
 
 MODEL = "model-1"
-PRICE = Price.model_validate({"model": MODEL, "from": "2026-01-01", "input": 10, "output": 100, "cache_read": 1,
-                              "cache_write": 12, "cache_write_1h": 20, "source": "test"})
+PRICE = Price.model_validate(
+    {
+        "model": MODEL,
+        "from": "2026-01-01",
+        "input": 10,
+        "output": 100,
+        "cache_read": 1,
+        "cache_write": 12,
+        "cache_write_1h": 20,
+        "source": "test",
+    }
+)
 
 
 @pytest.fixture(scope="session")
@@ -36,10 +46,15 @@ def open_run(meter: Meter, tmp_path: Path) -> Iterator[Callable[..., MeterRun]]:
     opened = []
 
     def start(url: str, number: int = 1, **options: Any) -> MeterRun:
-        endpoint = ModelEndpoint(url=url, formats=options.pop("formats", list(BY_NAME)),
-                                 **options.pop("endpoint", {}))
-        run = MeterRun(f"run-{number}", endpoint, "real-key", tmp_path / f"usage-{number}.jsonl",
-                       prices=PriceTable([PRICE]), **options)
+        endpoint = ModelEndpoint(url=url, formats=options.pop("formats", list(BY_NAME)), **options.pop("endpoint", {}))
+        run = MeterRun(
+            f"run-{number}",
+            endpoint,
+            "real-key",
+            tmp_path / f"usage-{number}.jsonl",
+            prices=PriceTable([PRICE]),
+            **options,
+        )
         meter.open_run(run)
         opened.append(run)
         return run

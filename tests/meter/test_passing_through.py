@@ -20,8 +20,12 @@ from c4s.meter.run import MeterRun
 CHAT, MESSAGES = "/v1/chat/completions", "/v1/messages"
 START = b'data: {"type": "message_start", "message": {"model": "m", "usage": {"input_tokens": 9}}}\n\n'
 OK = Reply([b'{"choices": [], "usage": {"prompt_tokens": 1, "completion_tokens": 1, "prompt_tokens_details": {}}}'])
-PATHS = {"openai-chat": CHAT, "openai-responses": "/v1/responses", "anthropic": MESSAGES,
-         "gemini": "/v1beta/models/model-1:generateContent"}
+PATHS = {
+    "openai-chat": CHAT,
+    "openai-responses": "/v1/responses",
+    "anthropic": MESSAGES,
+    "gemini": "/v1beta/models/model-1:generateContent",
+}
 Open = Callable[..., MeterRun]
 HTTP = httpx.Client(trust_env=False, timeout=20)
 
@@ -39,16 +43,22 @@ def wait_for(run: MeterRun) -> RequestRecord:
     def record(one: RequestRecord) -> None:
         keep(one)
         done.set()
+
     run.record = record  # type: ignore[method-assign]
     if not run.records:
         assert done.wait(20)
     return run.records[0]
 
 
-@pytest.mark.parametrize(("path", "header", "expected"), [
-    (CHAT, "Authorization", "authorization: bearer real-key"), (MESSAGES, "x-api-key", "x-api-key: real-key"),
-    ("/v1beta/models/model-1:generateContent", "x-goog-api-key", "x-goog-api-key: real-key"),
-    (MESSAGES, "Authorization", "x-api-key: real-key")])
+@pytest.mark.parametrize(
+    ("path", "header", "expected"),
+    [
+        (CHAT, "Authorization", "authorization: bearer real-key"),
+        (MESSAGES, "x-api-key", "x-api-key: real-key"),
+        ("/v1beta/models/model-1:generateContent", "x-goog-api-key", "x-goog-api-key: real-key"),
+        (MESSAGES, "Authorization", "x-api-key: real-key"),
+    ],
+)
 def test_the_real_key_replaces_the_token(meter: Meter, open_run: Open, path: str, header: str, expected: str) -> None:
     with CannedUpstream(OK) as upstream:
         run = open_run(upstream.url, endpoint={"headers": {"X-Title": "c4s"}})
@@ -75,12 +85,19 @@ def test_a_token_of_no_run_gets_nothing(meter: Meter, open_run: Open) -> None:
         assert upstream.requests == []
 
 
-@pytest.mark.parametrize(("path", "formats", "status"), [
-    ("/v1/embeddings", ["openai-chat"], 404), ("/v1/images/generations", ["openai-chat"], 404),
-    (MESSAGES, ["openai-chat"], 404), ("/v1/models", ["openai-chat"], 200),
-    ("/v1/messages/count_tokens", ["anthropic"], 200)])
-def test_only_metered_and_free_requests_pass(meter: Meter, open_run: Open, path: str, formats: list[str], status: int
-                                             ) -> None:
+@pytest.mark.parametrize(
+    ("path", "formats", "status"),
+    [
+        ("/v1/embeddings", ["openai-chat"], 404),
+        ("/v1/images/generations", ["openai-chat"], 404),
+        (MESSAGES, ["openai-chat"], 404),
+        ("/v1/models", ["openai-chat"], 200),
+        ("/v1/messages/count_tokens", ["anthropic"], 200),
+    ],
+)
+def test_only_metered_and_free_requests_pass(
+    meter: Meter, open_run: Open, path: str, formats: list[str], status: int
+) -> None:
     with CannedUpstream(OK) as upstream:
         run = open_run(upstream.url, formats=formats)
         assert post(meter, run.token, path).status_code == status
@@ -96,9 +113,15 @@ def test_another_model_than_the_configurations_is_refused(meter: Meter, open_run
         assert post(meter, run.token).status_code == 200
 
 
-@pytest.mark.parametrize(("wire", "where"), [("openai-chat", ("error", "code")),
-                                             ("openai-responses", ("error", "code")),
-                                             ("anthropic", ("error", "type")), ("gemini", ("error", "status"))])
+@pytest.mark.parametrize(
+    ("wire", "where"),
+    [
+        ("openai-chat", ("error", "code")),
+        ("openai-responses", ("error", "code")),
+        ("anthropic", ("error", "type")),
+        ("gemini", ("error", "status")),
+    ],
+)
 def test_a_refusal_has_the_shape_of_the_format(meter: Meter, open_run: Open, wire: str, where: tuple[str, str]) -> None:
     with CannedUpstream(OK) as upstream:
         run = open_run(upstream.url, models=["other"])
@@ -134,8 +157,14 @@ def test_an_endpoint_that_falls_silent(meter: Meter, open_run: Open) -> None:
     assert record.cost_usd is None
 
 
-@pytest.mark.parametrize("reply", [Reply([START], kind="text/event-stream", then="cut"),
-                                   Reply([START], kind="text/event-stream"), Reply([b'{"cho'], then="cut")])
+@pytest.mark.parametrize(
+    "reply",
+    [
+        Reply([START], kind="text/event-stream", then="cut"),
+        Reply([START], kind="text/event-stream"),
+        Reply([b'{"cho'], then="cut"),
+    ],
+)
 def test_an_answer_that_breaks_off_breaks_off_for_the_client_too(meter: Meter, open_run: Open, reply: Reply) -> None:
     with CannedUpstream(reply) as upstream:
         run = open_run(upstream.url)
@@ -150,14 +179,18 @@ def test_an_error_inside_a_stream(meter: Meter, open_run: Open) -> None:
         run = open_run(upstream.url)
         assert post(meter, run.token, MESSAGES, stream=True).content == START + error
     assert (run.records[0].ending, run.records[0].problem, run.records[0].cost_usd) == (
-        "stream_error", "overloaded_error: busy", None)
+        "stream_error",
+        "overloaded_error: busy",
+        None,
+    )
 
 
 def test_a_client_that_leaves_ends_the_upstream_request(meter: Meter, open_run: Open) -> None:
     with CannedUpstream(Reply([START], kind="text/event-stream", then="hold")) as upstream:
         run = open_run(upstream.url)
-        with HTTP.stream("POST", meter.url + MESSAGES, json={"model": "model-1", "stream": True},
-                          headers={"x-api-key": run.token}) as got:
+        with HTTP.stream(
+            "POST", meter.url + MESSAGES, json={"model": "model-1", "stream": True}, headers={"x-api-key": run.token}
+        ) as got:
             assert next(got.iter_bytes()) == START
         assert upstream.hung_up.wait(20)
         record = wait_for(run)
@@ -167,8 +200,9 @@ def test_a_client_that_leaves_ends_the_upstream_request(meter: Meter, open_run: 
 def test_portions_are_passed_on_before_the_answer_is_complete(meter: Meter, open_run: Open) -> None:
     with CannedUpstream(Reply([START], kind="text/event-stream", then="hold")) as upstream:
         run = open_run(upstream.url)
-        with HTTP.stream("POST", meter.url + MESSAGES, json={"model": "model-1", "stream": True},
-                          headers={"x-api-key": run.token}) as got:
+        with HTTP.stream(
+            "POST", meter.url + MESSAGES, json={"model": "model-1", "stream": True}, headers={"x-api-key": run.token}
+        ) as got:
             assert next(got.iter_bytes()) == START and not upstream.release.is_set()
 
 
@@ -182,9 +216,19 @@ def test_runs_at_once_keep_their_records_apart(meter: Meter, open_run: Open) -> 
     with ScriptedEndpoint([[Use("save", {})]]) as endpoint, ThreadPoolExecutor(12) as threads:
         runs = [open_run(endpoint.url, number) for number in range(6)]
         tools = [{"type": "function", "function": {"name": "save"}}]
-        list(threads.map(lambda i: post(meter, runs[i % 6].token, model=f"model-{i % 6}", tools=tools,
-                                        messages=[{"role": "user", "content": "x" * 40 * i}], stream=i % 2 == 0),
-                         range(60)))
+        list(
+            threads.map(
+                lambda i: post(
+                    meter,
+                    runs[i % 6].token,
+                    model=f"model-{i % 6}",
+                    tools=tools,
+                    messages=[{"role": "user", "content": "x" * 40 * i}],
+                    stream=i % 2 == 0,
+                ),
+                range(60),
+            )
+        )
         for number, run in enumerate(runs):
             served = [one for one in endpoint.served if one.model == f"model-{number}"]
             assert len(run.records) == len(served) == 10
@@ -197,12 +241,17 @@ def test_runs_at_once_keep_their_records_apart(meter: Meter, open_run: Open) -> 
 @pytest.mark.parametrize("stream", [False, True])
 def test_the_meter_agrees_with_the_endpoints_own_count(meter: Meter, open_run: Open, wire: str, stream: bool) -> None:
     bodies: dict[str, dict[str, Any]] = {
-        "openai-chat": {"messages": [{"role": "user", "content": "Build."}],
-                        "tools": [{"type": "function", "function": {"name": "save"}}]},
+        "openai-chat": {
+            "messages": [{"role": "user", "content": "Build."}],
+            "tools": [{"type": "function", "function": {"name": "save"}}],
+        },
         "openai-responses": {"input": "Build.", "tools": [{"type": "function", "name": "save"}]},
         "anthropic": {"messages": [{"role": "user", "content": "Build."}], "tools": [{"name": "save"}]},
-        "gemini": {"contents": [{"parts": [{"text": "Build."}]}],
-                   "tools": [{"functionDeclarations": [{"name": "save"}]}]}}
+        "gemini": {
+            "contents": [{"parts": [{"text": "Build."}]}],
+            "tools": [{"functionDeclarations": [{"name": "save"}]}],
+        },
+    }
     with ScriptedEndpoint([[Use("save", {"name": "room"})]]) as endpoint:
         run = open_run(endpoint.url)
         path = PATHS[wire].replace(":generate", ":streamGenerate") if stream and wire == "gemini" else PATHS[wire]
@@ -210,6 +259,11 @@ def test_the_meter_agrees_with_the_endpoints_own_count(meter: Meter, open_run: O
         assert "room" in got.text and endpoint.served[0].key == "real-key"
         one, record = endpoint.served[0], run.records[0]
     assert (record.fresh_input_tokens, record.cache_read_tokens, record.cache_write_tokens, record.output_tokens) == (
-        one.fresh, one.cache_read, one.cache_write, one.output)
+        one.fresh,
+        one.cache_read,
+        one.cache_write,
+        one.output,
+    )
     assert sums([json.loads(run.usage.read_text())])["cost_usd"] == pytest.approx(
-        (one.fresh * 10 + one.cache_read + one.cache_write * 12 + one.output * 100) / 1e6)
+        (one.fresh * 10 + one.cache_read + one.cache_write * 12 + one.output * 100) / 1e6
+    )

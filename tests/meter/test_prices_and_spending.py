@@ -22,8 +22,9 @@ from c4s.meter.run import MeterRun
 from c4s.meter.spending import Ledger
 from c4s.meter.usage import UNKNOWN, ZERO, Usage
 
-COSTLY = Reply([b'{"choices": [], "usage": {"prompt_tokens": 0, "completion_tokens": 5000, '
-                b'"prompt_tokens_details": {}}}'])
+COSTLY = Reply(
+    [b'{"choices": [], "usage": {"prompt_tokens": 0, "completion_tokens": 5000, "prompt_tokens_details": {}}}']
+)
 """Half a dollar at the test price."""
 
 
@@ -34,21 +35,33 @@ def table(text: str, tmp_path: Path) -> PriceTable:
 
 
 def test_the_price_of_the_day(tmp_path: Path) -> None:
-    prices = table("prices:\n"
-                   "- {model: m, from: 2026-01-01, input: 1, output: 2, source: a}\n"
-                   "- {model: m, also: [x/m], from: 2026-03-01, input: 3, output: 4, source: b}\n"
-                   "- {model: sale, from: 2026-03-01, until: 2026-03-31, input: 3, output: 4, source: b}\n", tmp_path)
+    prices = table(
+        "prices:\n"
+        "- {model: m, from: 2026-01-01, input: 1, output: 2, source: a}\n"
+        "- {model: m, also: [x/m], from: 2026-03-01, input: 3, output: 4, source: b}\n"
+        "- {model: sale, from: 2026-03-01, until: 2026-03-31, input: 3, output: 4, source: b}\n",
+        tmp_path,
+    )
     assert prices.price("m", date(2025, 12, 31)) is None
-    assert [price.input for day in (date(2026, 1, 1), date(2026, 2, 28), date(2026, 3, 1))
-            if (price := prices.price("m", day))] == [1, 1, 3]
+    assert [
+        price.input
+        for day in (date(2026, 1, 1), date(2026, 2, 28), date(2026, 3, 1))
+        if (price := prices.price("m", day))
+    ] == [1, 1, 3]
     assert prices.price("sale", date(2026, 3, 31)) and prices.price("sale", date(2026, 4, 1)) is None
     assert prices.price("x/m", date(2026, 2, 1)) is None and prices.price("m-2", date(2026, 5, 1)) is None
 
 
-@pytest.mark.parametrize("text", ["prices: [{model: m, from: 2026-01-01, input: -1, output: 1, source: a}]",
-                                  "prices: [{model: m, input: 1, output: 1, source: a}]",
-                                  "prices: [{model: m, from: soon, input: 1, output: 1, source: a}]", "prices: [",
-                                  "[]"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "prices: [{model: m, from: 2026-01-01, input: -1, output: 1, source: a}]",
+        "prices: [{model: m, input: 1, output: 1, source: a}]",
+        "prices: [{model: m, from: soon, input: 1, output: 1, source: a}]",
+        "prices: [",
+        "[]",
+    ],
+)
 def test_a_bad_price_table_is_named(tmp_path: Path, text: str) -> None:
     with pytest.raises(BadInput, match=r"prices\.yaml"):
         table(text, tmp_path)
@@ -59,9 +72,21 @@ def test_the_shipped_table_can_be_read() -> None:
     assert price is not None and price.source and price.cache_write_1h == 2 * price.input
 
 
-@pytest.mark.parametrize("model", [
-    "openai/gpt-6-astra", "gpt-5.6-sol", "claude-fable-5-1", "claude-opus-5", "gemini-3.8-flash", "x-ai/grok-4.6",
-    "meta/muse-spark-1.3", "z-ai/glm-5.3-flash", "deepseek/deepseek-v4.1-flash", "thinkingmachines/inkling"])
+@pytest.mark.parametrize(
+    "model",
+    [
+        "openai/gpt-6-astra",
+        "gpt-5.6-sol",
+        "claude-fable-5-1",
+        "claude-opus-5",
+        "gemini-3.8-flash",
+        "x-ai/grok-4.6",
+        "meta/muse-spark-1.3",
+        "z-ai/glm-5.3-flash",
+        "deepseek/deepseek-v4.1-flash",
+        "thinkingmachines/inkling",
+    ],
+)
 def test_hosted_models_of_the_paper_have_a_price_and_those_that_are_served_by_oneself_have_none(model: str) -> None:
     prices, day = PriceTable.load(), date(2026, 11, 1)
     price = prices.price(model, day)
@@ -76,10 +101,17 @@ CLASSES = st.integers(0, 10**7)
 
 @given(CLASSES, CLASSES, CLASSES, CLASSES)
 def test_a_class_without_a_price_of_its_own_is_billed_as_input(fresh: int, read: int, write: int, output: int) -> None:
-    usage = Usage(input_tokens=fresh + read + write, fresh_input_tokens=fresh, cache_read_tokens=read,
-                  cache_write_tokens=write, cache_write_1h_tokens=0, output_tokens=output)
+    usage = Usage(
+        input_tokens=fresh + read + write,
+        fresh_input_tokens=fresh,
+        cache_read_tokens=read,
+        cache_write_tokens=write,
+        cache_write_1h_tokens=0,
+        output_tokens=output,
+    )
     row = {"model": "m", "from": "2026-01-01", "input": 2, "output": 10, "source": "t"}
     from c4s.meter.prices import Price
+
     plain = cost_of(usage, Price.model_validate(row))
     assert plain.usd == pytest.approx(((fresh + read + write) * 2 + output * 10) / 1e6)
     cheap = cost_of(usage, Price.model_validate({**row, "cache_read": 0}))
@@ -98,16 +130,19 @@ HTTP = httpx.Client(trust_env=False, timeout=20)
 
 
 def ask(meter: Meter, run: MeterRun, model: str = "model-1", path: str = "/v1/chat/completions") -> httpx.Response:
-    return HTTP.post(meter.url + path, json={"model": model, "max_tokens": 10},
-                      headers={"Authorization": f"Bearer {run.token}"})
+    return HTTP.post(
+        meter.url + path, json={"model": model, "max_tokens": 10}, headers={"Authorization": f"Bearer {run.token}"}
+    )
 
 
 def test_the_limit_refuses_with_a_clear_error_and_a_higher_limit_goes_on(
-        meter: Meter, open_run: Callable[..., MeterRun], tmp_path: Path) -> None:
+    meter: Meter, open_run: Callable[..., MeterRun], tmp_path: Path
+) -> None:
     stopped: list[int] = []
     with CannedUpstream(COSTLY) as upstream:
-        run = open_run(upstream.url, ledger=Ledger(tmp_path / "spending.jsonl", 0.9),
-                       at_limit=lambda: stopped.append(1))
+        run = open_run(
+            upstream.url, ledger=Ledger(tmp_path / "spending.jsonl", 0.9), at_limit=lambda: stopped.append(1)
+        )
         assert [ask(meter, run).status_code for _ in range(4)] == [200, 200, 402, 402]
         refusal = ask(meter, run, path="/v1/messages").json()
         assert refusal["error"]["type"] == "billing_error" and "spending limit" in refusal["error"]["message"]
@@ -117,8 +152,9 @@ def test_the_limit_refuses_with_a_clear_error_and_a_higher_limit_goes_on(
         assert [ask(meter, again).status_code for _ in range(2)] == [200, 402]
 
 
-def test_under_a_limit_a_model_without_a_price_is_refused(meter: Meter, open_run: Callable[..., MeterRun],
-                                                          tmp_path: Path) -> None:
+def test_under_a_limit_a_model_without_a_price_is_refused(
+    meter: Meter, open_run: Callable[..., MeterRun], tmp_path: Path
+) -> None:
     with CannedUpstream(COSTLY) as upstream:
         limited = open_run(upstream.url, ledger=Ledger(tmp_path / "a.jsonl", 5))
         got = ask(meter, limited, "unpriced")
@@ -129,8 +165,9 @@ def test_under_a_limit_a_model_without_a_price_is_refused(meter: Meter, open_run
     assert Ledger(tmp_path / "b.jsonl", None).spent().unknown == 1
 
 
-def test_an_unknown_cost_counts_as_its_estimate(meter: Meter, open_run: Callable[..., MeterRun], tmp_path: Path
-                                                 ) -> None:
+def test_an_unknown_cost_counts_as_its_estimate(
+    meter: Meter, open_run: Callable[..., MeterRun], tmp_path: Path
+) -> None:
     with CannedUpstream(Reply([b"{}"])) as upstream:
         run = open_run(upstream.url, ledger=Ledger(tmp_path / "spending.jsonl", 5))
         ask(meter, run)
@@ -178,7 +215,8 @@ def test_the_limit_and_the_endpoints_come_from_the_operator(tmp_path: Path, monk
     monkeypatch.delenv("C4S_ENDPOINTS", raising=False)
     assert spending_limit() is None
     (tmp_path / "endpoints.yaml").write_text(
-        "spending_limit_usd: 40\nendpoints: {own: {url: 'http://10.0.0.5:8000/v1', formats: [openai-chat]}}\n")
+        "spending_limit_usd: 40\nendpoints: {own: {url: 'http://10.0.0.5:8000/v1', formats: [openai-chat]}}\n"
+    )
     assert spending_limit() == 40 and model_endpoint("own").key_env is None
     (tmp_path / "other.yaml").write_text("spending_limit_usd: 7\n")
     with monkeypatch.context() as other:

@@ -34,8 +34,16 @@ def test_all_forms_of_a_path_name_one_object(parts: list[str]) -> None:
 
 
 def asset_of(file: str, slots: list[str]) -> Asset:
-    return Asset(id="thing", name="Thing", path="/Game/P/Thing.Thing", category="c", bounds_min_cm=(0, 0, 0),
-                 bounds_max_cm=(1, 1, 1), mesh=file, slots=[MaterialSlot(name=s, material="") for s in slots])
+    return Asset(
+        id="thing",
+        name="Thing",
+        path="/Game/P/Thing.Thing",
+        category="c",
+        bounds_min_cm=(0, 0, 0),
+        bounds_max_cm=(1, 1, 1),
+        mesh=file,
+        slots=[MaterialSlot(name=s, material="") for s in slots],
+    )
 
 
 def test_node_transforms_units_and_axes_are_applied(tmp_path: Path) -> None:

@@ -28,11 +28,11 @@ def _file(path: Path, change: Change = lambda tree: None) -> Path:
     shape = builder.shape()
     data = glb(shape.mesh, shape.materials, dict.fromkeys(shape.materials, (0.5, 0.4, 0.3)))
     size = struct.unpack_from("<I", data, 12)[0]
-    tree = json.loads(data[20:20 + size])
+    tree = json.loads(data[20 : 20 + size])
     change(tree)
     text = json.dumps(tree).encode()
     text += b" " * (-len(text) % 4)
-    rest = data[20 + size:]
+    rest = data[20 + size :]
     path.write_bytes(struct.pack("<4sIII4s", b"glTF", 2, 20 + len(text) + len(rest), len(text), b"JSON") + text + rest)
     return path
 
@@ -59,18 +59,26 @@ def test_a_pack_s_own_file_is_read_to_the_same_bytes(tmp_path: Path, monkeypatch
     assert _same(parts, _by_trimesh(path, monkeypatch))
 
 
-@pytest.mark.parametrize("change", [
-    lambda tree: tree["nodes"][0].update(translation=[1, 2, 3]),
-    lambda tree: tree["nodes"][0].update(matrix=np.diag([2.0, 2.0, 2.0, 1.0]).ravel().tolist()),
-    lambda tree: (tree["nodes"].append({"children": [0, 1], "scale": [1, 2, 1]}), tree["scenes"][0].update(nodes=[2])),
-    lambda tree: tree["nodes"][1].update(mesh=0),
-    lambda tree: tree["meshes"][0]["primitives"].append(dict(tree["meshes"][1]["primitives"][0])),
-    lambda tree: tree["meshes"][0]["primitives"][0].update(mode=5),
-    lambda tree: tree["meshes"][0]["primitives"][0]["attributes"].pop("NORMAL"),
-    lambda tree: tree["meshes"][0]["primitives"][0].pop("material"),
-    lambda tree: tree["meshes"][0]["primitives"][0]["attributes"].update(
-        COLOR_0=tree["meshes"][0]["primitives"][0]["attributes"]["NORMAL"]),
-], ids=["moved", "matrix", "parent", "twice", "two primitives", "strip", "no normals", "no material", "colours"])
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda tree: tree["nodes"][0].update(translation=[1, 2, 3]),
+        lambda tree: tree["nodes"][0].update(matrix=np.diag([2.0, 2.0, 2.0, 1.0]).ravel().tolist()),
+        lambda tree: (
+            tree["nodes"].append({"children": [0, 1], "scale": [1, 2, 1]}),
+            tree["scenes"][0].update(nodes=[2]),
+        ),
+        lambda tree: tree["nodes"][1].update(mesh=0),
+        lambda tree: tree["meshes"][0]["primitives"].append(dict(tree["meshes"][1]["primitives"][0])),
+        lambda tree: tree["meshes"][0]["primitives"][0].update(mode=5),
+        lambda tree: tree["meshes"][0]["primitives"][0]["attributes"].pop("NORMAL"),
+        lambda tree: tree["meshes"][0]["primitives"][0].pop("material"),
+        lambda tree: tree["meshes"][0]["primitives"][0]["attributes"].update(
+            COLOR_0=tree["meshes"][0]["primitives"][0]["attributes"]["NORMAL"]
+        ),
+    ],
+    ids=["moved", "matrix", "parent", "twice", "two primitives", "strip", "no normals", "no material", "colours"],
+)
 def test_what_is_not_plain_goes_to_trimesh(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: Change) -> None:
     path = _file(tmp_path / "other.glb", change)
     assert read_plain(path) is None

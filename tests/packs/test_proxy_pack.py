@@ -11,9 +11,11 @@ from PIL import Image
 from c4s.packs.store import PackStore
 from catalog.proxy import PaletteEntry, build_proxy_pack
 
-ENTRIES = [PaletteEntry("oak_tree", "Oak tree", "Trees", (4.0, 4.5, 9.0), "/Game/Town/SM_Oak.SM_Oak"),
-           PaletteEntry("bp_lamp", "Street lamp", "Lights", (0.4, 0.4, 5.0), "/Game/Town/BP_Lamp.BP_Lamp_C"),
-           PaletteEntry("decal", "Wall poster", "Decals", (1.0, 0.0, 1.5), "/Game/Town/SM_Poster.SM_Poster")]
+ENTRIES = [
+    PaletteEntry("oak_tree", "Oak tree", "Trees", (4.0, 4.5, 9.0), "/Game/Town/SM_Oak.SM_Oak"),
+    PaletteEntry("bp_lamp", "Street lamp", "Lights", (0.4, 0.4, 5.0), "/Game/Town/BP_Lamp.BP_Lamp_C"),
+    PaletteEntry("decal", "Wall poster", "Decals", (1.0, 0.0, 1.5), "/Game/Town/SM_Poster.SM_Poster"),
+]
 
 
 @pytest.fixture
@@ -42,4 +44,5 @@ def test_the_same_palette_gives_the_same_pack(folder: Path, tmp_path: Path) -> N
     first = PackStore([folder]).packs[folder]
     assert again.sha256() == first.sha256()
     assert [(tmp_path / "again" / "proxy-town" / str(asset.preview)).read_bytes() for asset in again.assets] == [
-        (folder / str(asset.preview)).read_bytes() for asset in first.assets]
+        (folder / str(asset.preview)).read_bytes() for asset in first.assets
+    ]

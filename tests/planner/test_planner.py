@@ -18,16 +18,34 @@ from c4s.planner import ground_tiles, render_plan, solve, tiers, validate
 
 
 def _asset(name: str, width: float, depth: float, height: float) -> Asset:
-    return Asset(id=name, name=name, path=f"/Game/T/SM_{name}.SM_{name}", category="things",
-                 bounds_min_cm=(-50 * width, -20 * depth, -10.0), bounds_max_cm=(50 * width, 80 * depth, 100 * height))
+    return Asset(
+        id=name,
+        name=name,
+        path=f"/Game/T/SM_{name}.SM_{name}",
+        category="things",
+        bounds_min_cm=(-50 * width, -20 * depth, -10.0),
+        bounds_max_cm=(50 * width, 80 * depth, 100 * height),
+    )
 
 
-CATALOG = [_asset("house", 8, 6, 7), _asset("table", 1.6, 0.8, 0.75), _asset("mug", 0.1, 0.1, 0.12),
-           _asset("floor_tile", 4, 4, 0.05)]
-NODES = st.lists(st.fixed_dictionaries({
-    "asset": st.sampled_from(["house", "table", "mug"]), "count": st.integers(1, 12),
-    "at": st.tuples(st.floats(-20, 20), st.floats(-20, 20)).map(list), "yaw_deg": st.sampled_from([0, 30, 90, 200]),
-    "layout": st.fixed_dictionaries({"kind": st.sampled_from(["row", "grid", "ring", "scatter"])})}), max_size=6)
+CATALOG = [
+    _asset("house", 8, 6, 7),
+    _asset("table", 1.6, 0.8, 0.75),
+    _asset("mug", 0.1, 0.1, 0.12),
+    _asset("floor_tile", 4, 4, 0.05),
+]
+NODES = st.lists(
+    st.fixed_dictionaries(
+        {
+            "asset": st.sampled_from(["house", "table", "mug"]),
+            "count": st.integers(1, 12),
+            "at": st.tuples(st.floats(-20, 20), st.floats(-20, 20)).map(list),
+            "yaw_deg": st.sampled_from([0, 30, 90, 200]),
+            "layout": st.fixed_dictionaries({"kind": st.sampled_from(["row", "grid", "ring", "scatter"])}),
+        }
+    ),
+    max_size=6,
+)
 
 
 @settings(max_examples=40, deadline=None)
@@ -38,14 +56,18 @@ def test_solving_is_repeatable_and_counts_its_overlaps(nodes: list[dict[str, obj
     assert solved == solve(graph, CATALOG)
     assert len(solved["entries"]) + len(solved["dropped"]) == sum(int(str(node["count"])) for node in nodes)
     boxes = [entry["footprint_cm"] for entry in solved["entries"]]
-    overlaps = sum(min(a[2], b[2]) - max(a[0], b[0]) > 2 and min(a[3], b[3]) - max(a[1], b[1]) > 2
-                   for i, a in enumerate(boxes) for b in boxes[:i])
+    overlaps = sum(
+        min(a[2], b[2]) - max(a[0], b[0]) > 2 and min(a[3], b[3]) - max(a[1], b[1]) > 2
+        for i, a in enumerate(boxes)
+        for b in boxes[:i]
+    )
     assert overlaps <= solved["overlapping_pairs"]
 
 
 def test_entries_stand_on_the_plane_and_on_each_other() -> None:
-    solved = solve({"nodes": [{"id": "t", "asset": "table", "at": [1, 2]}, {"id": "m", "asset": "mug", "on": "t"}]},
-                   CATALOG)
+    solved = solve(
+        {"nodes": [{"id": "t", "asset": "table", "at": [1, 2]}, {"id": "m", "asset": "mug", "on": "t"}]}, CATALOG
+    )
     table, mug = solved["entries"]
     assert table["location"][2] == pytest.approx(10.0)
     assert mug["location"][2] == pytest.approx(10.0 + 85.0)
@@ -53,8 +75,16 @@ def test_entries_stand_on_the_plane_and_on_each_other() -> None:
 
 
 def test_validate_names_what_will_be_dropped() -> None:
-    report = validate({"nodes": [{"id": "a", "asset": "castle"}, {"id": "b", "asset": "mug", "on": "nowhere"},
-                                 {"id": "c", "asset": "mug", "color": "red"}]}, CATALOG)
+    report = validate(
+        {
+            "nodes": [
+                {"id": "a", "asset": "castle"},
+                {"id": "b", "asset": "mug", "on": "nowhere"},
+                {"id": "c", "asset": "mug", "color": "red"},
+            ]
+        },
+        CATALOG,
+    )
     assert not report["valid"] and report["nodes"] == 1
     assert {(row["node"], row["dropped"]) for row in report["problems"]} == {("a", True), ("b", True), ("c", False)}
     assert not validate([], CATALOG)["valid"]
@@ -72,9 +102,18 @@ def test_the_ground_covers_the_whole_plate_without_gaps(side_m: float) -> None:
     tiles = ground_tiles("a tiled floor", CATALOG, side_m / 2)
     assert 0 < len(tiles) <= 700
     tile = next(asset for asset in CATALOG if asset.id == "floor_tile")
-    edges = {axis: sorted({(round(t["location"][axis] + t["scale"][axis] * tile.bounds_min_cm[axis], 1),
-                            round(t["location"][axis] + t["scale"][axis] * tile.bounds_max_cm[axis], 1))
-                           for t in tiles}) for axis in (0, 1)}
+    edges = {
+        axis: sorted(
+            {
+                (
+                    round(t["location"][axis] + t["scale"][axis] * tile.bounds_min_cm[axis], 1),
+                    round(t["location"][axis] + t["scale"][axis] * tile.bounds_max_cm[axis], 1),
+                )
+                for t in tiles
+            }
+        )
+        for axis in (0, 1)
+    }
     for spans in edges.values():
         assert spans[0][0] <= -50 * side_m + 0.5 and spans[-1][1] >= 50 * side_m - 0.5
         assert all(abs(left[1] - right[0]) < 0.5 for left, right in pairwise(spans))
@@ -82,10 +121,17 @@ def test_the_ground_covers_the_whole_plate_without_gaps(side_m: float) -> None:
 
 
 def test_validate_tells_what_solving_drops() -> None:
-    graph = {"nodes": [{"id": "far", "asset": "house", "at": [500, 0]}, {"id": "roof", "asset": "mug", "on": "far"},
-                       {"id": "ghost", "asset": "castle"}, {"id": "hat", "asset": "mug", "on": "ghost"},
-                       {"id": "huge", "asset": "mug", "at": [1e300, 0]}, {"id": "x" * 500, "asset": "mug"},
-                       {"id": "odd", "asset": "mug", "on": ["far"]}]}
+    graph = {
+        "nodes": [
+            {"id": "far", "asset": "house", "at": [500, 0]},
+            {"id": "roof", "asset": "mug", "on": "far"},
+            {"id": "ghost", "asset": "castle"},
+            {"id": "hat", "asset": "mug", "on": "ghost"},
+            {"id": "huge", "asset": "mug", "at": [1e300, 0]},
+            {"id": "x" * 500, "asset": "mug"},
+            {"id": "odd", "asset": "mug", "on": ["far"]},
+        ]
+    }
     report = validate(graph, CATALOG, 50)
     solved = solve(graph, CATALOG, half_extent_m=50)
     assert report["dropped"] == [item["node"] for item in solved["dropped"]] and not report["valid"]
@@ -114,10 +160,12 @@ def test_the_plan_picture_shows_footprints() -> None:
 
 
 def test_a_palette_and_its_counts_are_read() -> None:
-    prompt = ("Place twelve houses around one long table.\n\n=== ASSET PALETTE ===\n"
-              "- house | House | things | 8.0x6.0x7.0 m | /Game/T/SM_house.SM_house\n"
-              "- table | Table | things | 1.6x0.8x0.75 m | /Game/T/SM_table.SM_table\n"
-              "- crane | Crane | things | 3.0x3.0x9.0 m | /Game/T/SM_crane.SM_crane\n\n=== THE TASK ===\nBuild.\n")
+    prompt = (
+        "Place twelve houses around one long table.\n\n=== ASSET PALETTE ===\n"
+        "- house | House | things | 8.0x6.0x7.0 m | /Game/T/SM_house.SM_house\n"
+        "- table | Table | things | 1.6x0.8x0.75 m | /Game/T/SM_table.SM_table\n"
+        "- crane | Crane | things | 3.0x3.0x9.0 m | /Game/T/SM_crane.SM_crane\n\n=== THE TASK ===\nBuild.\n"
+    )
     assert [item.id for item in palette(prompt)] == ["house", "table", "crane"]
     assert asked_counts("Place twelve houses around one long table.")["house"] == 12
     graph = compose(prompt, 130.0)
@@ -127,8 +175,13 @@ def test_a_palette_and_its_counts_are_read() -> None:
 
 
 def _actor(name: str, x: float, scale: float = 1.0) -> dict[str, object]:
-    return {"name": name, "label": name, "static_meshes": ["/Game/T/SM_mug.SM_mug"], "location": [x, 0.0, 0.0],
-            "scale": [scale, scale, scale]}
+    return {
+        "name": name,
+        "label": name,
+        "static_meshes": ["/Game/T/SM_mug.SM_mug"],
+        "location": [x, 0.0, 0.0],
+        "scale": [scale, scale, scale],
+    }
 
 
 def test_mending_finds_a_copy_and_an_odd_scale_and_leaves_the_rest() -> None:

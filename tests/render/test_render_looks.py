@@ -39,16 +39,28 @@ VIEW = {"location_cm": [-300, 40, 150], "rotation_deg": [-20, 0, 0], "fov_deg": 
 def _square(colors: np.ndarray | None = None) -> Mesh:
     """A square of 100 cm that faces up; u along X, v along Y."""
     vertices = np.array([[-50, -50, 0], [50, -50, 0], [50, 50, 0], [-50, 50, 0]], np.float32)
-    return Mesh(vertices, np.array([[0, 1, 2], [0, 2, 3]], np.int32), np.tile(np.array([0, 0, 1], np.float32), (4, 1)),
-                (vertices[:, :2] / 100 + 0.5).astype(np.float32), np.zeros(2, np.int32), colors)
+    return Mesh(
+        vertices,
+        np.array([[0, 1, 2], [0, 2, 3]], np.int32),
+        np.tile(np.array([0, 0, 1], np.float32), (4, 1)),
+        (vertices[:, :2] / 100 + 0.5).astype(np.float32),
+        np.zeros(2, np.int32),
+        colors,
+    )
 
 
 def _place(height: float, material: SurfaceMaterial, actor: int, side: float = 1.0) -> Instance:
     return Instance(0, affine((0, 0, height), (0, 0, 0), (side, side, 1)), (material,), actor)
 
 
-def _down(instances: list[Instance], lights: Lights = OVERHEAD, mesh: Mesh | None = None, mode: str = "lit",
-          grade: Grade = PLAIN, height: float = 100.0) -> Picture:
+def _down(
+    instances: list[Instance],
+    lights: Lights = OVERHEAD,
+    mesh: Mesh | None = None,
+    mode: str = "lit",
+    grade: Grade = PLAIN,
+    height: float = 100.0,
+) -> Picture:
     renderer = Renderer([mesh or _square()], instances, lights, 2)
     camera = Camera((0, 0, height), (-90, 0, 0), 50, 32, 32)
     picture = renderer.render(camera, mode=mode, grade=grade)  # type: ignore[arg-type]
@@ -84,8 +96,11 @@ def test_a_normal_texture_turns_the_light() -> None:
     def brightness(red: int, green: int) -> int:
         bump = np.full((4, 4, 3), (red, green, 200), np.uint8)
         slanted = Lights(sun=Sun((-1.0, 0.0, -1.0), (1.0, 1.0, 1.0), 1.0), **DARK)
-        return int(_down([_place(0, SurfaceMaterial((0.8, 0.8, 0.8), 1.0, normal_texture=bump), 1, 4.0)],
-                         slanted).rgb[16, 16, 1])
+        return int(
+            _down([_place(0, SurfaceMaterial((0.8, 0.8, 0.8), 1.0, normal_texture=bump), 1, 4.0)], slanted).rgb[
+                16, 16, 1
+            ]
+        )
 
     assert brightness(210, 128) > brightness(128, 128) + 8 > brightness(46, 128) + 16
     assert abs(brightness(128, 210) - brightness(128, 46)) < 3
@@ -94,8 +109,9 @@ def test_a_normal_texture_turns_the_light() -> None:
 def test_roughness_and_metal_textures_and_emissive_ones_count() -> None:
     plain = SurfaceMaterial((0.8, 0.2, 0.1), 1.0, 1.0)
     dull = SurfaceMaterial((0.8, 0.2, 0.1), 1.0, 1.0, roughness_metal_texture=np.zeros((2, 2, 3), np.uint8) + 255)
-    paint = SurfaceMaterial((0.8, 0.2, 0.1), 1.0, 1.0,
-                            roughness_metal_texture=np.full((2, 2, 3), (0, 255, 0), np.uint8))
+    paint = SurfaceMaterial(
+        (0.8, 0.2, 0.1), 1.0, 1.0, roughness_metal_texture=np.full((2, 2, 3), (0, 255, 0), np.uint8)
+    )
     pictures = [_down([_place(0, material, 1, 4.0)]).rgb for material in (plain, dull, paint)]
     assert (pictures[0] == pictures[1]).all() and (pictures[0] != pictures[2]).any()
     lamp = SurfaceMaterial((0, 0, 0), emissive=(1, 1, 1), emissive_texture=np.full((2, 2, 3), (255, 0, 0), np.uint8))
@@ -211,12 +227,14 @@ def test_the_engine_reads_lights_fog_and_post_process(tmp_path: Path) -> None:
 
 
 def test_three_processes_at_once_write_the_same_bytes(tmp_path: Path) -> None:
-    code = ("import sys, hashlib\nfrom pathlib import Path\nfrom c4s.engine.headless.boot import boot\n"
-            "from c4s.engine.headless import render_scene\nfolder = Path(sys.argv[1])\n"
-            "unreal = boot([], folder / 'content')\ncube = unreal.load_asset('/Engine/BasicShapes/Cube')\n"
-            "for n in range(30):\n    unreal.EditorLevelLibrary.spawn_actor_from_object(cube, "
-            "unreal.Vector(n * 60, (n % 7) * 90 - 250, 50), unreal.Rotator(yaw=n * 11))\n"
-            f"render_scene.take([{VIEW!r}], [str(folder / 'a.png')], 'lit', True)\n")
+    code = (
+        "import sys, hashlib\nfrom pathlib import Path\nfrom c4s.engine.headless.boot import boot\n"
+        "from c4s.engine.headless import render_scene\nfolder = Path(sys.argv[1])\n"
+        "unreal = boot([], folder / 'content')\ncube = unreal.load_asset('/Engine/BasicShapes/Cube')\n"
+        "for n in range(30):\n    unreal.EditorLevelLibrary.spawn_actor_from_object(cube, "
+        "unreal.Vector(n * 60, (n % 7) * 90 - 250, 50), unreal.Rotator(yaw=n * 11))\n"
+        f"render_scene.take([{VIEW!r}], [str(folder / 'a.png')], 'lit', True)\n"
+    )
     running = []
     for number in range(3):
         (tmp_path / str(number)).mkdir()

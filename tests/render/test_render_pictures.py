@@ -33,8 +33,13 @@ RED = SurfaceMaterial(base_color=(0.8, 0.05, 0.05))
 GREEN = SurfaceMaterial(base_color=(0.05, 0.7, 0.05))
 BLUE = SurfaceMaterial(base_color=(0.05, 0.1, 0.8))
 WHITE = SurfaceMaterial(base_color=(0.8, 0.8, 0.8))
-SUN_ONLY = Lights(sun=Sun(direction=(0.0, 0.0, -1.0), color=(1, 1, 1), intensity=2.0), sky=Sky(intensity=0.0),
-                  ambient=(0.01, 0.01, 0.01), camera_fill=0.0, exposure_ev=0.0)
+SUN_ONLY = Lights(
+    sun=Sun(direction=(0.0, 0.0, -1.0), color=(1, 1, 1), intensity=2.0),
+    sky=Sky(intensity=0.0),
+    ambient=(0.01, 0.01, 0.01),
+    camera_fill=0.0,
+    exposure_ev=0.0,
+)
 
 
 def _cube() -> Mesh:
@@ -50,15 +55,25 @@ def _cube() -> Mesh:
                 normals.append(normal)
                 uvs.append(((a + 1) / 2, (1 - b) / 2))
             faces += [(start, start + 1, start + 2), (start, start + 2, start + 3)]
-    return Mesh(np.array(vertices, np.float32), np.array(faces, np.int32), np.array(normals, np.float32),
-                np.array(uvs, np.float32), np.repeat(np.arange(6, dtype=np.int32), 2))
+    return Mesh(
+        np.array(vertices, np.float32),
+        np.array(faces, np.int32),
+        np.array(normals, np.float32),
+        np.array(uvs, np.float32),
+        np.repeat(np.arange(6, dtype=np.int32), 2),
+    )
 
 
 CUBE = _cube()
 
 
-def _box(location: tuple[float, float, float], size: tuple[float, float, float], material: SurfaceMaterial,
-         actor: int, rotation: tuple[float, float, float] = (0, 0, 0)) -> Instance:
+def _box(
+    location: tuple[float, float, float],
+    size: tuple[float, float, float],
+    material: SurfaceMaterial,
+    actor: int,
+    rotation: tuple[float, float, float] = (0, 0, 0),
+) -> Instance:
     return Instance(0, affine(location, rotation, [s / 100 for s in size]), (material,) * 6, actor)
 
 
@@ -76,8 +91,14 @@ def _pixel(camera: Camera, point: NDArray[np.float64]) -> tuple[float, float]:
 
 
 def test_a_camera_at_rest_sees_plus_y_on_the_right_and_plus_z_above() -> None:
-    picture = _take([_box((500, 150, 0), (60, 60, 60), RED, 1), _box((500, 0, 150), (60, 60, 60), GREEN, 2),
-                     _box((-500, 0, 0), (60, 60, 60), BLUE, 3)], Camera((0, 0, 0), width=160, height=120))
+    picture = _take(
+        [
+            _box((500, 150, 0), (60, 60, 60), RED, 1),
+            _box((500, 0, 150), (60, 60, 60), GREEN, 2),
+            _box((-500, 0, 0), (60, 60, 60), BLUE, 3),
+        ],
+        Camera((0, 0, 0), width=160, height=120),
+    )
     for actor, (row, column) in {1: (60, 106), 2: (34, 80)}.items():
         rows, columns = np.nonzero(picture.actor == actor)
         assert abs(rows.mean() - row) < 4 and abs(columns.mean() - column) < 4
@@ -85,10 +106,13 @@ def test_a_camera_at_rest_sees_plus_y_on_the_right_and_plus_z_above() -> None:
     assert picture.rgb[60, 106].argmax() == 0 and picture.rgb[34, 80].argmax() == 1
 
 
-@pytest.mark.parametrize("camera", [
-    Camera((-300, -200, 250), look_at((-300, -200, 250), (0, 0, 0)), 70, 201, 117),
-    Camera((250, 300, -180), (*look_at((250, 300, -180), (0, 0, 0))[:2], 35.0), 50, 160, 160),
-])
+@pytest.mark.parametrize(
+    "camera",
+    [
+        Camera((-300, -200, 250), look_at((-300, -200, 250), (0, 0, 0)), 70, 201, 117),
+        Camera((250, 300, -180), (*look_at((250, 300, -180), (0, 0, 0))[:2], 35.0), 50, 160, 160),
+    ],
+)
 def test_the_mask_agrees_with_projected_corners(camera: Camera) -> None:
     from shapely import MultiPoint, contains_xy
 
@@ -96,7 +120,7 @@ def test_the_mask_agrees_with_projected_corners(camera: Camera) -> None:
     picture = _take([instance], camera)
     corners = (instance.matrix @ np.c_[CUBE.vertices.astype(float), np.ones(24)].T)[:3].T
     outline = MultiPoint([_pixel(camera, corner) for corner in corners]).convex_hull
-    y, x = np.mgrid[0:camera.height, 0:camera.width] + 0.5
+    y, x = np.mgrid[0 : camera.height, 0 : camera.width] + 0.5
     inside, near = contains_xy(outline, x, y), contains_xy(outline.boundary.buffer(0.01), x, y)
     assert ((picture.actor == 7) == inside)[~near].all()
     assert inside.sum() > 1000
@@ -122,8 +146,12 @@ def test_an_empty_scene_is_sky() -> None:
 
 def test_base_colour_is_the_material_without_light() -> None:
     material = SurfaceMaterial(base_color=(0.5, 0.25, 0.0), emissive=(5, 5, 5), metallic=1.0)
-    picture = _take([_box((200, 0, 0), (100, 100, 100), material, 1)], Camera((0, 0, 0), width=64, height=48),
-                    Lights(sun=None), mode="base_color")
+    picture = _take(
+        [_box((200, 0, 0), (100, 100, 100), material, 1)],
+        Camera((0, 0, 0), width=64, height=48),
+        Lights(sun=None),
+        mode="base_color",
+    )
     inner = picture.rgb[20:28, 28:36].reshape(-1, 3)
     assert (inner == (188, 137, 0)).all()
     assert (picture.rgb[picture.actor == -1][0] == 0).all()
@@ -134,20 +162,34 @@ def test_a_texture_shows_its_own_colours_the_right_way_up() -> None:
     texture[0, 0], texture[0, 1], texture[1, 0], texture[1, 1] = (200, 0, 0), (0, 200, 0), (0, 0, 200), (99, 99, 99)
     texture = texture.repeat(64, 0).repeat(64, 1)
     material = SurfaceMaterial(base_color=(1, 1, 1), texture=texture)
-    picture = _take([_box((0, 0, 0), (100, 100, 100), material, 1)], Camera((-250, 0, 0), hfov_deg=30, width=64,
-                                                                            height=64), mode="base_color")
+    picture = _take(
+        [_box((0, 0, 0), (100, 100, 100), material, 1)],
+        Camera((-250, 0, 0), hfov_deg=30, width=64, height=64),
+        mode="base_color",
+    )
     rows, columns = np.nonzero(picture.actor == 1)
     top, bottom, left, right = rows.min() + 8, rows.max() - 8, columns.min() + 8, columns.max() - 8
-    seen = {(row, column): tuple(int(c) for c in picture.rgb[row, column])
-            for row in (top, bottom) for column in (left, right)}
+    seen = {
+        (row, column): tuple(int(c) for c in picture.rgb[row, column])
+        for row in (top, bottom)
+        for column in (left, right)
+    }
     assert sorted(seen.values()) == sorted([(200, 0, 0), (0, 200, 0), (0, 0, 200), (99, 99, 99)])
     assert seen[top, left] == (200, 0, 0) and seen[bottom, right] == (99, 99, 99)
 
 
 def test_the_same_scene_gives_the_same_bytes_with_any_number_of_threads() -> None:
     rng = np.random.default_rng(5)
-    boxes = [_box(tuple(rng.uniform(-400, 400, 3)), tuple(rng.uniform(20, 150, 3)), (RED, GREEN, BLUE)[n % 3], n,
-                  tuple(rng.uniform(-180, 180, 3))) for n in range(60)]
+    boxes = [
+        _box(
+            tuple(rng.uniform(-400, 400, 3)),
+            tuple(rng.uniform(20, 150, 3)),
+            (RED, GREEN, BLUE)[n % 3],
+            n,
+            tuple(rng.uniform(-180, 180, 3)),
+        )
+        for n in range(60)
+    ]
     lights = Lights(local=(LocalLight((0, 0, 300), intensity_cd=20),))
     camera = Camera((-900, 0, 300), look_at((-900, 0, 300), (0, 0, 0)), 70, 161, 91)
     pictures = []
@@ -178,8 +220,9 @@ def test_mirrored_and_stretched_instances_are_lit_on_the_side_of_the_light(scale
 def test_a_slanted_surface_under_uneven_scale_has_its_true_normal() -> None:
     slope = np.array([[0, 0, 0], [100, 0, 100], [100, 100, 100], [0, 100, 0]], np.float32) - np.float32(50)
     normal = np.tile(np.array([-1, 0, 1], np.float32) / np.float32(math.sqrt(2)), (4, 1))
-    mesh = Mesh(slope, np.array([[0, 1, 2], [0, 2, 3]], np.int32), normal, np.zeros((4, 2), np.float32),
-                np.zeros(2, np.int32))
+    mesh = Mesh(
+        slope, np.array([[0, 1, 2], [0, 2, 3]], np.int32), normal, np.zeros((4, 2), np.float32), np.zeros(2, np.int32)
+    )
     camera = Camera((0, 0, 800), (-90, 0, 0), 20, 32, 32)
 
     def shade(scale: tuple[float, float, float]) -> float:
@@ -208,13 +251,20 @@ def test_glass_shows_what_is_behind_and_the_mask_names_it() -> None:
     picture = _take(scene, camera, mode="base_color")
     assert picture.actor[24, 24] == 2
     assert int(picture.rgb[24, 24, 0]) > 2 * int(picture.rgb[24, 24, 1])
-    assert _take([_box((200, 0, 0), (4, 150, 150), SurfaceMaterial(opacity=0.6), 1), scene[1]], camera,
-                 mode="base_color").actor[24, 24] == 1
+    assert (
+        _take(
+            [_box((200, 0, 0), (4, 150, 150), SurfaceMaterial(opacity=0.6), 1), scene[1]], camera, mode="base_color"
+        ).actor[24, 24]
+        == 1
+    )
 
 
 def test_corners_are_darker_than_open_walls() -> None:
-    room = [_box((0, 0, -5), (800, 800, 10), WHITE, 0), _box((205, 0, 100), (10, 800, 400), WHITE, 1),
-            _box((0, 205, 100), (800, 10, 400), WHITE, 2)]
+    room = [
+        _box((0, 0, -5), (800, 800, 10), WHITE, 0),
+        _box((205, 0, 100), (10, 800, 400), WHITE, 1),
+        _box((0, 205, 100), (800, 10, 400), WHITE, 2),
+    ]
     lights = Lights(sun=None, sky=Sky((1, 1, 1), (1, 1, 1), (1, 1, 1)), camera_fill=0.0, exposure_ev=0.0)
     camera = Camera((-200, 100, 150), (-15, 0, 0), 70, 120, 80)
     picture = _take(room, camera, lights)
@@ -233,8 +283,11 @@ def test_a_spot_light_lights_its_cone_only_and_falls_off() -> None:
     camera = Camera((0, 0, 290), (-90, 0, 0), 90, 64, 64)
     lit = _take([floor], camera, Lights(**{**vars(dark), "local": (spot,)}))
     assert lit.rgb[32, 32].min() > 120 and lit.rgb[32, 5].max() == 0
-    far = _take([floor], camera, Lights(**{**vars(dark), "local": (LocalLight((0, 0, 300), intensity_cd=30,
-                                                                             attenuation_radius=290),)}))
+    far = _take(
+        [floor],
+        camera,
+        Lights(**{**vars(dark), "local": (LocalLight((0, 0, 300), intensity_cd=30, attenuation_radius=290),)}),
+    )
     assert far.rgb.max() == 0
 
 
@@ -278,16 +331,22 @@ def test_slots_without_materials_and_flat_instances_are_harmless() -> None:
     assert len(np.unique(picture.rgb[picture.actor == 2])) <= 3
 
 
-@pytest.mark.parametrize(("meshes", "instances", "words"), [
-    ([Mesh(CUBE.vertices, CUBE.faces[:0], CUBE.normals, CUBE.uvs, CUBE.face_slots[:0])], [], "no triangles"),
-    ([Mesh(CUBE.vertices, CUBE.faces + 1, CUBE.normals, CUBE.uvs, CUBE.face_slots)], [], "beyond"),
-    ([Mesh(CUBE.vertices * np.float32("nan"), CUBE.faces, CUBE.normals, CUBE.uvs, CUBE.face_slots)], [], "not finite"),
-    ([CUBE], [Instance(0, np.full((4, 4), np.nan), (), 0)], "not 4x4 and finite"),
-    ([CUBE], [Instance(1, np.eye(4), (), 0)], "names mesh 1"),
-    ([CUBE], [Instance(0, np.eye(4), (SurfaceMaterial(roughness=math.nan),), 0)], "material"),
-])
-def test_what_cannot_be_drawn_is_refused_in_one_line(meshes: list[Mesh], instances: list[Instance],
-                                                     words: str) -> None:
+@pytest.mark.parametrize(
+    ("meshes", "instances", "words"),
+    [
+        ([Mesh(CUBE.vertices, CUBE.faces[:0], CUBE.normals, CUBE.uvs, CUBE.face_slots[:0])], [], "no triangles"),
+        ([Mesh(CUBE.vertices, CUBE.faces + 1, CUBE.normals, CUBE.uvs, CUBE.face_slots)], [], "beyond"),
+        (
+            [Mesh(CUBE.vertices * np.float32("nan"), CUBE.faces, CUBE.normals, CUBE.uvs, CUBE.face_slots)],
+            [],
+            "not finite",
+        ),
+        ([CUBE], [Instance(0, np.full((4, 4), np.nan), (), 0)], "not 4x4 and finite"),
+        ([CUBE], [Instance(1, np.eye(4), (), 0)], "names mesh 1"),
+        ([CUBE], [Instance(0, np.eye(4), (SurfaceMaterial(roughness=math.nan),), 0)], "material"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused_in_one_line(meshes: list[Mesh], instances: list[Instance], words: str) -> None:
     with pytest.raises(BadInput, match=words):
         Renderer(meshes, instances, Lights(), 1)
 
@@ -318,14 +377,21 @@ def test_kept_code_in_a_read_only_folder_is_used_and_not_touched(tmp_path: Path)
     before = sorted(path.name for path in kept.rglob("*"))
     for path in [kept, *kept.rglob("*")]:
         path.chmod(stat.S_IRUSR | stat.S_IXUSR)
-    code = ("from c4s.engine.headless.render import *\n"
-            "from c4s.engine.headless.render import compiled\n"
-            "compiled._writable = lambda folder: False\n"
-            "Renderer([], [], Lights(), 1).render(Camera((0, 0, 0), width=4, height=4))\n"
-            "from c4s.engine.headless.render.develop import combine_rows as kernel\n"
-            "print(compiled.code_folder(), sum(kernel.stats.cache_hits.values()))")
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True,
-                          env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path), "TMPDIR": str(scratch)})
+    code = (
+        "from c4s.engine.headless.render import *\n"
+        "from c4s.engine.headless.render import compiled\n"
+        "compiled._writable = lambda folder: False\n"
+        "Renderer([], [], Lights(), 1).render(Camera((0, 0, 0), width=4, height=4))\n"
+        "from c4s.engine.headless.render.develop import combine_rows as kernel\n"
+        "print(compiled.code_folder(), sum(kernel.stats.cache_hits.values()))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path), "TMPDIR": str(scratch)},
+    )
     folder, hits = done.stdout.split()
     assert folder.startswith(str(scratch)) and hits == "1"
     assert sorted(path.name for path in kept.rglob("*")) == before and not list(scratch.iterdir())

@@ -8,10 +8,33 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-ODD: st.SearchStrategy[Any] = st.sampled_from([
-    None, True, 0, -1, 2**70, 1e308, -1e308, 1e-320, float("nan"), float("inf"), "", "/Game/../..", "\x00", "ü" * 2000,
-    [], {}, [[]], {"a": {}}, [1, 2], ["x"] * 4, "NaN", "/Script/Engine.Actor",
-    "/Game/Made/None.None"])
+ODD: st.SearchStrategy[Any] = st.sampled_from(
+    [
+        None,
+        True,
+        0,
+        -1,
+        2**70,
+        1e308,
+        -1e308,
+        1e-320,
+        float("nan"),
+        float("inf"),
+        "",
+        "/Game/../..",
+        "\x00",
+        "ü" * 2000,
+        [],
+        {},
+        [[]],
+        {"a": {}},
+        [1, 2],
+        ["x"] * 4,
+        "NaN",
+        "/Script/Engine.Actor",
+        "/Game/Made/None.None",
+    ]
+)
 
 
 def places(value: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
@@ -40,7 +63,7 @@ def wrong(draw: st.DrawFn, document: Any) -> bytes:
     text = json.dumps(document).encode()
     match draw(st.integers(0, 5)):
         case 0:
-            return text[:draw(st.integers(0, len(text)))]
+            return text[: draw(st.integers(0, len(text)))]
         case 1:
             at = draw(st.integers(0, len(text)))
             return text[:at] + draw(st.binary(min_size=1, max_size=4)) + text[at:]

@@ -49,53 +49,73 @@ def attacked(tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch, script
 
 
 ENDINGS = {
-    "threads": ("import threading\nthreading.stack_size(65536)\nwhile True: threading.Thread(target=threading.Event()"
-                ".wait, daemon=True).start()", "threads"),
+    "threads": (
+        "import threading\nthreading.stack_size(65536)\nwhile True: threading.Thread(target=threading.Event()"
+        ".wait, daemon=True).start()",
+        "threads",
+    ),
     "crash": ("import ctypes\nctypes.string_at(1)", "SIGSEGV"),
-    "nonsense": ("import os, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): "
-                 "os.write(n, b'\\xff' * 64)\n except OSError: pass\nwhile True: pass", "a message of"),
+    "nonsense": (
+        "import os, stat\nfor n in range(3, 1024):\n try:\n  if stat.S_ISSOCK(os.fstat(n).st_mode): "
+        "os.write(n, b'\\xff' * 64)\n except OSError: pass\nwhile True: pass",
+        "a message of",
+    ),
 }
 
 
 @pytest.mark.parametrize("ending", ENDINGS)
-def test_what_ends_the_engine_is_the_agents_failure(tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch,
-                                                    ending: str) -> None:
+def test_what_ends_the_engine_is_the_agents_failure(
+    tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch, ending: str
+) -> None:
     script, reason = ENDINGS[ending]
     outcome, _ = attacked(tmp_path, pack, monkeypatch, script)
     assert outcome.ended_by == "agent_error" and reason in outcome.message
     assert outcome.submission == "/Game/SavedScenes/early", "what was saved before counts"
 
 
-def test_what_is_refused_is_a_failed_call_in_the_record(tmp_path: Path, pack: Path,
-                                                        monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_refused_is_a_failed_call_in_the_record(
+    tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     outcome, folder = attacked(tmp_path, pack, monkeypatch, "import socket\nsocket.socket()")
     last = json.loads((folder / "trajectory.jsonl").read_text().splitlines()[-1])
     assert outcome.ended_by == "finished" and outcome.submission == "/Game/SavedScenes/early"
     assert "PermissionError" in last["result"] and json.loads(last["result"])["result"]["status"] == "error"
 
 
-@pytest.mark.parametrize(("script", "reason"), [
-    ("import os\nos.chdir(CONTENT)\nfor _ in range(60): os.mkdir('d'); os.chdir('d')", "nested"),
-    ("import os\nopen(os.path.join(CONTENT.encode(), b'\\xff\\n.level.json'), 'w')", "is no text"),
-])
-def test_what_cannot_be_read_is_no_submission(tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch,
-                                              script: str, reason: str) -> None:
+@pytest.mark.parametrize(
+    ("script", "reason"),
+    [
+        ("import os\nos.chdir(CONTENT)\nfor _ in range(60): os.mkdir('d'); os.chdir('d')", "nested"),
+        ("import os\nopen(os.path.join(CONTENT.encode(), b'\\xff\\n.level.json'), 'w')", "is no text"),
+    ],
+)
+def test_what_cannot_be_read_is_no_submission(
+    tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch, script: str, reason: str
+) -> None:
     where = f"CONTENT = {str(tmp_path / 'attempt-1' / 'submission')!r}\n"
     outcome, _ = attacked(tmp_path, pack, monkeypatch, where + script)
     assert (outcome.ended_by, outcome.submission) == ("agent_error", None) and reason in outcome.message
 
 
-@pytest.mark.parametrize("script", [
-    "open(LEVEL, 'w').write('[' * 100000)",
-    "open(LEVEL, 'wb').truncate(100 << 20)",
-    "import json\nd = json.load(open(LEVEL))\nd['actors'][0]['parent'] = d['actors'][1]['name']\n"
-    "d['actors'][1]['parent'] = d['actors'][0]['name']\njson.dump(d, open(LEVEL, 'w'))",
-])
-def test_a_level_that_breaks_its_reader_is_an_invalid_submission(tmp_path: Path, pack: Path,
-                                                                 monkeypatch: pytest.MonkeyPatch, script: str) -> None:
+@pytest.mark.parametrize(
+    "script",
+    [
+        "open(LEVEL, 'w').write('[' * 100000)",
+        "open(LEVEL, 'wb').truncate(100 << 20)",
+        "import json\nd = json.load(open(LEVEL))\nd['actors'][0]['parent'] = d['actors'][1]['name']\n"
+        "d['actors'][1]['parent'] = d['actors'][0]['name']\njson.dump(d, open(LEVEL, 'w'))",
+    ],
+)
+def test_a_level_that_breaks_its_reader_is_an_invalid_submission(
+    tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch, script: str
+) -> None:
     level = tmp_path / "attempt-1" / "submission" / "Game" / "SavedScenes" / "early.level.json"
     outcome, folder = attacked(tmp_path, pack, monkeypatch, f"LEVEL = {str(level)!r}\n{script}")
     assert outcome.ended_by == "finished" and outcome.submission is not None
     with pytest.raises(BadInput):
-        collect(packs=[pack], submission_content=folder / "submission", package=outcome.submission,
-                out=tmp_path / "evidence")
+        collect(
+            packs=[pack],
+            submission_content=folder / "submission",
+            package=outcome.submission,
+            out=tmp_path / "evidence",
+        )

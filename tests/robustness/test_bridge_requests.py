@@ -20,10 +20,15 @@ from c4s.engine.session import EngineSession
 REQUESTS: list[dict[str, Any]] = [
     {"type": "execute_python_script", "params": {"script": "print(1)", "wait_s": 0.01}},
     {"type": "read_job_log", "params": {"job_id": "job-1", "wait_s": 0.01, "offset": 0}},
-    {"type": "abandon_job", "params": {"job_id": "job-1"}}, {"type": "editor_status", "params": {}},
-    {"type": "call_function", "params": {"function": "scene_tools.find_actors", "params": {"pattern": "x"},
-                                         "wait_s": 0.01}},
-    {"type": "take_screenshot_batch", "params": {"shots": []}}, {"type": "begin_rendering"}]
+    {"type": "abandon_job", "params": {"job_id": "job-1"}},
+    {"type": "editor_status", "params": {}},
+    {
+        "type": "call_function",
+        "params": {"function": "scene_tools.find_actors", "params": {"pattern": "x"}, "wait_s": 0.01},
+    },
+    {"type": "take_screenshot_batch", "params": {"shots": []}},
+    {"type": "begin_rendering"},
+]
 
 
 @pytest.fixture(scope="module")
@@ -73,10 +78,19 @@ def test_numbers_that_are_none(engine: EngineSession, name: str, value: str) -> 
     assert reply["fault"] == "BadRequest" and reply["error"]
 
 
-@pytest.mark.parametrize(("field", "value", "complaint"), [
-    ("camera_location", [1, 2], "three numbers"), ("camera_location", ["x", 0, 0], "three numbers"),
-    ("camera_rotation", [0, 0, 1e300], "three numbers"), ("width", 0, "above 0"), ("height", "9", "above 0"),
-    ("field_of_view", -3, "above 0"), ("exposure_bias_ev", "x", "a number"), ("filepath", 5, "a string")])
+@pytest.mark.parametrize(
+    ("field", "value", "complaint"),
+    [
+        ("camera_location", [1, 2], "three numbers"),
+        ("camera_location", ["x", 0, 0], "three numbers"),
+        ("camera_rotation", [0, 0, 1e300], "three numbers"),
+        ("width", 0, "above 0"),
+        ("height", "9", "above 0"),
+        ("field_of_view", -3, "above 0"),
+        ("exposure_bias_ev", "x", "a number"),
+        ("filepath", 5, "a string"),
+    ],
+)
 def test_a_wrong_shot_is_refused_in_one_line(engine: EngineSession, field: str, value: object, complaint: str) -> None:
     shot = {"width": 16, "height": 16, "camera_location": [0, 0, 0], "camera_rotation": [0, 0, 0]} | {field: value}
     for kind, params in (("take_screenshot", shot), ("take_screenshot_batch", {"shots": [shot]})):
@@ -91,7 +105,7 @@ def test_half_open_clients_do_not_shut_others_out(engine: EngineSession) -> None
         for number in range(40):
             client = socket.socket(socket.AF_UNIX)
             client.connect(str(engine.bridge.address))
-            client.sendall(b'{"type": "edi'[:number % 13])
+            client.sendall(b'{"type": "edi'[: number % 13])
             clients.append(client)
         assert engine.request("editor_status", timeout_s=5)["state"] in ("idle", "busy")
         clients[20].shutdown(socket.SHUT_WR)

@@ -21,26 +21,64 @@ PACKAGE = "/Game/Start/Odd"
 
 def actor(number: int, **changes: Any) -> dict[str, Any]:
     """A cube."""
-    return {"name": f"A_{number}", "label": f"L{number}", "class_path": "/Script/Engine.StaticMeshActor",
-            "guid": f"{number:032X}", "components": [
-                {"name": "StaticMeshComponent0", "class_path": "/Script/Engine.StaticMeshComponent",
-                 "static_mesh": "/Engine/BasicShapes/Cube.Cube"}]} | changes
+    return {
+        "name": f"A_{number}",
+        "label": f"L{number}",
+        "class_path": "/Script/Engine.StaticMeshActor",
+        "guid": f"{number:032X}",
+        "components": [
+            {
+                "name": "StaticMeshComponent0",
+                "class_path": "/Script/Engine.StaticMeshComponent",
+                "static_mesh": "/Engine/BasicShapes/Cube.Cube",
+            }
+        ],
+    } | changes
 
 
 def document(actors: list[dict[str, Any]], **changes: Any) -> dict[str, Any]:
     return {"schema_version": "c4s.level.v1", "package": PACKAGE, "actors": actors} | changes
 
 
-RICH = document([
-    actor(1, transform={"location_cm": [1, 2, 3], "rotation_deg": [10, 20, 30], "scale": [1, -1, 2]}, tags=["a", "b"],
-          folder="F", hidden=True),
-    actor(2, parent="A_1", components=[
-        {"name": "I", "class_path": "/Script/Engine.InstancedStaticMeshComponent", "materials": {"0": "/Game/M.M"},
-         "static_mesh": "/Engine/BasicShapes/Cube.Cube", "collision_enabled": False,
-         "relative": {"location_cm": [0, 0, 1]}, "instances": [{"location_cm": [5, 0, 0]}, {"scale": [2, 2, 2]}]}]),
-    {"name": "Sun", "label": "Sun", "class_path": "/Script/Engine.DirectionalLight", "guid": "F" * 32, "components": [
-        {"name": "LightComponent0", "class_path": "/Script/Engine.DirectionalLightComponent",
-         "properties": {"intensity": 3.0, "light_color": [255, 200, 100, 255]}}]}])
+RICH = document(
+    [
+        actor(
+            1,
+            transform={"location_cm": [1, 2, 3], "rotation_deg": [10, 20, 30], "scale": [1, -1, 2]},
+            tags=["a", "b"],
+            folder="F",
+            hidden=True,
+        ),
+        actor(
+            2,
+            parent="A_1",
+            components=[
+                {
+                    "name": "I",
+                    "class_path": "/Script/Engine.InstancedStaticMeshComponent",
+                    "materials": {"0": "/Game/M.M"},
+                    "static_mesh": "/Engine/BasicShapes/Cube.Cube",
+                    "collision_enabled": False,
+                    "relative": {"location_cm": [0, 0, 1]},
+                    "instances": [{"location_cm": [5, 0, 0]}, {"scale": [2, 2, 2]}],
+                }
+            ],
+        ),
+        {
+            "name": "Sun",
+            "label": "Sun",
+            "class_path": "/Script/Engine.DirectionalLight",
+            "guid": "F" * 32,
+            "components": [
+                {
+                    "name": "LightComponent0",
+                    "class_path": "/Script/Engine.DirectionalLightComponent",
+                    "properties": {"intensity": 3.0, "light_color": [255, 200, 100, 255]},
+                }
+            ],
+        },
+    ]
+)
 
 
 def opened(data: bytes) -> dict[str, Any]:
@@ -50,6 +88,7 @@ def opened(data: bytes) -> dict[str, Any]:
         path.write_bytes(data)
         boot([], Path(folder) / "content", [path], PACKAGE)
         from c4s.editor import snapshot
+
         told: dict[str, Any] = json.loads(json.dumps(snapshot.export_snapshot(), allow_nan=False))
         return told
 
@@ -69,8 +108,11 @@ def test_a_wrong_document_is_bad_input_or_a_level(data: bytes) -> None:
         assert snapshot["actor_count"] <= 3
 
 
-@given(st.dictionaries(st.sampled_from(["A_0", "A_1", "A_2", "A_3"]),
-                       st.sampled_from(["A_0", "A_1", "A_2", "A_3", "A_9", None])))
+@given(
+    st.dictionaries(
+        st.sampled_from(["A_0", "A_1", "A_2", "A_3"]), st.sampled_from(["A_0", "A_1", "A_2", "A_3", "A_9", None])
+    )
+)
 @settings(max_examples=40, deadline=None)
 def test_attachment_is_a_forest_or_bad_input(parents: dict[str, str | None]) -> None:
     data = json.dumps(document([actor(n, parent=parents.get(f"A_{n}")) for n in range(4)])).encode()
@@ -96,8 +138,10 @@ def test_a_chain_without_end_is_refused(order: int) -> None:
         opened(json.dumps(document(chain)).encode())
 
 
-@pytest.mark.parametrize(("numbers", "answer"), [("NaN", "finite"), ("Infinity", "finite"), ("1e308", "finite"),
-                                                 ("1e400", "JSON|finite"), ("1e-320", None)])
+@pytest.mark.parametrize(
+    ("numbers", "answer"),
+    [("NaN", "finite"), ("Infinity", "finite"), ("1e308", "finite"), ("1e400", "JSON|finite"), ("1e-320", None)],
+)
 def test_numbers_at_the_edge(numbers: str, answer: str | None) -> None:
     text = json.dumps(document([actor(1, transform={"location_cm": [77, 0, 0], "scale": [77, 1, 1]})]))
     data = text.replace("77", numbers).encode()
@@ -127,8 +171,10 @@ def test_a_million_actors_get_a_clear_answer_within_bounds(tmp_path: Path) -> No
     with pytest.raises(BadInput, match="200 MiB, more than 64"):
         level_io.read(path)
     plain = '{"name":"A","label":"A","class_path":"C","guid":""},'
-    for count, answer in ((1_000_000, "1000001 records, more than 600000"),
-                          (100_001, "100001 actors, more than 100000")):
+    for count, answer in (
+        (1_000_000, "1000001 records, more than 600000"),
+        (100_001, "100001 actors, more than 100000"),
+    ):
         path.write_text(json.dumps(document([])).replace("[]", "[" + (plain * count)[:-1] + "]"))
         assert path.stat().st_size < level_io.MOST_BYTES
         with pytest.raises(BadInput, match=answer):

@@ -13,15 +13,40 @@ from c4s.errors import BadInput
 from c4s.packs.manifest import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
 from c4s.packs.store import PackStore
 
-PACK = Pack(pack_id="odd", content_folder="Odd", title="Odd", license="CC0-1.0", assets=[
-    Asset(id="box", name="Box", path="/Game/Odd/SM_box.SM_box", category="Boxes", description="A box", tags=["x"],
-          bounds_min_cm=(-5, -5, 0), bounds_max_cm=(5, 5, 10), mesh="meshes/box.glb", mesh_sha256="0" * 64,
-          slots=[MaterialSlot(name="S", material="/Game/Odd/M.M")],
-          collision=[BoxBody(center=(0, 0, 5), half_extent=(5, 5, 5))]),
-    Asset(id="two", name="Two", kind="blueprint", path="/Game/Odd/BP_two.BP_two", category="Boxes", description="Two",
-          bounds_min_cm=(-5, -5, 0), bounds_max_cm=(5, 5, 20),
-          parts=[BlueprintPart(name="Box", asset="/Game/Odd/SM_box.SM_box")])],
-    materials=[Material(path="/Game/Odd/M.M")]).plain()
+PACK = Pack(
+    pack_id="odd",
+    content_folder="Odd",
+    title="Odd",
+    license="CC0-1.0",
+    assets=[
+        Asset(
+            id="box",
+            name="Box",
+            path="/Game/Odd/SM_box.SM_box",
+            category="Boxes",
+            description="A box",
+            tags=["x"],
+            bounds_min_cm=(-5, -5, 0),
+            bounds_max_cm=(5, 5, 10),
+            mesh="meshes/box.glb",
+            mesh_sha256="0" * 64,
+            slots=[MaterialSlot(name="S", material="/Game/Odd/M.M")],
+            collision=[BoxBody(center=(0, 0, 5), half_extent=(5, 5, 5))],
+        ),
+        Asset(
+            id="two",
+            name="Two",
+            kind="blueprint",
+            path="/Game/Odd/BP_two.BP_two",
+            category="Boxes",
+            description="Two",
+            bounds_min_cm=(-5, -5, 0),
+            bounds_max_cm=(5, 5, 20),
+            parts=[BlueprintPart(name="Box", asset="/Game/Odd/SM_box.SM_box")],
+        ),
+    ],
+    materials=[Material(path="/Game/Odd/M.M")],
+).plain()
 
 
 @given(wrong(PACK))

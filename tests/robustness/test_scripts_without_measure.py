@@ -23,8 +23,9 @@ def unreal(tmp_path: Path) -> ModuleType:
 
 
 def cube(unreal: ModuleType) -> Any:
-    return unreal.EditorLevelLibrary.spawn_actor_from_object(unreal.load_asset("/Engine/BasicShapes/Cube"),
-                                                             unreal.Vector())
+    return unreal.EditorLevelLibrary.spawn_actor_from_object(
+        unreal.load_asset("/Engine/BasicShapes/Cube"), unreal.Vector()
+    )
 
 
 def save(unreal: ModuleType) -> bool:
@@ -43,8 +44,10 @@ def save(unreal: ModuleType) -> bool:
 @pytest.mark.parametrize("number", [NAN, INFINITY, -INFINITY])
 def test_places_that_are_none_are_refused(unreal, number):
     box = cube(unreal)
-    for move in (lambda: box.set_actor_location(unreal.Vector(number, 0, 0), False, False),
-                 lambda: box.set_actor_scale3d(unreal.Vector(1, number, 1))):
+    for move in (
+        lambda: box.set_actor_location(unreal.Vector(number, 0, 0), False, False),
+        lambda: box.set_actor_scale3d(unreal.Vector(1, number, 1)),
+    ):
         with pytest.raises(Exception, match="a transform must be finite numbers"):
             move()
     assert save(unreal)
@@ -89,8 +92,12 @@ def test_properties_are_finite(unreal, number):
 
 def test_half_characters_are_no_text(unreal):
     box, half = cube(unreal), "x\ud800"
-    for write in (lambda: box.set_actor_label(half), lambda: box.set_folder_path(half), lambda: unreal.Name(half),
-                  lambda: box.set_editor_property("tags", [half])):
+    for write in (
+        lambda: box.set_actor_label(half),
+        lambda: box.set_folder_path(half),
+        lambda: unreal.Name(half),
+        lambda: box.set_editor_property("tags", [half]),
+    ):
         with pytest.raises(TypeError, match="Cannot nativize 'str'"):
             write()
     box.set_actor_label("Stühle \N{CHAIR}\0")
@@ -112,8 +119,11 @@ def test_a_chain_is_as_long_as_one_that_opens_again(unreal, capfd):
 def test_a_level_that_could_not_be_read_is_not_written(unreal, capfd, monkeypatch):
     for _ in range(4):
         cube(unreal)
-    for limit, complaint in (("MOST_ACTORS", "4 actors, more than 3"), ("MOST_RECORDS", "records, more than 3"),
-                             ("MOST_BYTES", "more than 0")):
+    for limit, complaint in (
+        ("MOST_ACTORS", "4 actors, more than 3"),
+        ("MOST_RECORDS", "records, more than 3"),
+        ("MOST_BYTES", "more than 0"),
+    ):
         with monkeypatch.context() as small:
             small.setattr(level_io, limit, 3)
             assert not save(unreal)

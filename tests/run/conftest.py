@@ -26,9 +26,14 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     scene = indoor_cases.scenes()[1]
     texts = [case for case in indoor_cases.INDOOR_TEXT_CASES if case.case_id in KEPT]
     ensure_pack("c4s-home", root / "packs")
-    build_suite(SuiteDefinition("small", "Small", "The flat", ("c4s-home",), (scene,),
-                                (*texts, *indoor_cases.flat_cases(scene)[:2])),
-                root / "suites" / "small", root / "packs", lambda line: None)
+    build_suite(
+        SuiteDefinition(
+            "small", "Small", "The flat", ("c4s-home",), (scene,), (*texts, *indoor_cases.flat_cases(scene)[:2])
+        ),
+        root / "suites" / "small",
+        root / "packs",
+        lambda line: None,
+    )
     return root
 
 
@@ -42,7 +47,13 @@ def c4s(home: Path) -> Command:
     """Run the command line in the home."""
 
     def run(*arguments: str, timeout: float = 280) -> subprocess.CompletedProcess[str]:
-        return subprocess.run([sys.executable, "-m", "c4s.cli", *arguments], env=environment(home), text=True,
-                              capture_output=True, timeout=timeout, check=False)
+        return subprocess.run(
+            [sys.executable, "-m", "c4s.cli", *arguments],
+            env=environment(home),
+            text=True,
+            capture_output=True,
+            timeout=timeout,
+            check=False,
+        )
 
     return run

@@ -21,8 +21,9 @@ def test_a_try_is_watched_scored_and_shown_apart_from_the_leaderboard(c4s: Comma
     published = {name: sorted((home / name).rglob("*")) for name in ("runs", "site", "warehouse")}
     done = c4s("agent", "try", "planner", "--case", CASE, "--suite", "small", "--no-open")
     assert done.returncode == 0, done.stderr
-    calls = re.findall(r"^ +(\d+)  (\w+) .*  (ok|error)(?: \d+ ms)?.*\[(\d+) calls, \d+ min \d+ s left", done.stdout,
-                       re.MULTILINE)
+    calls = re.findall(
+        r"^ +(\d+)  (\w+) .*  (ok|error)(?: \d+ ms)?.*\[(\d+) calls, \d+ min \d+ s left", done.stdout, re.MULTILINE
+    )
     assert [int(number) for number, *_ in calls] == list(range(1, len(calls) + 1)) and len(calls) >= 4
     assert calls[-1][1:3] == ("save_scene_as", "ok") and int(calls[0][3]) == int(calls[-1][3]) + len(calls) - 1
     assert "attempt 1: finished" in done.stdout and "saved /Game/SavedScenes/submission" in done.stdout
@@ -49,9 +50,12 @@ def test_a_try_is_watched_scored_and_shown_apart_from_the_leaderboard(c4s: Comma
 
 
 def test_wrong_requests_are_one_line(c4s: Command, tmp_path: Path) -> None:
-    for arguments in (("try", "nobody", "--case", CASE, "--suite", "small"),
-                      ("try", "noop", "--case", "absent", "--suite", "small"),
-                      ("try", "noop", "--case", CASE, "--suite", "absent"), ("replay", str(tmp_path))):
+    for arguments in (
+        ("try", "nobody", "--case", CASE, "--suite", "small"),
+        ("try", "noop", "--case", "absent", "--suite", "small"),
+        ("try", "noop", "--case", CASE, "--suite", "absent"),
+        ("replay", str(tmp_path)),
+    ):
         done = c4s("agent", *arguments)
         assert done.returncode == 2 and len(done.stderr.strip().splitlines()) == 1, done.stderr
         assert done.stderr.startswith("c4s: ")
@@ -67,12 +71,23 @@ def test_every_client_is_listed_with_what_it_lacks(c4s: Command) -> None:
 def test_a_line_is_shown_when_it_is_whole_and_a_picture_as_half_blocks(tmp_path: Path) -> None:
     from PIL import Image
 
-    line = {"event": "call", "call": 1, "tool": "take_screenshot", "arguments": {}, "outcome": "ok", "error": "",
-            "duration_s": 0.5, "tool_calls_left": 9, "seconds_left": 61, "images": [{"sha256": "ab", "bytes": 3}]}
+    line = {
+        "event": "call",
+        "call": 1,
+        "tool": "take_screenshot",
+        "arguments": {},
+        "outcome": "ok",
+        "error": "",
+        "duration_s": 0.5,
+        "tool_calls_left": 9,
+        "seconds_left": 61,
+        "images": [{"sha256": "ab", "bytes": 3}],
+    }
     (tmp_path / "images").mkdir()
     Image.new("RGB", (64, 32), (200, 10, 10)).save(tmp_path / "images" / "ab.png")
-    (tmp_path / "usage.jsonl").write_text(json.dumps({"wire": "chat", "input_tokens": 1, "output_tokens": 1,
-                                                      "cost_usd": None}) + "\n")
+    (tmp_path / "usage.jsonl").write_text(
+        json.dumps({"wire": "chat", "input_tokens": 1, "output_tokens": 1, "cost_usd": None}) + "\n"
+    )
     console = Console(record=True, force_terminal=True, color_system="truecolor", width=120)
     view = LiveView(console, tmp_path)
     (tmp_path / "trajectory.jsonl").write_text(json.dumps(line)[:30])

@@ -24,16 +24,24 @@ LADDER = ("noop", "vandal", "oracle", "planner", "random")
 @pytest.fixture(scope="module")
 def ran(home: Path) -> Path:
     """The home after all five baselines ran."""
-    done = subprocess.run([sys.executable, "-m", "c4s.cli", "run", "small", "--json"], env=environment(home), text=True,
-                          capture_output=True, timeout=290, check=False)
+    done = subprocess.run(
+        [sys.executable, "-m", "c4s.cli", "run", "small", "--json"],
+        env=environment(home),
+        text=True,
+        capture_output=True,
+        timeout=290,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["ran"] == 15
     return home
 
 
 def _scores(home: Path) -> dict[tuple[str, str], dict[str, object]]:
-    return {(row["configuration"], row["case_id"]): row
-            for row in rows(home / "warehouse", "SELECT * FROM case_scores WHERE suite = 'small'")}
+    return {
+        (row["configuration"], row["case_id"]): row
+        for row in rows(home / "warehouse", "SELECT * FROM case_scores WHERE suite = 'small'")
+    }
 
 
 def test_the_ladder_of_baselines(ran: Path) -> None:
@@ -52,8 +60,9 @@ def test_the_ladder_of_baselines(ran: Path) -> None:
 
 
 def test_an_invalid_submission_is_retried_once_and_both_attempts_are_kept(ran: Path) -> None:
-    found = rows(ran / "warehouse", "SELECT configuration, count(*) AS n FROM attempts WHERE suite = 'small' "
-                 "GROUP BY ALL")
+    found = rows(
+        ran / "warehouse", "SELECT configuration, count(*) AS n FROM attempts WHERE suite = 'small' GROUP BY ALL"
+    )
     counted = {row["configuration"]: row["n"] for row in found}
     assert counted["vandal"] == 6 and counted["oracle"] == 3
     assert (ran / "runs/small/vandal").is_dir()
@@ -96,8 +105,9 @@ def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c
     apart.mkdir()
     for name in ("packs", "suites"):
         (apart / name).symlink_to(home / name)
-    failed = subprocess.run([sys.executable, "-c", flow], env=environment(apart), text=True, capture_output=True,
-                            timeout=200, check=False)
+    failed = subprocess.run(
+        [sys.executable, "-c", flow], env=environment(apart), text=True, capture_output=True, timeout=200, check=False
+    )
     told = [line for line in failed.stderr.splitlines() if line.startswith("c4s.errors.MachineryFault: 1 of 1 trials")]
     assert failed.returncode != 0 and told and "npm install" in told[0], failed.stderr
 
@@ -147,8 +157,9 @@ def test_a_killed_run_goes_on_and_equals_an_undisturbed_one(ran: Path, tmp_path:
     for part in ("packs", "suites"):
         shutil.copytree(ran / part, home / part)
     command = [sys.executable, "-m", "c4s.cli", "run", "small", "-a", "noop", "-a", "oracle"]
-    process = subprocess.Popen(command, env=environment(home), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                               start_new_session=True)
+    process = subprocess.Popen(
+        command, env=environment(home), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True
+    )
     first = home / "runs/small/noop"
     while not any(first.rglob("outcome.json")):
         assert process.poll() is None, "the run ended before it could be killed"

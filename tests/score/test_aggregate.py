@@ -23,8 +23,11 @@ def row(model: str, setting: str, case: str, score: Any, status: str = "measured
 
 
 def table(model: str, t2s: float, indoor: float, *outdoor: float) -> list[dict[str, Any]]:
-    return [row(model, T2S, "t", t2s), row(model, INDOOR, "i", indoor),
-            *(row(model, OUTDOOR, f"o{n}", value) for n, value in enumerate(outdoor))]
+    return [
+        row(model, T2S, "t", t2s),
+        row(model, INDOOR, "i", indoor),
+        *(row(model, OUTDOOR, f"o{n}", value) for n, value in enumerate(outdoor)),
+    ]
 
 
 def test_cases_are_pooled_not_domains() -> None:
@@ -54,10 +57,18 @@ def test_a_pending_case_withholds_the_aggregate() -> None:
     assert (found["t2s_score"], found["i2s_score"], found["model_score"]) == (None, 1.0, None)
 
 
-@pytest.mark.parametrize(("rows", "schedule"), [
-    ([row("m", T2S, "t", 0.1), row("m", "t2s", "t", 0.2)], None), ([row("m", T2S, "t", 1.5)], None),
-    ([row("m", T2S, "t", float("nan"))], None), ([row("m", "elsewhere", "t", 1.0)], None),
-    ([row("m", T2S, "x", 1.0)], {T2S: ["t"]}), ([], {T2S: []}), ([row("", T2S, "x", 1.0)], None)])
+@pytest.mark.parametrize(
+    ("rows", "schedule"),
+    [
+        ([row("m", T2S, "t", 0.1), row("m", "t2s", "t", 0.2)], None),
+        ([row("m", T2S, "t", 1.5)], None),
+        ([row("m", T2S, "t", float("nan"))], None),
+        ([row("m", "elsewhere", "t", 1.0)], None),
+        ([row("m", T2S, "x", 1.0)], {T2S: ["t"]}),
+        ([], {T2S: []}),
+        ([row("", T2S, "x", 1.0)], None),
+    ],
+)
 def test_refusals(rows: list[dict[str, Any]], schedule: Any) -> None:
     with pytest.raises(BadInput):
         aggregate(rows, schedule)
@@ -78,15 +89,28 @@ def test_setting_names() -> None:
 
 
 def test_severe_cap_needs_certainty_two_views_and_words() -> None:
-    good: dict[str, Any] = {"severe": True, "confidence": 0.8, "views": [0, 2], "categories": ["gap"],
-                            "issues": ["a wall floats"]}
+    good: dict[str, Any] = {
+        "severe": True,
+        "confidence": 0.8,
+        "views": [0, 2],
+        "categories": ["gap"],
+        "issues": ["a wall floats"],
+    }
     assert severe_cap_eligible(**good)
-    changes: list[dict[str, Any]] = [{"severe": False}, {"confidence": 0.79}, {"views": [1, 1]}, {"views": []},
-                                     {"categories": []}, {"issues": [" "]}]
+    changes: list[dict[str, Any]] = [
+        {"severe": False},
+        {"confidence": 0.79},
+        {"views": [1, 1]},
+        {"views": []},
+        {"categories": []},
+        {"issues": [" "]},
+    ]
     for change in changes:
         assert not severe_cap_eligible(**(good | change))
-    dimensions = dict.fromkeys(("global_prompt_alignment", "composition_and_layout", "style_atmosphere_coherence",
-                                "completeness_and_polish"), 1.0)
+    dimensions = dict.fromkeys(
+        ("global_prompt_alignment", "composition_and_layout", "style_atmosphere_coherence", "completeness_and_polish"),
+        1.0,
+    )
     capped = overview_score(dimensions, 1.0, True)
     assert (capped["score"], capped["severe_cap_applied"]) == (0.4, True)
 
@@ -117,8 +141,11 @@ def test_only_rates_that_enter_a_mean_are_read() -> None:
 
 
 def test_a_macro_rate_needs_the_rate_of_every_row_that_is_no_zero() -> None:
-    rows = [row("m", INDOOR, "a", 1.0, repair_f1="0.5"), row("m", INDOOR, "b", 1.0, repair_f1=""),
-            row("m", OUTDOOR, "c", 0.0, "zero_missing_result")]
+    rows = [
+        row("m", INDOOR, "a", 1.0, repair_f1="0.5"),
+        row("m", INDOOR, "b", 1.0, repair_f1=""),
+        row("m", OUTDOOR, "c", 0.0, "zero_missing_result"),
+    ]
     assert aggregate(rows)[0]["indoor_f1_case_macro"] is None
     rows[1]["repair_f1"] = 1
     found = aggregate(rows)[0]
@@ -142,8 +169,11 @@ def test_a_mean_of_one_setting_is_not_weighed_again(values: list[float]) -> None
 
 
 def test_the_published_shares_of_the_domains() -> None:
-    rows = [row("m", T2S, "t", 0.0), *(row("m", INDOOR, f"i{n}", 1.0) for n in range(25)),
-            *(row("m", OUTDOOR, f"o{n}", 0.0) for n in range(50))]
+    rows = [
+        row("m", T2S, "t", 0.0),
+        *(row("m", INDOOR, f"i{n}", 1.0) for n in range(25)),
+        *(row("m", OUTDOOR, f"o{n}", 0.0) for n in range(50)),
+    ]
     assert aggregate(rows)[0]["i2s_score"] == pytest.approx(1 / 3)
     private = [row("m", INDOOR, f"i{n}", 1.0) for n in range(55)] + [row("m", OUTDOOR, f"o{n}", 0.0) for n in range(30)]
     assert aggregate(private)[0]["i2s_score"] == pytest.approx(11 / 17)

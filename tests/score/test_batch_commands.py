@@ -15,13 +15,21 @@ import pytest
 from tests.shared import SHARED
 
 GOLDEN = SHARED / "golden"
-COMMANDS = {"repair_f1.jsonl.gz": ("verify", "repair"), "physics_support.jsonl.gz": ("verify", "support"),
-            "aggregation.jsonl.gz": ("score",)}
+COMMANDS = {
+    "repair_f1.jsonl.gz": ("verify", "repair"),
+    "physics_support.jsonl.gz": ("verify", "support"),
+    "aggregation.jsonl.gz": ("score",),
+}
 
 
 def batch(path: Path, *command: str) -> list[dict[str, Any]]:
-    done = subprocess.run([sys.executable, "-m", "c4s.cli", *command, "--batch", str(path)], capture_output=True,
-                          text=True, timeout=250, check=False)
+    done = subprocess.run(
+        [sys.executable, "-m", "c4s.cli", *command, "--batch", str(path)],
+        capture_output=True,
+        text=True,
+        timeout=250,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     return [json.loads(line) for line in done.stdout.splitlines()]
 
@@ -44,9 +52,11 @@ def test_every_published_row_is_equal(name: str) -> None:
 
 
 def test_a_plain_file_and_bad_rows(tmp_path: Path) -> None:
-    rows = [{"name": "good", "kind": "i2s_case", "input": {"valid": True, "repair_f1": 0.5, "physics_score": 1}},
-            {"name": "bad", "kind": "i2s_case", "input": {"valid": True, "repair_f1": 7, "physics_score": 1}},
-            {"name": "odd", "kind": "nosuch", "input": {}}]
+    rows = [
+        {"name": "good", "kind": "i2s_case", "input": {"valid": True, "repair_f1": 0.5, "physics_score": 1}},
+        {"name": "bad", "kind": "i2s_case", "input": {"valid": True, "repair_f1": 7, "physics_score": 1}},
+        {"name": "odd", "kind": "nosuch", "input": {}},
+    ]
     plain, zipped = tmp_path / "rows.jsonl", tmp_path / "rows.jsonl.gz"
     plain.write_text("\n".join(json.dumps(row) for row in rows) + "\n")
     with plain.open("rb") as source, gzip.open(zipped, "wb") as out:

@@ -20,41 +20,110 @@ from c4s.verify.batch import repair_row
 from c4s.verify.support_batch import support_row
 from tests.verify_repair.repair_scenes import actor, scene
 
-SCALARS = st.sampled_from([None, True, False, 0, -1, 2, 0.5, -0.0, float("nan"), float("inf"), 10**400, "", "measured",
-                           "logic", "\ud800", "\n"])
-ODD = (SCALARS | st.lists(SCALARS, max_size=3)
-       | st.dictionaries(st.sampled_from(["id", "score", "x"]), SCALARS, max_size=2))
+SCALARS = st.sampled_from(
+    [
+        None,
+        True,
+        False,
+        0,
+        -1,
+        2,
+        0.5,
+        -0.0,
+        float("nan"),
+        float("inf"),
+        10**400,
+        "",
+        "measured",
+        "logic",
+        "\ud800",
+        "\n",
+    ]
+)
+ODD = (
+    SCALARS
+    | st.lists(SCALARS, max_size=3)
+    | st.dictionaries(st.sampled_from(["id", "score", "x"]), SCALARS, max_size=2)
+)
 LEAF = {"leaf_id": "floating", "status": "measured", "score": 0.5, "metadata": {"score_direction": "lower_is_better"}}
-DECISION = {"semantic_family": "content_quantity", "clause_index": 0, "effective_score": 0.5, "included": True,
-            "predicate_weight": 1.0, "score_known": True, "unrounded_effective_score": 0.5}
-REQUIREMENT = {"node_id": "a", "text": "a barn", "source_span": [0, 6], "predicate_type": "spatial_relation",
-               "evaluation_status": "MATCH", "entity_scopes": {"e": "all"}, "score": 0.5, "check": {"score": 1},
-               "evaluation_binding": {"parameters": {"predicate_type": "count"}, "entity_scopes": {}}}
-DIMENSIONS = dict.fromkeys(("global_prompt_alignment", "composition_and_layout", "style_atmosphere_coherence",
-                            "completeness_and_polish"), 0.5)
+DECISION = {
+    "semantic_family": "content_quantity",
+    "clause_index": 0,
+    "effective_score": 0.5,
+    "included": True,
+    "predicate_weight": 1.0,
+    "score_known": True,
+    "unrounded_effective_score": 0.5,
+}
+REQUIREMENT = {
+    "node_id": "a",
+    "text": "a barn",
+    "source_span": [0, 6],
+    "predicate_type": "spatial_relation",
+    "evaluation_status": "MATCH",
+    "entity_scopes": {"e": "all"},
+    "score": 0.5,
+    "check": {"score": 1},
+    "evaluation_binding": {"parameters": {"predicate_type": "count"}, "entity_scopes": {}},
+}
+DIMENSIONS = dict.fromkeys(
+    ("global_prompt_alignment", "composition_and_layout", "style_atmosphere_coherence", "completeness_and_polish"), 0.5
+)
 ROWS: dict[str, dict[str, Any]] = {
     "t2s_case": {"valid": True, "detailed": 0.5, "overview": 0.5, "physics": 0.5},
     "i2s_case": {"valid": True, "repair_f1": 0.5, "physics_score": 0.5},
-    "physics_report": {"report": {"status": "measured", "score": 0.5, "metrics": {
-        "leaf_results": [LEAF], "leaf_score_directions": {"floating": "lower_is_better"}}}},
+    "physics_report": {
+        "report": {
+            "status": "measured",
+            "score": 0.5,
+            "metrics": {"leaf_results": [LEAF], "leaf_score_directions": {"floating": "lower_is_better"}},
+        }
+    },
     "overview_judgement": {"dimension_scores": DIMENSIONS, "structural_score": 1.0, "severe_cap_eligible": True},
-    "overview_report": {"report": {"status": "measured", "metrics": {
-        "dimensions": {name: {"score": value} for name, value in DIMENSIONS.items()},
-        "structural_integrity_score": 1.0, "severe_structural_cap_eligible": False}}},
+    "overview_report": {
+        "report": {
+            "status": "measured",
+            "metrics": {
+                "dimensions": {name: {"score": value} for name, value in DIMENSIONS.items()},
+                "structural_integrity_score": 1.0,
+                "severe_structural_cap_eligible": False,
+            },
+        }
+    },
     "detailed_decisions": {"decisions": [DECISION, DECISION | {"clause_index": None}]},
-    "detailed_report": {"report": {"status": "measured", "metrics": {
-        "semantic_requirement_aggregation": [DECISION, DECISION]}}},
-    "semantic_case": {"prompt": "a barn. a hen", "family_weights": {"content_quantity": 2.0}, "requirements": [
-        REQUIREMENT, REQUIREMENT | {"source_span": {"start": 2, "end": 6}, "predicate_type": "existence"}]},
-    "semantic_graph": {"requirements": [REQUIREMENT], "graph": {
-        "nodes": [{"id": "a", "predicate_type": "logic"}, {"id": "b", "predicate_type": "count"}],
-        "edges": [{"edge_type": "scope", "source_id": "a", "target_id": "b"}]}},
-    "model": {"missing_as_zero": True, "schedule": {"t2s": ["c"], "indoor": ["d", "e"]}, "rows": [
-        {"model": "m", "setting": "t2s", "case_id": "c", "status": "measured", "score": 0.5},
-        {"model": "m", "setting": "indoor", "case_id": "d", "score": "0.5", "repair_f1": 0.5}]}}
+    "detailed_report": {
+        "report": {"status": "measured", "metrics": {"semantic_requirement_aggregation": [DECISION, DECISION]}}
+    },
+    "semantic_case": {
+        "prompt": "a barn. a hen",
+        "family_weights": {"content_quantity": 2.0},
+        "requirements": [
+            REQUIREMENT,
+            REQUIREMENT | {"source_span": {"start": 2, "end": 6}, "predicate_type": "existence"},
+        ],
+    },
+    "semantic_graph": {
+        "requirements": [REQUIREMENT],
+        "graph": {
+            "nodes": [{"id": "a", "predicate_type": "logic"}, {"id": "b", "predicate_type": "count"}],
+            "edges": [{"edge_type": "scope", "source_id": "a", "target_id": "b"}],
+        },
+    },
+    "model": {
+        "missing_as_zero": True,
+        "schedule": {"t2s": ["c"], "indoor": ["d", "e"]},
+        "rows": [
+            {"model": "m", "setting": "t2s", "case_id": "c", "status": "measured", "score": 0.5},
+            {"model": "m", "setting": "indoor", "case_id": "d", "score": "0.5", "repair_f1": 0.5},
+        ],
+    },
+}
 CHAIR = actor("chair", "Chair", (0, 0, 10))
-SCENES = {"input": scene(CHAIR, actor("plant", "Plant", (50, 0, 0))), "ground_truth": scene(CHAIR),
-          "candidate": scene(CHAIR, actor("new", "Chair", (9, 9, 9)))}
+SCENES = {
+    "input": scene(CHAIR, actor("plant", "Plant", (50, 0, 0))),
+    "ground_truth": scene(CHAIR),
+    "candidate": scene(CHAIR, actor("new", "Chair", (9, 9, 9))),
+}
 
 
 def places(value: Any) -> list[tuple[Any, ...]]:

@@ -22,16 +22,31 @@ def verdict(verifier: str, status: Any = "measured", score: float | None = None,
 
 
 VALID = verdict("integrity", "valid")
-T2S = {"integrity": VALID, "physics": verdict("physics", score=0.5),
-       "detailed": verdict("detailed", score=0.8, measurements={"known_coverage": 0.9}),
-       "overview": verdict("overview", score=0.6)}
-I2S = {"integrity": VALID, "physics": verdict("physics", score=0.5),
-       "repair": verdict("repair", score=0.75, measurements={"precision": 0.6, "recall": 1.0})}
+T2S = {
+    "integrity": VALID,
+    "physics": verdict("physics", score=0.5),
+    "detailed": verdict("detailed", score=0.8, measurements={"known_coverage": 0.9}),
+    "overview": verdict("overview", score=0.6),
+}
+I2S = {
+    "integrity": VALID,
+    "physics": verdict("physics", score=0.5),
+    "repair": verdict("repair", score=0.75, measurements={"precision": 0.6, "recall": 1.0}),
+}
 
 
 def score(setting: Any, verdicts: dict[str, Verdict], *, submitted: bool = True, **extra: Any) -> TrialScore:
-    return case_score(case_id="c", setting=setting, configuration="a", repeat=1, judge="rule", engine="headless",
-                      submitted=submitted, verdicts=verdicts, **extra)
+    return case_score(
+        case_id="c",
+        setting=setting,
+        configuration="a",
+        repeat=1,
+        judge="rule",
+        engine="headless",
+        submitted=submitted,
+        verdicts=verdicts,
+        **extra,
+    )
 
 
 def test_measured_cases() -> None:
@@ -55,9 +70,12 @@ def test_the_reasons_for_a_zero_are_kept_apart(setting: Any) -> None:
 
 
 def test_a_fault_of_the_machinery_is_pending_and_never_a_score() -> None:
-    for verdicts in ({}, {"integrity": verdict("integrity", "error", reason="no snapshot")},
-                     {**I2S, "physics": verdict("physics", "error", reason="engine died")},
-                     {"integrity": VALID, "physics": I2S["physics"]}):
+    for verdicts in (
+        {},
+        {"integrity": verdict("integrity", "error", reason="no snapshot")},
+        {**I2S, "physics": verdict("physics", "error", reason="engine died")},
+        {"integrity": VALID, "physics": I2S["physics"]},
+    ):
         pending = score("image-to-scene/indoor", verdicts)
         assert (pending.status, pending.score) == ("pending", None)
         assert pending.reason

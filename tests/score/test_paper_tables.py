@@ -32,8 +32,12 @@ def test_the_running_cases() -> None:
     assert len(rows) == 8
     for row in rows:
         if row["setting"] == "T2S":
-            made = t2s_case(valid=True, detailed=float(row["detailed"]), overview=float(row["overview"]),
-                            physics=float(row["physics"]))
+            made = t2s_case(
+                valid=True,
+                detailed=float(row["detailed"]),
+                overview=float(row["overview"]),
+                physics=float(row["physics"]),
+            )
         else:
             made = i2s_case(valid=True, repair_f1=float(row["f1"]), physics=float(row["physics"]))
             tp, fp, fn = (int(row[name]) for name in ("tp", "fp", "fn"))
@@ -41,8 +45,9 @@ def test_the_running_cases() -> None:
         assert near(made["score"], row["s_case"]), row["case"]
 
 
-@pytest.mark.parametrize(("name", "indoor", "outdoor"), [("main_results_public.csv", 25, 50),
-                                                         ("main_results_private.csv", 55, 30)])
+@pytest.mark.parametrize(
+    ("name", "indoor", "outdoor"), [("main_results_public.csv", 25, 50), ("main_results_private.csv", 55, 30)]
+)
 def test_the_leaderboards(name: str, indoor: int, outdoor: int) -> None:
     """Settings as one case each: the pooled means, the model score and the order are the printed ones."""
     printed = {row["agent"]: row for row in table(name)}
@@ -51,13 +56,23 @@ def test_the_leaderboards(name: str, indoor: int, outdoor: int) -> None:
         score = {"model": agent, "status": "measured"}
         rows.append(score | {"setting": "text-to-scene", "case_id": "t", "score": row["s_t2s"]})
         for domain, count in (("indoor", indoor), ("outdoor", outdoor)):
-            rows += [score | {"setting": domain, "case_id": f"{domain}{n}", "score": row["s_i2s"],
-                              "repair_f1": row["repair_f1"], "physics": row["physical_i2s"]} for n in range(count)]
+            rows += [
+                score
+                | {
+                    "setting": domain,
+                    "case_id": f"{domain}{n}",
+                    "score": row["s_i2s"],
+                    "repair_f1": row["repair_f1"],
+                    "physics": row["physical_i2s"],
+                }
+                for n in range(count)
+            ]
     found = {row["model"]: row for row in aggregate(rows)}
     for agent, row in printed.items():
         assert near(found[agent]["model_score"], row["s_model"]), agent
-        made = i2s_case(valid=True, repair_f1=found[agent]["i2s_f1_case_macro"],
-                        physics=found[agent]["i2s_physics_case_macro"])
+        made = i2s_case(
+            valid=True, repair_f1=found[agent]["i2s_f1_case_macro"], physics=found[agent]["i2s_physics_case_macro"]
+        )
         assert near(made["score"], row["s_i2s"]), agent
         semantic = 0.8 * float(row["semantic"]) + 0.2 * float(row["physical_t2s"])
         assert near(semantic, row["s_t2s"]), agent

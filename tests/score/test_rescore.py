@@ -47,8 +47,7 @@ def test_stricter_tolerances_change_repairs_only_and_never_upwards(run: Path) ->
     deltas = list(rescore(run, POLICIES["strict-tolerance"]).deltas())
     assert deltas and all(delta.setting.startswith("image-to-scene") for delta in deltas)
     assert {delta.component for delta in deltas} <= {"repair_precision", "repair_recall", "repair_f1", "score"}
-    assert all(delta.before is not None and delta.after is not None and delta.after < delta.before
-               for delta in deltas)
+    assert all(delta.before is not None and delta.after is not None and delta.after < delta.before for delta in deltas)
     for name, _, new in rescore(run, POLICIES["relaxed-tolerance"]).pairs:
         configuration, case_id, _ = name.split("/")
         stored = RunFolder(run).trial(configuration, case_id, 1).verdict("repair")
@@ -85,7 +84,8 @@ def test_a_zero_by_rule_stays_a_zero_and_a_pending_trial_has_no_number(tmp_path:
     found = rescore(root, POLICIES["repair-only"])
     assert found.pending == ["agent-0/case-0/r1"]
     assert [(new.status, new.score) for name, _, new in found.pairs if name == "agent-1/case-0/r1"] == [
-        ("zero_missing_submission", 0.0)]
+        ("zero_missing_submission", 0.0)
+    ]
 
 
 def test_bad_verdicts_and_policies_are_one_line(tmp_path: Path) -> None:
@@ -97,11 +97,14 @@ def test_bad_verdicts_and_policies_are_one_line(tmp_path: Path) -> None:
         rescore(root, PUBLISHED)
     with pytest.raises(BadInput, match="unknown policy 'nosuch'"):
         policy_named("nosuch")
-    for changes, said in (({"image_to_scene": {"repair_f1": 0.5, "physics": 0.1}}, "sum to 1"),
-                          ({"physics_leaves": {"floating": 1.0}}, "needs exactly"),
-                          ({"families": {**FAMILY_WEIGHTS, "content_quantity": 0}}, "must be positive"),
-                          ({"repair_tolerances": "lax"}, "repair_tolerances"), ({"colour": 1}, "colour"),
-                          ({"policy_id": "repair-only"}, "shipped")):
+    for changes, said in (
+        ({"image_to_scene": {"repair_f1": 0.5, "physics": 0.1}}, "sum to 1"),
+        ({"physics_leaves": {"floating": 1.0}}, "needs exactly"),
+        ({"families": {**FAMILY_WEIGHTS, "content_quantity": 0}}, "must be positive"),
+        ({"repair_tolerances": "lax"}, "repair_tolerances"),
+        ({"colour": 1}, "colour"),
+        ({"policy_id": "repair-only"}, "shipped"),
+    ):
         path = tmp_path / "policy.yaml"
         path.write_text(yaml.safe_dump({"policy_id": "mine", **changes}))
         with pytest.raises(BadInput, match=said) as caught:
@@ -110,8 +113,14 @@ def test_bad_verdicts_and_policies_are_one_line(tmp_path: Path) -> None:
 
 
 def _c4s(*arguments: str) -> Any:
-    done = subprocess.run([sys.executable, "-m", "c4s.cli", *arguments], capture_output=True, text=True, timeout=120,
-                          check=False, env={**os.environ, "COLUMNS": "140"})
+    done = subprocess.run(
+        [sys.executable, "-m", "c4s.cli", *arguments],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+        env={**os.environ, "COLUMNS": "140"},
+    )
     return done
 
 
@@ -142,8 +151,9 @@ def test_ten_thousand_trials_a_minute(tmp_path: Path) -> None:
 
 
 def test_every_weight_of_a_policy_reaches_the_scores(run: Path) -> None:
-    style = ScorePolicy(policy_id="style-only", overview=dict.fromkeys(OVERVIEW_WEIGHTS, 0.0) | {
-        "style_atmosphere_coherence": 1.0})
+    style = ScorePolicy(
+        policy_id="style-only", overview=dict.fromkeys(OVERVIEW_WEIGHTS, 0.0) | {"style_atmosphere_coherence": 1.0}
+    )
     found = list(rescore(run, style).deltas())
     assert found and {delta.setting for delta in found} == {"text-to-scene"}
     assert {delta.component for delta in found} == {"overview", "score"}

@@ -8,8 +8,12 @@ import pytest
 
 from c4s.score.batch import score_row
 
-OVERVIEW = {"global_prompt_alignment": 1.0, "composition_and_layout": 1.0, "style_atmosphere_coherence": 1.0,
-            "completeness_and_polish": 1.0}
+OVERVIEW = {
+    "global_prompt_alignment": 1.0,
+    "composition_and_layout": 1.0,
+    "style_atmosphere_coherence": 1.0,
+    "completeness_and_polish": 1.0,
+}
 FLOATING, SOLID = "floating", "solid_penetration"
 
 
@@ -32,8 +36,14 @@ def detailed(*rows: Any) -> Any:
 def requirement(text: str, kind: str, status: str = "MATCH", **more: Any) -> dict[str, Any]:
     """A requirement on the words ``text`` of the prompt below."""
     start = PROMPT.index(text)
-    return {"node_id": text, "text": text, "source_span": [start, start + len(text)], "predicate_type": kind,
-            "evaluation_status": status, **more}
+    return {
+        "node_id": text,
+        "text": text,
+        "source_span": [start, start + len(text)],
+        "predicate_type": kind,
+        "evaluation_status": status,
+        **more,
+    }
 
 
 PROMPT = "A red barn with two oak doors stands by a pond. Hens walk in the yard!? Fog."
@@ -46,64 +56,116 @@ def semantic(*rows: dict[str, Any], **more: Any) -> dict[str, Any]:
 
 class TestDetailed:
     def test_a_clause_is_a_mean_and_a_family_is_a_mean_of_its_clauses(self) -> None:
-        assert detailed(decision("content_quantity", 0, 1), decision("content_quantity", 0, 0),
-                        decision("content_quantity", 1, 1)) == 0.75
+        assert (
+            detailed(
+                decision("content_quantity", 0, 1),
+                decision("content_quantity", 0, 0),
+                decision("content_quantity", 1, 1),
+            )
+            == 0.75
+        )
 
     def test_absent_families_leave_the_denominator_and_undecided_rows_stay_in_it(self) -> None:
-        assert detailed(decision("content_quantity", 0), decision("spatial_composition", 0, 0)) == round(.4 / .6, 4)
+        assert detailed(decision("content_quantity", 0), decision("spatial_composition", 0, 0)) == round(0.4 / 0.6, 4)
         assert detailed(decision("content_quantity", 0, None), decision("content_quantity", 0)) == 0.5
 
     def test_family_values_are_rounded_before_they_are_averaged(self) -> None:
         thirds = [decision("content_quantity", 0, value) for value in (1, 0, 0)]
-        assert detailed(*thirds, decision("spatial_composition", 0)) == round((.4 * .3333 + .2) / .6, 4)
+        assert detailed(*thirds, decision("spatial_composition", 0)) == round((0.4 * 0.3333 + 0.2) / 0.6, 4)
 
     def test_excluded_rows_and_unknown_families_do_not_count(self) -> None:
-        assert detailed(decision("content_quantity", 0, 0), decision("content_quantity", 0, 1, included=False),
-                        decision("decor", 0), decision(None, 0)) == 0.0
+        assert (
+            detailed(
+                decision("content_quantity", 0, 0),
+                decision("content_quantity", 0, 1, included=False),
+                decision("decor", 0),
+                decision(None, 0),
+            )
+            == 0.0
+        )
         assert detailed(decision("decor", 0)) is None and detailed() is None
 
     def test_rows_without_a_clause_are_a_clause_of_their_own(self) -> None:
-        assert detailed(decision("content_quantity", None, 0), decision("content_quantity", 0),
-                        decision("content_quantity", 0)) == 0.5
+        assert (
+            detailed(
+                decision("content_quantity", None, 0), decision("content_quantity", 0), decision("content_quantity", 0)
+            )
+            == 0.5
+        )
 
-    @pytest.mark.parametrize(("row", "value"), [
-        ({"effective_score": 0.3333, "unrounded_effective_score": 1 / 3}, 0.3333),
-        ({"effective_score": 0.3333, "unrounded_effective_score": 0.9}, 0.3333),
-        ({"effective_score": 0.33333, "unrounded_effective_score": 0.3333}, 0.3333),
-        ({"effective_lower": 0.25, "effective_upper": 0.75}, 0.25),
-        ({"effective_score_lower_bound": 0.25, "effective_score": 1.0}, 0.25),
-        ({"effective_score": True}, 0.0), ({"effective_score": "1"}, 0.0), ({"effective_score": 1.0000001}, 0.0),
-        ({"effective_score": float("nan")}, 0.0), ({}, 0.0)])
+    @pytest.mark.parametrize(
+        ("row", "value"),
+        [
+            ({"effective_score": 0.3333, "unrounded_effective_score": 1 / 3}, 0.3333),
+            ({"effective_score": 0.3333, "unrounded_effective_score": 0.9}, 0.3333),
+            ({"effective_score": 0.33333, "unrounded_effective_score": 0.3333}, 0.3333),
+            ({"effective_lower": 0.25, "effective_upper": 0.75}, 0.25),
+            ({"effective_score_lower_bound": 0.25, "effective_score": 1.0}, 0.25),
+            ({"effective_score": True}, 0.0),
+            ({"effective_score": "1"}, 0.0),
+            ({"effective_score": 1.0000001}, 0.0),
+            ({"effective_score": float("nan")}, 0.0),
+            ({}, 0.0),
+        ],
+    )
     def test_the_score_of_a_row(self, row: dict[str, Any], value: float) -> None:
         assert detailed({"semantic_family": "content_quantity", "clause_index": 0} | row) == value
 
     def test_weights_of_predicates_count_within_and_between_clauses(self) -> None:
-        assert detailed(decision("content_quantity", 0, 1, predicate_weight=3),
-                        decision("content_quantity", 0, 0, predicate_weight="1")) == 0.75
-        assert detailed(decision("content_quantity", 0, 1, predicate_weight=3),
-                        decision("content_quantity", 1, 0)) == 0.75
+        assert (
+            detailed(
+                decision("content_quantity", 0, 1, predicate_weight=3),
+                decision("content_quantity", 0, 0, predicate_weight="1"),
+            )
+            == 0.75
+        )
+        assert (
+            detailed(decision("content_quantity", 0, 1, predicate_weight=3), decision("content_quantity", 1, 0)) == 0.75
+        )
 
-    @pytest.mark.parametrize("row", [
-        decision("content_quantity", 0, predicate_weight=0), decision("content_quantity", 0, predicate_weight=None),
-        decision("content_quantity", [0]), 3, None])
+    @pytest.mark.parametrize(
+        "row",
+        [
+            decision("content_quantity", 0, predicate_weight=0),
+            decision("content_quantity", 0, predicate_weight=None),
+            decision("content_quantity", [0]),
+            3,
+            None,
+        ],
+    )
     def test_rows_that_cannot_be_averaged_are_refused(self, row: Any) -> None:
         assert refused(score("detailed_decisions", decisions=[row]))
 
     def test_clauses_that_cannot_be_ordered_are_refused(self) -> None:
-        assert refused(score("detailed_decisions", decisions=[decision("content_quantity", 0),
-                                                              decision("content_quantity", "b")]))
+        assert refused(
+            score("detailed_decisions", decisions=[decision("content_quantity", 0), decision("content_quantity", "b")])
+        )
 
     def test_known_coverage_is_the_same_mean_over_what_is_known(self) -> None:
-        rows = [decision("content_quantity", 0, 0, score_known=False), decision("content_quantity", 0, 1),
-                decision("spatial_composition", 0, 0)]
-        assert score("detailed_decisions", decisions=rows)["known_coverage"] == round((.4 * .5 + .2) / .6, 4)
+        rows = [
+            decision("content_quantity", 0, 0, score_known=False),
+            decision("content_quantity", 0, 1),
+            decision("spatial_composition", 0, 0),
+        ]
+        assert score("detailed_decisions", decisions=rows)["known_coverage"] == round((0.4 * 0.5 + 0.2) / 0.6, 4)
 
     @pytest.mark.parametrize("status", ["blocked", "ERROR", "invalid", "not_evaluated", "Refused", "unavailable"])
     def test_unusable_reports_have_no_score(self, status: str) -> None:
         rows = {"semantic_requirement_aggregation": [decision("content_quantity", 0)]}
         assert score("detailed_report", report={"status": status, "metrics": rows})["score"] is None
-        assert score("overview_report", report={"status": status, "metrics": {
-            "dimensions": {name: {"score": 1} for name in OVERVIEW}, "structural_integrity_score": 1}})["score"] is None
+        assert (
+            score(
+                "overview_report",
+                report={
+                    "status": status,
+                    "metrics": {
+                        "dimensions": {name: {"score": 1} for name in OVERVIEW},
+                        "structural_integrity_score": 1,
+                    },
+                },
+            )["score"]
+            is None
+        )
 
     @pytest.mark.parametrize("status", ["not_applicable", "partial", "", None, "measured"])
     def test_all_other_statuses_are_used(self, status: Any) -> None:
@@ -113,92 +175,147 @@ class TestDetailed:
 
 class TestSemanticCase:
     def test_a_row_belongs_to_the_clause_of_its_largest_overlap_the_earliest_on_ties(self) -> None:
-        rows = semantic(requirement("pond. Hens walk in", "existence"), requirement("barn", "existence"),
-                        requirement("Fog.", "atmosphere"), requirement(". H", "existence"))["requirements"]
+        rows = semantic(
+            requirement("pond. Hens walk in", "existence"),
+            requirement("barn", "existence"),
+            requirement("Fog.", "atmosphere"),
+            requirement(". H", "existence"),
+        )["requirements"]
         assert [row["clause_index"] for row in rows] == [1, 0, 2, 0]
 
     def test_a_prompt_of_punctuation_is_one_clause(self) -> None:
-        case = score("semantic_case", prompt="...", requirements=[
-            {"predicate_type": "existence", "evaluation_status": "MATCH"}])["semantic_case"]
+        case = score(
+            "semantic_case", prompt="...", requirements=[{"predicate_type": "existence", "evaluation_status": "MATCH"}]
+        )["semantic_case"]
         assert (case["score"], case["clauses"][0]["text"], case["requirements"][0]["source_span"]) == (1, "...", [0, 3])
 
-    @pytest.mark.parametrize(("row", "value", "known"), [
-        ({"evaluation_status": "MATCH"}, 1.0, True), ({"evaluation_status": "MISMATCH"}, 0.0, True),
-        ({"evaluation_status": "mismatch ", "score": 0.25}, 0.25, True), ({"verdict": "MATCH"}, 1.0, True),
-        ({"evaluation_status": "MISMATCH", "score": True, "check": {"score": 0.5}}, 0.5, True),
-        ({"evaluation_status": "MATCH", "score": 1.5}, 1.0, True),
-        ({"evaluation_status": "ERROR", "score": 1}, 0, False),
-        ({"evaluation_status": "UNKNOWN"}, 0.0, False), ({}, 0.0, False)])
+    @pytest.mark.parametrize(
+        ("row", "value", "known"),
+        [
+            ({"evaluation_status": "MATCH"}, 1.0, True),
+            ({"evaluation_status": "MISMATCH"}, 0.0, True),
+            ({"evaluation_status": "mismatch ", "score": 0.25}, 0.25, True),
+            ({"verdict": "MATCH"}, 1.0, True),
+            ({"evaluation_status": "MISMATCH", "score": True, "check": {"score": 0.5}}, 0.5, True),
+            ({"evaluation_status": "MATCH", "score": 1.5}, 1.0, True),
+            ({"evaluation_status": "ERROR", "score": 1}, 0, False),
+            ({"evaluation_status": "UNKNOWN"}, 0.0, False),
+            ({}, 0.0, False),
+        ],
+    )
     def test_a_decision_has_its_score_or_none(self, row: dict[str, Any], value: float, known: bool) -> None:
         case = semantic({"predicate_type": "existence", **row})
         assert (case["score"], case["known_coverage"]) == (value, float(known))
 
     def test_an_exact_duplicate_counts_once_and_its_words_may_be_spaced_otherwise(self) -> None:
-        rows = semantic(requirement("oak doors", "material"), requirement("oak doors", "material"),
-                        requirement("oak doors", "material") | {"text": "Oak   DOORS"},
-                        requirement("oak doors", "attribute"),
-                        requirement("oak doors", "material", entity_scopes={"e": "all"}),
-                        requirement("oak doors", "material", evaluation_binding={"parameters": {"side": 1}}))
+        rows = semantic(
+            requirement("oak doors", "material"),
+            requirement("oak doors", "material"),
+            requirement("oak doors", "material") | {"text": "Oak   DOORS"},
+            requirement("oak doors", "attribute"),
+            requirement("oak doors", "material", entity_scopes={"e": "all"}),
+            requirement("oak doors", "material", evaluation_binding={"parameters": {"side": 1}}),
+        )
         assert [row["exclusion_reason"] for row in rows["requirements"]] == [
-            None, "exact_duplicate", "exact_duplicate", None, None, None]
+            None,
+            "exact_duplicate",
+            "exact_duplicate",
+            None,
+            None,
+            None,
+        ]
 
     def test_a_composite_gives_way_to_what_its_words_hold(self) -> None:
-        rows = semantic(requirement("two oak doors", "set"), requirement("oak", "material"),
-                        requirement("red barn", "composition"), requirement("barn", "existence"),
-                        requirement("Fog", "logic", semantic_replaced_by_children=True))["requirements"]
+        rows = semantic(
+            requirement("two oak doors", "set"),
+            requirement("oak", "material"),
+            requirement("red barn", "composition"),
+            requirement("barn", "existence"),
+            requirement("Fog", "logic", semantic_replaced_by_children=True),
+        )["requirements"]
         assert [row["exclusion_reason"] for row in rows] == [
-            "composite_replaced_by_children", None, None, None, "composite_replaced_by_children"]
+            "composite_replaced_by_children",
+            None,
+            None,
+            None,
+            "composite_replaced_by_children",
+        ]
 
     def test_a_conjunction_is_capped_by_its_direct_parts_down_all_levels(self) -> None:
-        rows = semantic(requirement("A red barn with two oak doors", "composition", score=0.9),
-                        requirement("two oak doors", "spatial_relation", score=0.8),
-                        requirement("oak", "material", score=0.25), requirement("red", "attribute", score=0.5))
+        rows = semantic(
+            requirement("A red barn with two oak doors", "composition", score=0.9),
+            requirement("two oak doors", "spatial_relation", score=0.8),
+            requirement("oak", "material", score=0.25),
+            requirement("red", "attribute", score=0.5),
+        )
         assert [row["effective_score"] for row in rows["requirements"]] == [0.25, 0.25, 0.25, 0.5]
         assert [row["parent_constrained"] for row in rows["requirements"]] == [True, True, False, False]
 
     def test_only_conjunctions_are_capped_and_only_by_rows_that_count(self) -> None:
-        rows = semantic(requirement("two oak doors", "attribute"), requirement("oak", "material", score=0.0),
-                        requirement("by a pond", "spatial_relation"), requirement("pond", "nonsense", score=0.0))
+        rows = semantic(
+            requirement("two oak doors", "attribute"),
+            requirement("oak", "material", score=0.0),
+            requirement("by a pond", "spatial_relation"),
+            requirement("pond", "nonsense", score=0.0),
+        )
         assert [row["effective_score"] for row in rows["requirements"]] == [1, 0, 1, 0]
 
-    @pytest.mark.parametrize(("parent", "child", "known"), [("MATCH", "ERROR", False), ("ERROR", "MISMATCH", True),
-                                                            ("MISMATCH", "ERROR", True), ("MATCH", "MATCH", True)])
+    @pytest.mark.parametrize(
+        ("parent", "child", "known"),
+        [("MATCH", "ERROR", False), ("ERROR", "MISMATCH", True), ("MISMATCH", "ERROR", True), ("MATCH", "MATCH", True)],
+    )
     def test_a_conjunction_is_known_when_all_is_known_or_a_part_is_known_to_be_false(
-            self, parent: str, child: str, known: bool) -> None:
+        self, parent: str, child: str, known: bool
+    ) -> None:
         rows = semantic(requirement("by a pond", "spatial_relation", parent), requirement("pond", "existence", child))
         assert rows["requirements"][0]["score_known"] is known
 
-    @pytest.mark.parametrize(("row", "family"), [
-        ({"predicate_type": "presence"}, "content_quantity"),
-        ({"predicate_type": " Material "}, "attributes_materials"),
-        ({"evaluation_binding": {"parameters": {"predicate_type": "boundary"}}}, "spatial_composition"),
-        ({"predicate_type": "style_bundle"}, "identity_environment"),
-        ({"predicate_type": "logic", "semantic_family": "Content_Quantity"}, "content_quantity")])
+    @pytest.mark.parametrize(
+        ("row", "family"),
+        [
+            ({"predicate_type": "presence"}, "content_quantity"),
+            ({"predicate_type": " Material "}, "attributes_materials"),
+            ({"evaluation_binding": {"parameters": {"predicate_type": "boundary"}}}, "spatial_composition"),
+            ({"predicate_type": "style_bundle"}, "identity_environment"),
+            ({"predicate_type": "logic", "semantic_family": "Content_Quantity"}, "content_quantity"),
+        ],
+    )
     def test_families(self, row: dict[str, Any], family: str) -> None:
         (found,) = semantic({"evaluation_status": "MATCH"} | row)["requirements"]
         assert found["semantic_family"] == family
 
-    @pytest.mark.parametrize("given", [
-        {"requirements": [{"predicate_type": "logic"}]}, {"requirements": [{"predicate_type": ""}]},
-        {"requirements": [{"predicate_type": "count", "semantic_family": "decor"}]}, {"requirements": ["x"]},
-        {"requirements": [{"predicate_type": "count"}], "family_weights": {"decor": 1}},
-        {"requirements": [{"predicate_type": "count"}], "family_weights": {"content_quantity": 0}},
-        {"requirements": [{"predicate_type": "count"}], "family_weights": {"content_quantity": True}},
-        {"requirements": [{"predicate_type": "count"}], "family_weights": {"content_quantity": None}}])
+    @pytest.mark.parametrize(
+        "given",
+        [
+            {"requirements": [{"predicate_type": "logic"}]},
+            {"requirements": [{"predicate_type": ""}]},
+            {"requirements": [{"predicate_type": "count", "semantic_family": "decor"}]},
+            {"requirements": ["x"]},
+            {"requirements": [{"predicate_type": "count"}], "family_weights": {"decor": 1}},
+            {"requirements": [{"predicate_type": "count"}], "family_weights": {"content_quantity": 0}},
+            {"requirements": [{"predicate_type": "count"}], "family_weights": {"content_quantity": True}},
+            {"requirements": [{"predicate_type": "count"}], "family_weights": {"content_quantity": None}},
+        ],
+    )
     def test_cases_that_cannot_be_scored_are_refused(self, given: dict[str, Any]) -> None:
         assert refused(score("semantic_case", prompt=PROMPT, **given))
 
     def test_requirements_are_named_by_node_by_id_or_by_place(self) -> None:
-        rows = semantic({"predicate_type": "count", "requirement_id": "r"}, {"predicate_type": "set", "id": 7},
-                        {"predicate_type": "existence"})["requirements"]
+        rows = semantic(
+            {"predicate_type": "count", "requirement_id": "r"},
+            {"predicate_type": "set", "id": 7},
+            {"predicate_type": "existence"},
+        )["requirements"]
         assert [row["node_id"] for row in rows] == ["r", "7", "requirement_2"]
 
 
 class TestGraph:
     def families(self, nodes: dict[str, str | None], scope: list[tuple[str, str]]) -> dict[str, str]:
-        graph = {"nodes": [*({"id": name, "predicate_type": kind} for name, kind in nodes.items()), {"id": "e"}, 3],
-                 "edges": [{"edge_type": "Scope", "source_id": a, "target_id": b} for a, b in scope]
-                 + [{"edge_type": "argument", "source_id": "l", "target_id": "entity"}, None]}
+        graph = {
+            "nodes": [*({"id": name, "predicate_type": kind} for name, kind in nodes.items()), {"id": "e"}, 3],
+            "edges": [{"edge_type": "Scope", "source_id": a, "target_id": b} for a, b in scope]
+            + [{"edge_type": "argument", "source_id": "l", "target_id": "entity"}, None],
+        }
         found: dict[str, str] = score("semantic_graph", graph=graph, requirements=[])["family_map"]
         return found
 
@@ -211,7 +328,10 @@ class TestGraph:
     def test_nodes_of_no_family_say_nothing_and_scope_is_followed_through_logic_only(self) -> None:
         kinds: dict[str, str | None] = {"l": "logic", "a": "count", "x": "mystery", "c": "material", "p": "presence"}
         assert self.families(kinds, [("l", "a"), ("l", "x"), ("l", "p"), ("a", "c")]) == {
-            "l": "content_quantity", "a": "content_quantity", "c": "attributes_materials"}
+            "l": "content_quantity",
+            "a": "content_quantity",
+            "c": "attributes_materials",
+        }
 
     def test_circles_end(self) -> None:
         kinds: dict[str, str | None] = {"l": "logic", "m": "logic", "a": "count"}
@@ -219,17 +339,24 @@ class TestGraph:
         assert found["l"] == found["m"] == "content_quantity"
 
     def test_requirements_of_scoped_parents_are_marked(self) -> None:
-        graph = {"nodes": [{"id": "l", "predicate_type": "logic"}, {"id": "requirement_1", "predicate_type": "count"}],
-                 "edges": [{"edge_type": "scope", "source_id": "l", "target_id": "requirement_1"}]}
+        graph = {
+            "nodes": [{"id": "l", "predicate_type": "logic"}, {"id": "requirement_1", "predicate_type": "count"}],
+            "edges": [{"edge_type": "scope", "source_id": "l", "target_id": "requirement_1"}],
+        }
         assert score("semantic_graph", graph=graph, requirements=[{"node_id": "l"}, {}])["attached"] == [
             {"node_id": "l", "semantic_family": "content_quantity", "semantic_replaced_by_children": True},
-            {"semantic_family": "content_quantity"}]
+            {"semantic_family": "content_quantity"},
+        ]
 
 
 class TestOverview:
     def judged(self, structure: Any = 1.0, eligible: Any = False, **scores: Any) -> dict[str, Any]:
-        return score("overview_judgement", dimension_scores=OVERVIEW | scores, structural_score=structure,
-                     severe_cap_eligible=eligible)
+        return score(
+            "overview_judgement",
+            dimension_scores=OVERVIEW | scores,
+            structural_score=structure,
+            severe_cap_eligible=eligible,
+        )
 
     def test_weights_and_modifier(self) -> None:
         assert self.judged(global_prompt_alignment=0.0)["score"] == 0.6
@@ -241,8 +368,12 @@ class TestOverview:
     def test_the_cap_is_applied_only_above_it(self) -> None:
         above = self.judged(1.0, True)
         assert (above["score"], above["severe_cap_applied"], above["score_before_severe_cap"]) == (0.4, True, 1.0)
-        at = score("overview_judgement", dimension_scores=dict.fromkeys(OVERVIEW, 0.4), structural_score=1,
-                   severe_cap_eligible=True)
+        at = score(
+            "overview_judgement",
+            dimension_scores=dict.fromkeys(OVERVIEW, 0.4),
+            structural_score=1,
+            severe_cap_eligible=True,
+        )
         assert (at["score"], at["severe_cap_applied"]) == (0.4, False)
         assert self.judged(1.0, False)["severe_cap_eligible"] is False
 
@@ -275,8 +406,12 @@ class TestPhysics:
 
     def test_direction_of_the_leaf_then_of_the_report_then_the_published_one(self) -> None:
         own = {"score_direction": "higher_is_better"}
-        assert self.physics(self.leaf(FLOATING, 0.25, metadata=own),
-                            leaf_score_directions={FLOATING: "lower_is_better"})["score"] == 0.125
+        assert (
+            self.physics(self.leaf(FLOATING, 0.25, metadata=own), leaf_score_directions={FLOATING: "lower_is_better"})[
+                "score"
+            ]
+            == 0.125
+        )
         assert self.physics(self.leaf(SOLID, 0.25), leaf_score_directions={SOLID: "lower_is_better"})["score"] == 0.375
         odd = self.physics(self.leaf(FLOATING, 0.25, metadata={"score_direction": "sideways"}))
         assert (odd["score"], odd["leaves"][FLOATING]["direction"]) == (0.125, "sideways")
@@ -306,7 +441,10 @@ class TestCase:
     def test_a_missing_part_is_zero_in_text_and_refused_in_image(self) -> None:
         row = score("t2s_case", valid=True, detailed=1, overview=None, physics=1)
         assert (row["score"], row["status"], row["missing_components"]) == (
-            0.4, "measured_with_missing_zero", ["overview"])
+            0.4,
+            "measured_with_missing_zero",
+            ["overview"],
+        )
         assert refused(score("i2s_case", valid=True, repair_f1=1, physics_score=None))
 
     def test_an_invalid_case_is_zero_whatever_its_parts(self) -> None:

@@ -27,14 +27,30 @@ RAISED = re.compile(r"""(?:"code":\s*|_advisory\(\s*)"([\w-]+)\"""")
 
 
 def test_every_advisory_is_explained_and_none_is_left_over() -> None:
-    raised = {code for folder in ("verify", "score", "judge") for path in (ROOT / "c4s" / folder).rglob("*.py")
-              for code in RAISED.findall(path.read_text(encoding="utf-8"))}
+    raised = {
+        code
+        for folder in ("verify", "score", "judge")
+        for path in (ROOT / "c4s" / folder).rglob("*.py")
+        for code in RAISED.findall(path.read_text(encoding="utf-8"))
+    }
     listed = re.findall(r"^\| `([\w-]+)` \|", PAGE.split("## Advisories")[1], flags=re.MULTILINE)
     assert len(raised) > 10 and sorted(listed) == sorted(raised)
 
 
 def test_every_id_is_on_the_page() -> None:
-    ids = {*POLICIES, *KINDS, *CASE_POLICY.values(), MODEL_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY,
-           T2S_FLOATING_METRIC, INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, REPAIR_POLICY, I2S_FLOATING_METRIC,
-           PENETRATION_METRIC, ROLE_POLICY}
+    ids = {
+        *POLICIES,
+        *KINDS,
+        *CASE_POLICY.values(),
+        MODEL_POLICY,
+        PHYSICS_POLICY,
+        SEMANTIC_CASE_POLICY,
+        T2S_FLOATING_METRIC,
+        INTEGRITY_POLICY,
+        OVERVIEW_RULE_POLICY,
+        REPAIR_POLICY,
+        I2S_FLOATING_METRIC,
+        PENETRATION_METRIC,
+        ROLE_POLICY,
+    }
     assert [name for name in sorted(ids) if f"`{name}`" not in PAGE] == []

@@ -43,27 +43,41 @@ def pack(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def engines(tmp_path_factory: pytest.TempPathFactory, pack: Path
-            ) -> Iterator[Callable[[str], tuple[EngineSession, Path]]]:
+def engines(
+    tmp_path_factory: pytest.TempPathFactory, pack: Path
+) -> Iterator[Callable[[str], tuple[EngineSession, Path]]]:
     """One engine a setting, started when it is first asked for."""
     started: dict[str, tuple[EngineSession, Path]] = {}
     with ExitStack() as stack:
+
         def engine_for(setting: str) -> tuple[EngineSession, Path]:
             if setting not in started:
                 folder = tmp_path_factory.mktemp("engine")
                 case, agent_folder = make_case(folder / "suite", pack, setting=setting)
-                started[setting] = stack.enter_context(EngineSession.start(
-                    packs=[pack], content=folder / "content", scratch=folder / "scratch",
-                    levels=[agent_folder / "start.level.json"], start_map=case.start_map)), folder
+                started[setting] = (
+                    stack.enter_context(
+                        EngineSession.start(
+                            packs=[pack],
+                            content=folder / "content",
+                            scratch=folder / "scratch",
+                            levels=[agent_folder / "start.level.json"],
+                            start_map=case.start_map,
+                        )
+                    ),
+                    folder,
+                )
             return started[setting]
+
         yield engine_for
 
 
 @pytest.fixture
-def open_run(tmp_path: Path, pack: Path, engines: Callable[[str], tuple[EngineSession, Path]]
-             ) -> Iterator[Callable[..., Opened]]:
+def open_run(
+    tmp_path: Path, pack: Path, engines: Callable[[str], tuple[EngineSession, Path]]
+) -> Iterator[Callable[..., Opened]]:
     """Open a run on the start level of the small case."""
     with ExitStack() as stack:
+
         def start(**options: Any) -> Opened:
             tools = options.pop("tools", None)
             case, agent_folder = make_case(tmp_path / "suite", pack, **options)
@@ -74,8 +88,8 @@ def open_run(tmp_path: Path, pack: Path, engines: Callable[[str], tuple[EngineSe
             bench = Workbench(case, agent_folder, CaseCatalog.load(case, [pack]), engine, folder / "scratch")
             run = Run("room-1", bench, case.budget, tmp_path / "trajectory.jsonl", tools)
             endpoint = gateway.open_run(run)
-            return Opened(run, endpoint, stack.enter_context(GatewayClient(endpoint)), folder, engine, gateway,
-                          pack)
+            return Opened(run, endpoint, stack.enter_context(GatewayClient(endpoint)), folder, engine, gateway, pack)
+
         yield start
 
 

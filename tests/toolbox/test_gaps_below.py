@@ -15,15 +15,41 @@ AT = st.floats(-300, 300)
 
 
 def scene(*placed: tuple[str, tuple[float, float, float]]) -> dict[str, Any]:
-    bodies = {"box": {"kind": "box", "center": [0, 0, 0], "half_extent": [50, 50, 50]},
-              "ball": {"kind": "sphere", "center": [0, 0, 0], "radius": 50}}
-    return {"actors": [{"name": f"A{i}", "label": f"A{i}", "c4s": {"components": [
-        {"name": "Mesh", "mesh": kind, "collision_enabled": True, "transform": {
-            "location_cm": list(place), "rotation_deg": [0, 0, 0], "quaternion_xyzw": [0, 0, 0, 1],
-            "scale": [1, 1, 1]}}]}} for i, (kind, place) in enumerate(placed)],
-        "c4s": {"engine": "headless", "meshes": {kind: {
-            "bounds_min_cm": [-50] * 3, "bounds_max_cm": [50] * 3,
-            "collision": [body]} for kind, body in bodies.items()}}}
+    bodies = {
+        "box": {"kind": "box", "center": [0, 0, 0], "half_extent": [50, 50, 50]},
+        "ball": {"kind": "sphere", "center": [0, 0, 0], "radius": 50},
+    }
+    return {
+        "actors": [
+            {
+                "name": f"A{i}",
+                "label": f"A{i}",
+                "c4s": {
+                    "components": [
+                        {
+                            "name": "Mesh",
+                            "mesh": kind,
+                            "collision_enabled": True,
+                            "transform": {
+                                "location_cm": list(place),
+                                "rotation_deg": [0, 0, 0],
+                                "quaternion_xyzw": [0, 0, 0, 1],
+                                "scale": [1, 1, 1],
+                            },
+                        }
+                    ]
+                },
+            }
+            for i, (kind, place) in enumerate(placed)
+        ],
+        "c4s": {
+            "engine": "headless",
+            "meshes": {
+                kind: {"bounds_min_cm": [-50] * 3, "bounds_max_cm": [50] * 3, "collision": [body]}
+                for kind, body in bodies.items()
+            },
+        },
+    }
 
 
 def gap(snapshot: dict[str, Any], *, ground_plane: bool = False) -> float | None:

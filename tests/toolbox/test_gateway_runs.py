@@ -20,8 +20,12 @@ from c4s.toolbox.run import Run
 from c4s.toolbox.skill import skill_text
 
 HEADERS = {"Accept": "application/json, text/event-stream", "Content-Type": "application/json"}
-INITIALIZE = {"jsonrpc": "2.0", "id": 0, "method": "initialize", "params": {
-    "protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}}
+INITIALIZE = {
+    "jsonrpc": "2.0",
+    "id": 0,
+    "method": "initialize",
+    "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}},
+}
 
 
 def payload(answer: object) -> dict:
@@ -42,11 +46,18 @@ def test_a_call_counts_when_it_starts_and_the_budget_is_told(open_run: Callable)
     begun = [line for line in lines if line["event"] == "started"]
     lines = [line for line in lines if line["event"] != "started"]
     assert [(line["event"], line["outcome"], line["counted"]) for line in lines] == [
-        ("call", "ok", True), ("call", "error", True), ("call", "error", True), ("refused", "refused", False)]
+        ("call", "ok", True),
+        ("call", "error", True),
+        ("call", "error", True),
+        ("refused", "refused", False),
+    ]
     assert [(line["call"], line["outcome"], line["counted"]) for line in begun] == [
-        (number, "unfinished", False) for number in (1, 2, 3)]
-    assert all(start["seq"] < end["seq"] and start["arguments"] == end["arguments"]
-               for start, end in zip(begun, lines, strict=False))
+        (number, "unfinished", False) for number in (1, 2, 3)
+    ]
+    assert all(
+        start["seq"] < end["seq"] and start["arguments"] == end["arguments"]
+        for start, end in zip(begun, lines, strict=False)
+    )
     assert all(line["start_s"] >= 0 and line["duration_s"] >= 0 for line in lines[:3])
     assert lines[1]["tool"] == "delete_actor" and lines[1]["arguments"] == {"name": "nobody"}
 
@@ -74,14 +85,21 @@ def test_a_repeated_call_id_is_answered_once_more_and_counted_once(open_run: Cal
 
 def test_two_posts_with_one_id_in_flight_share_one_call(open_run: Callable) -> None:
     opened = open_run()
-    with httpx2.Client(headers={**HEADERS, "Authorization": f"Bearer {opened.endpoint.token}"}, trust_env=False,
-                       timeout=60) as http:
+    with httpx2.Client(
+        headers={**HEADERS, "Authorization": f"Bearer {opened.endpoint.token}"}, trust_env=False, timeout=60
+    ) as http:
         hello = http.post(opened.endpoint.url, json=INITIALIZE)
         session = {"mcp-session-id": hello.headers["mcp-session-id"], "mcp-protocol-version": "2025-06-18"}
         http.post(opened.endpoint.url, headers=session, json={"jsonrpc": "2.0", "method": "notifications/initialized"})
-        call = {"jsonrpc": "2.0", "id": 7, "method": "tools/call", "params": {
-            "name": "execute_python_script",
-            "arguments": {"script": "import time\ntime.sleep(1)\nprint('slept')", "execution_mode": "sync"}}}
+        call = {
+            "jsonrpc": "2.0",
+            "id": 7,
+            "method": "tools/call",
+            "params": {
+                "name": "execute_python_script",
+                "arguments": {"script": "import time\ntime.sleep(1)\nprint('slept')", "execution_mode": "sync"},
+            },
+        }
         texts: list[str] = []
 
         def post() -> None:
@@ -111,8 +129,14 @@ def test_tokens_select_the_run_and_sessions_are_not_shared(open_run: Callable, p
     assert (opened.run.calls, second.calls) == (0, 1)
     with httpx2.Client(headers=HEADERS, trust_env=False) as http:
         hello = http.post(endpoint.url, headers={"Authorization": f"Bearer {endpoint.token}"}, json=INITIALIZE)
-        stolen = http.post(endpoint.url, json={"jsonrpc": "2.0", "id": 1, "method": "tools/list"}, headers={
-            "Authorization": f"Bearer {opened.endpoint.token}", "mcp-session-id": hello.headers["mcp-session-id"]})
+        stolen = http.post(
+            endpoint.url,
+            json={"jsonrpc": "2.0", "id": 1, "method": "tools/list"},
+            headers={
+                "Authorization": f"Bearer {opened.endpoint.token}",
+                "mcp-session-id": hello.headers["mcp-session-id"],
+            },
+        )
         assert stolen.status_code == 404
 
 
@@ -179,15 +203,18 @@ def test_half_a_character_does_not_break_the_record(open_run: Callable) -> None:
     told = opened.client.call("execute_python_script", script="print('a\\ud800b')", execution_mode="sync").data
     assert told["status"] in ("done", "error") and opened.trajectory()[-1]["tool"] == "execute_python_script"
     with pytest.raises(CallRefused):
-        opened.client.call("execute_python_script", script="raise ValueError('\\udcff')", execution_mode="sync",
-                           wrong="\u00e9")
+        opened.client.call(
+            "execute_python_script", script="raise ValueError('\\udcff')", execution_mode="sync", wrong="\u00e9"
+        )
     assert opened.trajectory()[-1]["outcome"] == "error"
 
 
 def test_numbers_that_are_none_are_refused(open_run: Callable) -> None:
     opened = open_run()
-    body = ('{"jsonrpc":"2.0","id":1,"method":"tools/call","params":{"name":"set_actor_transform","arguments":'
-            '{"name":"Table","location":[NaN,0,0]}}}')
+    body = (
+        '{"jsonrpc":"2.0","id":1,"method":"tools/call","params":{"name":"set_actor_transform","arguments":'
+        '{"name":"Table","location":[NaN,0,0]}}}'
+    )
     headers = {**HEADERS, "Authorization": f"Bearer {opened.endpoint.token}"}
     with httpx2.Client(headers=headers, trust_env=False) as http:
         hello = http.post(opened.endpoint.url, json=INITIALIZE)

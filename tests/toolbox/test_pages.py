@@ -30,7 +30,15 @@ def test_the_skill_has_four_parts_and_names_only_what_is_there() -> None:
 
 
 def test_every_case_is_told_the_same_skill() -> None:
-    case = AgentCase.parse({"case_id": "c", "setting": "text-to-scene", "prompt": "Build a town.", "packs": [],
-                            "start_map": "/Game/A/B", "catalog": [],
-                            "budget": Budget(tool_calls=800, wall_minutes=180).plain()})
+    case = AgentCase.parse(
+        {
+            "case_id": "c",
+            "setting": "text-to-scene",
+            "prompt": "Build a town.",
+            "packs": [],
+            "start_map": "/Game/A/B",
+            "catalog": [],
+            "budget": Budget(tool_calls=800, wall_minutes=180).plain(),
+        }
+    )
     assert skill_text() in briefing(case, "c4s", pictures=0)

@@ -25,9 +25,16 @@ AT = 5
 
 
 def asset(name: str, title: str, category: str, description: str, tags: list[str]) -> Asset:
-    return Asset(id=re.sub(r"\W", "_", asset_id(name)), name=title, category=category, tags=tags,
-                 path=f"/Game/T/SM_{name}.SM_{name}", description=description,
-                 bounds_min_cm=(0, 0, 0), bounds_max_cm=(1, 1, 1))
+    return Asset(
+        id=re.sub(r"\W", "_", asset_id(name)),
+        name=title,
+        category=category,
+        tags=tags,
+        path=f"/Game/T/SM_{name}.SM_{name}",
+        description=description,
+        bounds_min_cm=(0, 0, 0),
+        bounds_max_cm=(1, 1, 1),
+    )
 
 
 def catalog_of(assets: list[Asset]) -> CaseCatalog:
@@ -36,8 +43,13 @@ def catalog_of(assets: list[Asset]) -> CaseCatalog:
 
 
 def starter() -> CaseCatalog:
-    return catalog_of([asset(spec.name, readable(spec.name), spec.category, spec.description, list(spec.tags))
-                       for name in STARTER for spec in starter_pack(name).assets])
+    return catalog_of(
+        [
+            asset(spec.name, readable(spec.name), spec.category, spec.description, list(spec.tags))
+            for name in STARTER
+            for spec in starter_pack(name).assets
+        ]
+    )
 
 
 def shared() -> CaseCatalog:
@@ -52,8 +64,9 @@ def recall(catalog: CaseCatalog, queries: list[dict[str, Any]]) -> float:
     """Mean share of the answers (of five at most) that are among the first five results."""
     total = 0.0
     for query in queries:
-        wanted = {one.id for one in catalog.assets
-                  if any(fnmatch.fnmatch(one.id, answer) for answer in query["answers"])}
+        wanted = {
+            one.id for one in catalog.assets if any(fnmatch.fnmatch(one.id, answer) for answer in query["answers"])
+        }
         assert wanted, query["query"]
         found = {row["id"] for row in catalog.search(query["query"], limit=AT)}
         total += len(found & wanted) / min(AT, len(wanted))
@@ -69,20 +82,42 @@ def test_assets_are_found_by_meaning(name: str) -> None:
 
 def test_plain_names_still_come_first() -> None:
     catalog = starter()
-    firsts = {query: catalog.search(query)[0]["id"] for query in (
-        "red chair", "oak tree", "street lamps", "Filing Cabinet", "OfficeSofa", "market stalls", "coffee machine")}
-    assert firsts == {"red chair": "child_chair", "oak tree": "oak_tree", "street lamps": "street_lamp",
-                      "Filing Cabinet": "filing_cabinet", "OfficeSofa": "office_sofa",
-                      "market stalls": firsts["market stalls"], "coffee machine": "coffee_machine"}
+    firsts = {
+        query: catalog.search(query)[0]["id"]
+        for query in (
+            "red chair",
+            "oak tree",
+            "street lamps",
+            "Filing Cabinet",
+            "OfficeSofa",
+            "market stalls",
+            "coffee machine",
+        )
+    }
+    assert firsts == {
+        "red chair": "child_chair",
+        "oak tree": "oak_tree",
+        "street lamps": "street_lamp",
+        "Filing Cabinet": "filing_cabinet",
+        "OfficeSofa": "office_sofa",
+        "market stalls": firsts["market stalls"],
+        "coffee machine": "coffee_machine",
+    }
     assert firsts["market stalls"].startswith("market_stall")
     assert catalog.search("qqqq zzzz") == [] == catalog.search("the of it")
 
 
 def test_five_thousand_assets_are_searched_fast() -> None:
     base = starter().assets
-    catalog = catalog_of([one.model_copy(update={"id": f"{one.id}_{n}", "name": f"{one.name} {n}",
-                                                 "path": f"/Game/T{n}/{one.id}.{one.id}"})
-                          for n in range(25) for one in base][:5000])
+    catalog = catalog_of(
+        [
+            one.model_copy(
+                update={"id": f"{one.id}_{n}", "name": f"{one.name} {n}", "path": f"/Game/T{n}/{one.id}.{one.id}"}
+            )
+            for n in range(25)
+            for one in base
+        ][:5000]
+    )
     assert catalog.search("lamp")
     taken = []
     for query in QUERIES:

@@ -13,8 +13,11 @@ from PIL import Image
 from c4s.toolbox.client import CallRefused
 from tests.shared import SHARED
 
-PAGING = {"get_actors_in_level": {"offset", "limit"}, "find_actors_by_name": {"offset", "limit"},
-          "search_assets": {"offset"}}
+PAGING = {
+    "get_actors_in_level": {"offset", "limit"},
+    "find_actors_by_name": {"offset", "limit"},
+    "search_assets": {"offset"},
+}
 """Optional arguments beside those of the reference, for long lists."""
 REFERENCE = SHARED / "reference/tools.yaml"
 
@@ -25,13 +28,16 @@ def test_the_tools_are_those_of_the_reference(open_run: Callable) -> None:
     import yaml
 
     listed = {tool.name: tool.input_schema for tool in open_run().client.tools()}
-    wanted = {tool["name"]: tool for group in yaml.safe_load(REFERENCE.read_text())["groups"]
-              for tool in group["tools"]}
+    wanted = {
+        tool["name"]: tool for group in yaml.safe_load(REFERENCE.read_text())["groups"] for tool in group["tools"]
+    }
     assert listed.keys() == wanted.keys() and len(listed) == 25
     for name, schema in listed.items():
         assert schema.get("required", []) == wanted[name]["required"], name
-        assert set(schema["properties"]) - PAGING.get(name, set()) == {*wanted[name]["required"],
-                                                                       *wanted[name]["optional"]}, name
+        assert set(schema["properties"]) - PAGING.get(name, set()) == {
+            *wanted[name]["required"],
+            *wanted[name]["optional"],
+        }, name
         assert schema["additionalProperties"] is False
         assert all(_described(argument) for argument in schema["properties"].values()), name
 
@@ -60,10 +66,19 @@ def test_long_lists_come_in_parts(open_run: Callable) -> None:
 
 def test_three_hundred_nodes_are_planned_and_built(open_run: Callable) -> None:
     client = open_run(setting="text-to-scene").client
-    nodes = [{"id": f"n{i}", "asset": ("crate", "sofa", "oak_table", "stacked_table")[i % 4],
-              "at": [(i % 18) * 0.9 - 8, (i // 18) * 0.9 - 8]} for i in range(300)]
-    nodes += [{"id": "ghost", "asset": "no_such_thing"}, {"id": "hat", "asset": "crate", "on": "ghost"},
-              {"id": "many", "asset": "crate", "at": [0, 0], "count": 60, "layout": {"kind": "scatter"}}]
+    nodes = [
+        {
+            "id": f"n{i}",
+            "asset": ("crate", "sofa", "oak_table", "stacked_table")[i % 4],
+            "at": [(i % 18) * 0.9 - 8, (i // 18) * 0.9 - 8],
+        }
+        for i in range(300)
+    ]
+    nodes += [
+        {"id": "ghost", "asset": "no_such_thing"},
+        {"id": "hat", "asset": "crate", "on": "ghost"},
+        {"id": "many", "asset": "crate", "at": [0, 0], "count": 60, "layout": {"kind": "scatter"}},
+    ]
     report = client.call("validate_scene_graph", graph={"nodes": nodes}).data
     assert not report["valid"] and {"ghost", "hat"} <= set(report["dropped"])
     assert all(problem["problem"] for problem in report["problems"])
@@ -81,8 +96,13 @@ def test_three_hundred_nodes_are_planned_and_built(open_run: Callable) -> None:
 
 def test_an_entry_that_no_catalog_has_does_not_stop_the_rest(open_run: Callable) -> None:
     client = open_run(setting="text-to-scene").client
-    answer = client.call("build_tier", entries=[{"name": "A", "asset": "crate", "location": [0, 0, 0], "scale": 2},
-                                                {"name": "B", "asset": "unicorn", "location": [0, 0, 0]}]).data
+    answer = client.call(
+        "build_tier",
+        entries=[
+            {"name": "A", "asset": "crate", "location": [0, 0, 0], "scale": 2},
+            {"name": "B", "asset": "unicorn", "location": [0, 0, 0]},
+        ],
+    ).data
     assert answer["spawned"] == ["A"] and "search_assets" in answer["failed"][0]["error"]
     with pytest.raises(CallRefused, match=r"spawn_actor takes name\*, static_mesh\*, location\*, rotation, scale"):
         client.call("spawn_actor", name="C")
@@ -93,8 +113,9 @@ def test_assets_are_found_by_words_and_described(open_run: Callable) -> None:
     assert client.call("search_assets", query="couch").data["assets"][0]["id"] == "sofa"
     assert client.call("search_assets", query="wooden boxes", k=1).data["assets"][0]["id"] == "crate"
     assert client.call("search_assets", query="tables", category="storage").data["count"] == 0
-    assert {"category": "Tables", "count": 2, "description": "To eat and work at"} in \
-        client.call("get_categories").data["categories"]
+    assert {"category": "Tables", "count": 2, "description": "To eat and work at"} in client.call(
+        "get_categories"
+    ).data["categories"]
     told = client.call("get_asset_metadata", ids=["oak_table", "nothing"]).data
     assert told["assets"][0]["size_m"] == [1.6, 0.8, 0.75] and told["missing"][0]["id"] == "nothing"
     assert told["assets"][0]["spawn_path"] == path_of("SM_oak_table")
@@ -105,14 +126,16 @@ def test_assets_are_found_by_words_and_described(open_run: Callable) -> None:
 
 def test_actors_are_placed_moved_and_deleted(open_run: Callable) -> None:
     client = open_run().client
-    made = client.call("spawn_actor", name="New", static_mesh="crate", location=[100, 50, 0], rotation=[10, 20, 30],
-                       scale=2).data["actor"]
+    made = client.call(
+        "spawn_actor", name="New", static_mesh="crate", location=[100, 50, 0], rotation=[10, 20, 30], scale=2
+    ).data["actor"]
     assert made["label"] == "New" and made["name"] and made["static_meshes"] == [path_of("SM_crate")]
     assert made["rotation"] == pytest.approx([10, 20, 30]) and made["scale"] == [2, 2, 2]
     with pytest.raises(CallRefused, match="already there"):
         client.call("spawn_actor", name="New", static_mesh="crate", location=[0, 0, 0])
-    built = client.call("spawn_blueprint_actor", actor_name="Stack", blueprint_id="stacked_table",
-                        location=[300, 0, 0]).data["actor"]
+    built = client.call(
+        "spawn_blueprint_actor", actor_name="Stack", blueprint_id="stacked_table", location=[300, 0, 0]
+    ).data["actor"]
     assert len(built["static_meshes"]) == 2
     moved = client.call("set_actor_transform", name="New", location=[1, 2, 3]).data["actor"]
     assert moved["location"] == [1, 2, 3] and moved["rotation"] == pytest.approx([10, 20, 30])
@@ -136,8 +159,10 @@ def test_delete_all_spawned_spares_the_start_level(open_run: Callable) -> None:
     client = open_run().client
     before = {actor["name"] for actor in client.call("get_actors_in_level").data["actors"]}
     client.call("spawn_actor", name="One", static_mesh="crate", location=[0, 0, 0])
-    script = ("import unreal\na = unreal.get_editor_subsystem(unreal.EditorActorSubsystem).spawn_actor_from_class("
-              "unreal.StaticMeshActor, unreal.Vector(0, 0, 0))\na.set_actor_label('Two')\nprint('made', 2)")
+    script = (
+        "import unreal\na = unreal.get_editor_subsystem(unreal.EditorActorSubsystem).spawn_actor_from_class("
+        "unreal.StaticMeshActor, unreal.Vector(0, 0, 0))\na.set_actor_label('Two')\nprint('made', 2)"
+    )
     assert "made 2" in client.call("execute_python_script", script=script, execution_mode="sync").data["output"]
     assert sorted(client.call("delete_all_spawned").data["deleted"]) == ["One", "Two"]
     assert {actor["name"] for actor in client.call("get_actors_in_level").data["actors"]} == before
@@ -176,19 +201,29 @@ def test_the_checks_use_the_collision_bodies(open_run: Callable) -> None:
 
 def test_the_planner_builds_in_tiers(open_run: Callable) -> None:
     client = open_run(setting="text-to-scene").client
-    graph = {"nodes": [{"id": "desk", "asset": "oak_table", "at": [0, 0]},
-                       {"id": "box", "asset": "crate", "on": "desk"}]}
+    graph = {
+        "nodes": [{"id": "desk", "asset": "oak_table", "at": [0, 0]}, {"id": "box", "asset": "crate", "on": "desk"}]
+    }
     report = client.call("validate_scene_graph", graph=graph).data
     solved = client.call("solve_scene_graph", graph=graph).data["solved"]
     assert solved["entries"], report
     assert client.call("render_plan").images[0].startswith(b"\x89PNG")
     tiers = client.call("tier_derivation").data
-    built = [label for tier in tiers["order"] if tiers["tiers"][tier]
-             for label in client.call("build_tier", tier=tier).data["spawned"]]
+    built = [
+        label
+        for tier in tiers["order"]
+        if tiers["tiers"][tier]
+        for label in client.call("build_tier", tier=tier).data["spawned"]
+    ]
     assert sorted(built) == sorted(entry["name"] for entry in solved["entries"])
     assert client.call("ground_pass", scene_text="a concrete floor", half_extent_m=8).data["count"] == 16
-    one = client.call("build_tier", entries=[{"name": "Extra", "asset": "sofa", "location": [0, 400, 0]},
-                                             {"name": "Extra", "asset": "sofa", "location": [0, 600, 0]}]).data
+    one = client.call(
+        "build_tier",
+        entries=[
+            {"name": "Extra", "asset": "sofa", "location": [0, 400, 0]},
+            {"name": "Extra", "asset": "sofa", "location": [0, 600, 0]},
+        ],
+    ).data
     assert one["spawned"] == ["Extra"] and "already there" in one["failed"][0]["error"]
 
 

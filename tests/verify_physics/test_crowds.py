@@ -11,9 +11,11 @@ from hypothesis import strategies as st
 from c4s.collision import scene_bodies, scene_contacts
 from c4s.verify.physics import MOST_LISTED, verify_physics
 
-KINDS = {"box": [{"kind": "box", "center": [0, 0, 0], "half_extent": [20, 30, 40]}],
-         "ball": [{"kind": "sphere", "center": [0, 0, 0], "radius": 25}],
-         "ice": [{"kind": "hull", "vertices": [[0, 0, 0], [40, 0, 0], [0, 40, 0], [0, 0, 60], [30, 30, 30]]}]}
+KINDS = {
+    "box": [{"kind": "box", "center": [0, 0, 0], "half_extent": [20, 30, 40]}],
+    "ball": [{"kind": "sphere", "center": [0, 0, 0], "radius": 25}],
+    "ice": [{"kind": "hull", "vertices": [[0, 0, 0], [40, 0, 0], [0, 40, 0], [0, 0, 60], [30, 30, 30]]}],
+}
 
 
 def crowd(seed: int, count: int, spread_cm: float) -> dict[str, Any]:
@@ -21,18 +23,41 @@ def crowd(seed: int, count: int, spread_cm: float) -> dict[str, Any]:
     actors = []
     for n in range(count):
         kind = str(rng.choice(list(KINDS)))
-        transform = {"location_cm": (rng.normal(size=3) * spread_cm + (0, 0, 100)).tolist(),
-                     "rotation_deg": rng.uniform(-180, 180, 3).tolist(), "scale": [1.0, 1.0, 1.0]}
-        actors.append({
-            "name": f"A{n}", "label": f"A{n}", "class": "/Script/Engine.StaticMeshActor", "asset_path": kind,
-            "component_asset_paths": [kind], "transform": transform,
-            "logical_object_id": [None, "table", "chair"][int(rng.integers(3))],
-            "collision": {"collision_enabled": bool(rng.random() > 0.2)},
-            "bounds": {"origin_cm": transform["location_cm"], "extent_cm": rng.uniform(20, 300, 3).tolist()},
-            "c4s": {"components": [{"name": "Mesh", "class": "/Script/Engine.StaticMeshComponent", "mesh": kind,
-                                    "transform": transform, "collision_enabled": True}]}})
-    return {"schema_version": "0.3.0", "units": "cm", "actors": actors,
-            "c4s": {"engine": "headless", "meshes": {kind: {"collision": body} for kind, body in KINDS.items()}}}
+        transform = {
+            "location_cm": (rng.normal(size=3) * spread_cm + (0, 0, 100)).tolist(),
+            "rotation_deg": rng.uniform(-180, 180, 3).tolist(),
+            "scale": [1.0, 1.0, 1.0],
+        }
+        actors.append(
+            {
+                "name": f"A{n}",
+                "label": f"A{n}",
+                "class": "/Script/Engine.StaticMeshActor",
+                "asset_path": kind,
+                "component_asset_paths": [kind],
+                "transform": transform,
+                "logical_object_id": [None, "table", "chair"][int(rng.integers(3))],
+                "collision": {"collision_enabled": bool(rng.random() > 0.2)},
+                "bounds": {"origin_cm": transform["location_cm"], "extent_cm": rng.uniform(20, 300, 3).tolist()},
+                "c4s": {
+                    "components": [
+                        {
+                            "name": "Mesh",
+                            "class": "/Script/Engine.StaticMeshComponent",
+                            "mesh": kind,
+                            "transform": transform,
+                            "collision_enabled": True,
+                        }
+                    ]
+                },
+            }
+        )
+    return {
+        "schema_version": "0.3.0",
+        "units": "cm",
+        "actors": actors,
+        "c4s": {"engine": "headless", "meshes": {kind: {"collision": body} for kind, body in KINDS.items()}},
+    }
 
 
 @settings(max_examples=15)
@@ -42,8 +67,10 @@ def test_the_verdict_is_that_of_all_contacts(seed: int, spread_cm: float, count:
     every = scene_contacts(scene, scene_bodies(scene), minimum_depth_cm=5.0)
     found, wanted = (verify_physics("text-to-scene", scene, contacts=contacts) for contacts in (None, every))
     assert found.score == wanted.score
-    states = [[(row["actor"], row["state"], row["tolerance_cm"]) for row in
-               verdict.measurements["leaf_results"][1]["actors"]] for verdict in (found, wanted)]
+    states = [
+        [(row["actor"], row["state"], row["tolerance_cm"]) for row in verdict.measurements["leaf_results"][1]["actors"]]
+        for verdict in (found, wanted)
+    ]
     assert states[0] == states[1]
 
 

@@ -30,9 +30,18 @@ def states(leaf: dict[str, Any]) -> dict[str, str]:
     return {row["actor"]: row["state"] for row in leaf["actors"]}
 
 
-@pytest.mark.parametrize(("extent", "tolerance"), [
-    ((50, 50, 50), 5.0), ((51, 900, 900), 5.1), ((0, 0, 0), 5.0), ((500, 500, 2), 5.0), ((499.9, 500, 501), 49.99),
-    ((500, 500, 500), 50.0), ((9000, 9000, 9000), 50.0)])
+@pytest.mark.parametrize(
+    ("extent", "tolerance"),
+    [
+        ((50, 50, 50), 5.0),
+        ((51, 900, 900), 5.1),
+        ((0, 0, 0), 5.0),
+        ((500, 500, 2), 5.0),
+        ((499.9, 500, 501), 49.99),
+        ((500, 500, 500), 50.0),
+        ((9000, 9000, 9000), 50.0),
+    ],
+)
 def test_the_tolerance_is_a_twentieth_of_the_shortest_span(extent, tolerance):
     assert adaptive_tolerance_cm(extent) == pytest.approx(tolerance)
 
@@ -43,11 +52,15 @@ def test_each_actor_has_its_state_tolerance_and_contacts_in_the_verdict():
     other = actor("Other", (430, 0, 50))
     leaf = penetration(snapshot(big, small, other, actor("Far", (5000, 0, 50))))
     rows = {row["actor"]: row for row in leaf["actors"]}
-    assert {name: (row["state"], row["tolerance_cm"], [(c["actor"], c["depth_cm"], c["trusted"])
-                                                       for c in row["contacts"]]) for name, row in rows.items()} == {
+    assert {
+        name: (row["state"], row["tolerance_cm"], [(c["actor"], c["depth_cm"], c["trusted"]) for c in row["contacts"]])
+        for name, row in rows.items()
+    } == {
         "Big": ("clean", 30.0, [("Small", 10.0, True)]),
         "Small": ("violating", 5.0, [("Big", 10.0, True), ("Other", 10.0, True)]),
-        "Other": ("violating", 5.0, [("Small", 10.0, True)]), "Far": ("clean", 5.0, [])}
+        "Other": ("violating", 5.0, [("Small", 10.0, True)]),
+        "Far": ("clean", 5.0, []),
+    }
     assert (leaf["evaluated"], leaf["failed"], leaf["unresolved"], leaf["score"]) == (4, 2, 0, 0.5)
     assert [row["actor"] for row in leaf["violations"]] == ["Small", "Other"]
 
@@ -81,8 +94,9 @@ def test_an_actor_without_a_valid_box_is_unresolved(bounds):
     after = leaves(verify_physics(I2S, clean, snapshot()))["solid_penetration"]
     assert (after["status"], after["score"], after["evaluated"], after["unresolved"]) == ("not_evaluated", None, 1, 1)
     assert [row["reason"] for row in after["actors"] if row["state"] == "unresolved"] == ["no valid world box"]
-    proven = leaves(verify_physics(I2S, snapshot(boxless, actor("A", (0, 0, 50)), actor("B", (60, 0, 50))),
-                                   snapshot()))["solid_penetration"]
+    proven = leaves(
+        verify_physics(I2S, snapshot(boxless, actor("A", (0, 0, 50)), actor("B", (60, 0, 50))), snapshot())
+    )["solid_penetration"]
     assert (proven["status"], proven["score"], proven["unresolved"]) == ("measured", 0.0, 1)
 
 
@@ -95,8 +109,9 @@ def test_a_neighbour_without_known_bodies_leaves_an_actor_open_and_a_far_one_doe
     assert "no collision bodies" in reasons["Unknown"] and "meets the box" in reasons["Near"]
 
 
-@pytest.mark.parametrize("mesh", [None, {"collision": None}, {"collision": [{"kind": "sphere", "center": [0, 0, 0],
-                                                                             "radius": NAN}]}])
+@pytest.mark.parametrize(
+    "mesh", [None, {"collision": None}, {"collision": [{"kind": "sphere", "center": [0, 0, 0], "radius": NAN}]}]
+)
 def test_unreadable_bodies_never_make_an_actor_clean(mesh):
     scene = snapshot(actor("A", (0, 0, 50)), actor("B", (20, 0, 50)))
     scene["c4s"]["meshes"][CUBE] = mesh
@@ -110,8 +125,9 @@ def test_a_backdrop_is_not_scored_but_containment_in_it_is():
     assert {c["actor"] for row in leaf["violations"] for c in row["contacts"]} == {"Mountain"}
 
 
-@pytest.mark.parametrize("change", [{"collision": {"collision_enabled": False}}, {"class": "/Script/Engine.PointLight"},
-                                    {"label": "River"}])
+@pytest.mark.parametrize(
+    "change", [{"collision": {"collision_enabled": False}}, {"class": "/Script/Engine.PointLight"}, {"label": "River"}]
+)
 def test_contacts_with_what_is_not_solid_do_not_count(change):
     leaf = penetration(snapshot(actor("A", (0, 0, 50)), actor("B", (20, 0, 50)) | change))
     assert [(row["state"], row["contacts"]) for row in leaf["actors"]] == [("clean", [])]
@@ -121,8 +137,9 @@ def test_image_to_scene_scores_the_edited_actors_against_all():
     base = [actor("A", (0, 0, 50)), actor("B", (20, 0, 50))]
     after = snapshot(*base, actor("New", (100, 0, 50)))
     leaf = leaves(verify_physics(I2S, after, snapshot(*base)))["solid_penetration"]
-    assert [(row["actor"], row["state"], [c["actor"] for c in row["contacts"]]) for row in leaf["actors"]] == \
-        [("New", "violating", ["B"])]
+    assert [(row["actor"], row["state"], [c["actor"] for c in row["contacts"]]) for row in leaf["actors"]] == [
+        ("New", "violating", ["B"])
+    ]
 
 
 def test_actors_without_a_name_are_judged_too():
@@ -137,8 +154,15 @@ def test_actors_without_a_name_are_judged_too():
 @given(st.integers(0, 100_000))
 def test_order_names_and_ids_change_nothing(seed):
     rng = random.Random(seed)
-    made = [actor(f"A{n}", [rng.uniform(-200, 200), rng.uniform(-200, 200), 50.0],
-                  [rng.uniform(20, 150) for _ in range(3)], bodies=rng.random() < 0.97) for n in range(12)]
+    made = [
+        actor(
+            f"A{n}",
+            [rng.uniform(-200, 200), rng.uniform(-200, 200), 50.0],
+            [rng.uniform(20, 150) for _ in range(3)],
+            bodies=rng.random() < 0.97,
+        )
+        for n in range(12)
+    ]
     first = penetration(snapshot(*made))
     order = rng.sample(range(12), 12)
     renamed = [made[n] | {"name": f"Z{n}", "label": f"Z{n}", "stable_actor_id": f"other{n}"} for n in order]
@@ -158,15 +182,38 @@ def test_a_scene_or_an_input_without_actors_is_bad_input(broken):
         verify_physics(I2S, snapshot(actor("A", (0, 0, 50))), broken)
 
 
-JUNK = st.recursive(st.none() | st.booleans() | st.integers(-5, 5) | st.floats() | st.sampled_from(["", "x", CUBE]),
-                    lambda part: st.lists(part, max_size=3) | st.dictionaries(
-                        st.sampled_from(["components", "mesh", "transform", "location_cm", "origin_cm", "meshes"]),
-                        part, max_size=3), max_leaves=5)
+JUNK = st.recursive(
+    st.none() | st.booleans() | st.integers(-5, 5) | st.floats() | st.sampled_from(["", "x", CUBE]),
+    lambda part: (
+        st.lists(part, max_size=3)
+        | st.dictionaries(
+            st.sampled_from(["components", "mesh", "transform", "location_cm", "origin_cm", "meshes"]), part, max_size=3
+        )
+    ),
+    max_leaves=5,
+)
 
 
 @settings(max_examples=150, deadline=None)
-@given(st.sampled_from(["collision", "transform", "component_asset_paths", "actor_tags", "c4s", "export_diagnostics",
-                        "label", "name", "class", "asset_path", "logical_object_id", "material_paths"]), JUNK)
+@given(
+    st.sampled_from(
+        [
+            "collision",
+            "transform",
+            "component_asset_paths",
+            "actor_tags",
+            "c4s",
+            "export_diagnostics",
+            "label",
+            "name",
+            "class",
+            "asset_path",
+            "logical_object_id",
+            "material_paths",
+        ]
+    ),
+    JUNK,
+)
 def test_a_damaged_actor_ends_no_run_and_is_never_proven_clean_by_it(field, value):
     """Both actors overlap deeply: whatever is damaged, the other one is violating or open, unless the damage says that
     the first has no collision."""

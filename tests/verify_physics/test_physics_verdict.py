@@ -20,20 +20,40 @@ def actor(name: str, location: Any, half: Any = (50, 50, 50), *, bodies: bool = 
     scale = [h / 50 for h in half]
     transform = {"location_cm": list(location), "rotation_deg": [0.0, 0.0, 0.0], "scale": scale}
     record: dict[str, Any] = {
-        "stable_actor_id": f"id_{name}", "name": name, "label": name, "class": "/Script/Engine.StaticMeshActor",
-        "asset_path": CUBE, "component_asset_paths": [CUBE], "collision": {"collision_enabled": True},
-        "actor_tags": [], "transform": transform,
-        "bounds": {"origin_cm": list(location), "extent_cm": [float(h) for h in half]}}
+        "stable_actor_id": f"id_{name}",
+        "name": name,
+        "label": name,
+        "class": "/Script/Engine.StaticMeshActor",
+        "asset_path": CUBE,
+        "component_asset_paths": [CUBE],
+        "collision": {"collision_enabled": True},
+        "actor_tags": [],
+        "transform": transform,
+        "bounds": {"origin_cm": list(location), "extent_cm": [float(h) for h in half]},
+    }
     if bodies:
-        record["c4s"] = {"components": [{"name": "Mesh", "class": "/Script/Engine.StaticMeshComponent", "mesh": CUBE,
-                                         "transform": transform, "collision_enabled": True}]}
+        record["c4s"] = {
+            "components": [
+                {
+                    "name": "Mesh",
+                    "class": "/Script/Engine.StaticMeshComponent",
+                    "mesh": CUBE,
+                    "transform": transform,
+                    "collision_enabled": True,
+                }
+            ]
+        }
     return record | more
 
 
 def snapshot(*actors: dict[str, Any]) -> dict[str, Any]:
     body = {"kind": "box", "center": [0, 0, 0], "half_extent": [50, 50, 50]}
-    return {"schema_version": "0.3.0", "units": "cm", "actors": list(actors),
-            "c4s": {"engine": "headless", "meshes": {CUBE: {"collision": [body]}}}}
+    return {
+        "schema_version": "0.3.0",
+        "units": "cm",
+        "actors": list(actors),
+        "c4s": {"engine": "headless", "meshes": {CUBE: {"collision": [body]}}},
+    }
 
 
 def leaves(verdict) -> dict[str, dict[str, Any]]:
@@ -47,8 +67,9 @@ def test_a_sound_scene_is_one():
 
 
 def test_floating_and_penetration_each_cost_their_share():
-    scene = snapshot(actor("A", (0, 0, 50)), actor("B", (60, 0, 50)), actor("C", (1000, 0, 300)),
-                     actor("D", (2000, 0, 50)))
+    scene = snapshot(
+        actor("A", (0, 0, 50)), actor("B", (60, 0, 50)), actor("C", (1000, 0, 300)), actor("D", (2000, 0, 50))
+    )
     verdict = verify_physics("text-to-scene", scene)
     found = leaves(verdict)
     assert (found["floating"]["score"], found["solid_penetration"]["score"]) == (0.25, 0.5)
@@ -57,9 +78,17 @@ def test_floating_and_penetration_each_cost_their_share():
     assert [(v["actor"], v["contacts"][0]["depth_cm"]) for v in deep] == [("A", 40.0), ("B", 40.0)]
 
 
-@pytest.mark.parametrize(("half", "depth", "violates"), [
-    ((50, 50, 50), 5.0, False), ((50, 50, 50), 5.01, True), ((200, 200, 200), 19.9, False),
-    ((200, 200, 200), 20.1, True), ((1000, 1000, 1000), 49.9, False), ((1000, 1000, 1000), 50.1, True)])
+@pytest.mark.parametrize(
+    ("half", "depth", "violates"),
+    [
+        ((50, 50, 50), 5.0, False),
+        ((50, 50, 50), 5.01, True),
+        ((200, 200, 200), 19.9, False),
+        ((200, 200, 200), 20.1, True),
+        ((1000, 1000, 1000), 49.9, False),
+        ((1000, 1000, 1000), 50.1, True),
+    ],
+)
 def test_text_to_scene_tolerance_grows_with_the_actor(half, depth, violates):
     scene = snapshot(actor("A", (0, 0, half[2]), half), actor("B", (2 * half[0] - depth, 0, half[2]), half))
     assert bool(leaves(verify_physics("text-to-scene", scene))["solid_penetration"]["violations"]) is violates
@@ -90,9 +119,20 @@ def test_labels_and_tags_are_edits(edit):
     assert leaves(verify_physics(I2S, after, before))["floating"]["score"] == 1.0
 
 
-@pytest.mark.parametrize(("place", "floats"), [
-    ((0, 0, 150), False), ((0, 0, 155), False), ((0, 0, 155.1), True), ((0, 0, 147), False),
-    ((100, 0, 60), False), ((105, 0, 60), False), ((105.1, 0, 60), True), ((0, 300, 50), True), ((0, 0, -50), True)])
+@pytest.mark.parametrize(
+    ("place", "floats"),
+    [
+        ((0, 0, 150), False),
+        ((0, 0, 155), False),
+        ((0, 0, 155.1), True),
+        ((0, 0, 147), False),
+        ((100, 0, 60), False),
+        ((105, 0, 60), False),
+        ((105.1, 0, 60), True),
+        ((0, 300, 50), True),
+        ((0, 0, -50), True),
+    ],
+)
 def test_edited_actors_are_held_from_below_or_the_side(place, floats):
     base = actor("A", (0, 0, 50))
     found = leaves(verify_physics(I2S, snapshot(base, actor("B", place)), snapshot(base)))["floating"]
@@ -100,8 +140,9 @@ def test_edited_actors_are_held_from_below_or_the_side(place, floats):
     assert (found["score"] == 1.0) is floats
 
 
-@pytest.mark.parametrize(("gap", "floats"), [(0.0, False), (0.3, False), (1.0, False), (2.2, False), (4.9, False),
-                                             (5.0, False), (5.1, True)])
+@pytest.mark.parametrize(
+    ("gap", "floats"), [(0.0, False), (0.3, False), (1.0, False), (2.2, False), (4.9, False), (5.0, False), (5.1, True)]
+)
 @pytest.mark.parametrize("axis", [0, 2])
 def test_thin_things_hold_and_are_held_all_along_the_way(gap, floats, axis):
     thin, place = [50.0, 50.0, 50.0], [0.0, 0.0, 200.0]
@@ -174,13 +215,28 @@ def test_one_logical_object_does_not_collide_with_itself():
 
 
 def test_roles():
-    scene = [actor("SM_FloorTile1", (0, 0, 0), (200, 200, 2)), actor("FloorLamp", (0, 0, 90), (20, 20, 90)),
-             actor("River_Water", (0, 0, 0)), actor("Smoke", (0, 0, 0)) | {"class": "/Script/Niagara.NiagaraActor"},
-             actor("A", (0, 0, 0), collision={"collision_enabled": False}), actor("B", (0, 0, 0), bounds=None),
-             *(actor(f"C{i}", (i * 200, 0, 50)) for i in range(5)),
-             actor("Mountain_Ring", (0, 0, 0), (40000, 40000, 20000)), actor("Tower", (0, 0, 0), (40000, 40000, 20000))]
-    assert roles(scene) == ["support_surface", "scored_solid", "non_solid", "non_solid", "non_solid", "unresolved",
-                            *["scored_solid"] * 5, "environment_proxy", "scored_solid"]
+    scene = [
+        actor("SM_FloorTile1", (0, 0, 0), (200, 200, 2)),
+        actor("FloorLamp", (0, 0, 90), (20, 20, 90)),
+        actor("River_Water", (0, 0, 0)),
+        actor("Smoke", (0, 0, 0)) | {"class": "/Script/Niagara.NiagaraActor"},
+        actor("A", (0, 0, 0), collision={"collision_enabled": False}),
+        actor("B", (0, 0, 0), bounds=None),
+        *(actor(f"C{i}", (i * 200, 0, 50)) for i in range(5)),
+        actor("Mountain_Ring", (0, 0, 0), (40000, 40000, 20000)),
+        actor("Tower", (0, 0, 0), (40000, 40000, 20000)),
+    ]
+    assert roles(scene) == [
+        "support_surface",
+        "scored_solid",
+        "non_solid",
+        "non_solid",
+        "non_solid",
+        "unresolved",
+        *["scored_solid"] * 5,
+        "environment_proxy",
+        "scored_solid",
+    ]
 
 
 def test_a_support_surface_is_not_scored_but_its_contacts_are():

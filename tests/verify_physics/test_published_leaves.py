@@ -21,9 +21,16 @@ def row(count: int, *, bodies: bool = True) -> list[dict[str, Any]]:
     return [actor(f"A{n}", (1000 * n, 0, 50), bodies=bodies) for n in range(count)]
 
 
-@pytest.mark.parametrize(("total", "deep", "leaf", "score"), [
-    (3, 1, 0.6667, 0.8334), (3, 2, 0.3333, 0.6666), (6, 1, 0.8333, 0.9166), (7, 2, 0.7143, 0.8572),
-    (4, 1, 0.75, 0.875)])
+@pytest.mark.parametrize(
+    ("total", "deep", "leaf", "score"),
+    [
+        (3, 1, 0.6667, 0.8334),
+        (3, 2, 0.3333, 0.6666),
+        (6, 1, 0.8333, 0.9166),
+        (7, 2, 0.7143, 0.8572),
+        (4, 1, 0.75, 0.875),
+    ],
+)
 def test_a_leaf_has_four_decimals_before_it_is_weighted(total: int, deep: int, leaf: float, score: float) -> None:
     """Half of the unrounded third would give 0.8333: the last published digit."""
     scene = snapshot(*row(total, bodies=False), actor("Floor", (0, 0, -10), (400, 400, 10), bodies=False))
@@ -44,7 +51,8 @@ def test_the_floating_leaf_of_edits_is_rounded_too() -> None:
 def test_a_contact_without_a_trusted_depth_keeps_its_actors_open_however_shallow(depth: float) -> None:
     pair = snapshot(*(actor(n, (i * 380, 0, 200), (200,) * 3, bodies=False) for i, n in enumerate("AB")))
     leaf = leaves(verify_physics("text-to-scene", pair, contacts=[Contact("A", "B", depth, False, 0, 1)]))[
-        "solid_penetration"]
+        "solid_penetration"
+    ]
     assert (leaf["status"], leaf["evaluated"], leaf["unresolved"]) == ("not_evaluated", 0, 2)
     assert leaf["violations"] == []
     both = [Contact("A", "B", depth, False, 0, 1), Contact("A", "B", 25.0, True, 0, 1)]
@@ -55,8 +63,11 @@ def test_a_contact_without_a_trusted_depth_keeps_its_actors_open_however_shallow
 
 @pytest.mark.parametrize(("depth", "violates"), [(5.0, False), (5.0000001, True)])
 def test_a_depth_that_another_engine_measured_is_taken_to_the_last_digit(depth: float, violates: bool) -> None:
-    leaf = leaves(verify_physics("text-to-scene", snapshot(*row(2, bodies=False)),
-                                 contacts=[Contact("A0", "A1", depth, True, 0, 1)]))["solid_penetration"]
+    leaf = leaves(
+        verify_physics(
+            "text-to-scene", snapshot(*row(2, bodies=False)), contacts=[Contact("A0", "A1", depth, True, 0, 1)]
+        )
+    )["solid_penetration"]
     assert leaf["score"] == (0.0 if violates else 1.0)
 
 
@@ -80,19 +91,30 @@ def test_ids_of_a_logical_object_are_compared_as_text() -> None:
 
 
 EDITS = [
-    ({}, False), ({"label": "renamed"}, True), ({"actor_tags": ["x"]}, True), ({"actor_tags": None}, False),
-    ({"actor_role": "prop"}, True), ({"actor_role": ""}, False), ({"actor_origin": "agent"}, True),
-    ({"logical_object_id": "o"}, True), ({"properties": {"intensity": 2}}, True),
-    ({"properties": {"intensity": 1, "mobility": "static"}}, False), ({"class": "StaticMeshActor"}, True),
-    ({"asset_path": "/Game/P/SM_Other.SM_Other"}, True), ({"bounds": None}, False), ({"name": "Other"}, False),
+    ({}, False),
+    ({"label": "renamed"}, True),
+    ({"actor_tags": ["x"]}, True),
+    ({"actor_tags": None}, False),
+    ({"actor_role": "prop"}, True),
+    ({"actor_role": ""}, False),
+    ({"actor_origin": "agent"}, True),
+    ({"logical_object_id": "o"}, True),
+    ({"properties": {"intensity": 2}}, True),
+    ({"properties": {"intensity": 1, "mobility": "static"}}, False),
+    ({"class": "StaticMeshActor"}, True),
+    ({"asset_path": "/Game/P/SM_Other.SM_Other"}, True),
+    ({"bounds": None}, False),
+    ({"name": "Other"}, False),
     ({"transform": {"location_cm": [0.05, 0, 50], "rotation_deg": [0, 180, 0], "scale": [1, 1, 1]}}, False),
-    ({"transform": {"location_cm": [0, 0, 50], "rotation_deg": [0, -180, 0], "scale": [1, 1, 1]}}, True)]
+    ({"transform": {"location_cm": [0, 0, 50], "rotation_deg": [0, -180, 0], "scale": [1, 1, 1]}}, True),
+]
 
 
 @pytest.mark.parametrize(("change", "edited"), EDITS)
 def test_what_counts_as_an_edit(change: dict[str, Any], edited: bool) -> None:
-    old = actor("A", (0, 0, 50), actor_role=None, actor_origin=None, logical_object_id=None,
-                properties={"intensity": 1})
+    old = actor(
+        "A", (0, 0, 50), actor_role=None, actor_origin=None, logical_object_id=None, properties={"intensity": 1}
+    )
     old["transform"]["rotation_deg"] = [0, 180, 0]
     new = copy.deepcopy(old) | change
     assert edited_actors(snapshot(new), snapshot(old)) == ([0] if edited else [])
@@ -108,9 +130,14 @@ def test_what_the_input_does_not_record_is_no_edit(field: str) -> None:
 def test_every_rule_behind_a_verdict_is_named() -> None:
     one = actor("A", (0, 0, 50))
     for setting, start, profile, tolerance in (
-            ("text-to-scene", None, "absolute-physical-safety-candidate-all-v3",
-             "actor_shortest_full_aabb_span_clamped_v1"),
-            (I2S, snapshot(), "image-to-scene-edited-actors-physical-safety", "fixed_declared_tolerance")):
+        (
+            "text-to-scene",
+            None,
+            "absolute-physical-safety-candidate-all-v3",
+            "actor_shortest_full_aabb_span_clamped_v1",
+        ),
+        (I2S, snapshot(), "image-to-scene-edited-actors-physical-safety", "fixed_declared_tolerance"),
+    ):
         verdict = verify_physics(setting, snapshot(one), start)
         assert (verdict.policy, verdict.measurements["profile"]) == ("physics-all-leaves-zero.v2", profile)
         assert verdict.measurements["role_policy"] == "deterministic_scene_relative_physics_roles_v1"

@@ -25,17 +25,27 @@ def with_slot(**change: Any) -> Scene:
     return chair
 
 
-@pytest.mark.parametrize(("slot", "reached"), [
-    ({"component_identity": ""}, False), ({"component_identity": "  "}, False), ({"component_identity": None}, False),
-    ({"component_identity": 5}, True), ({"is_dynamic": 1}, True), ({"is_dynamic": True}, False),
-    ({"material_path": "Material'/Game/Room/M_Chair.M_Chair'"}, True), ({"material_path": "'M_Chair'"}, False)])
+@pytest.mark.parametrize(
+    ("slot", "reached"),
+    [
+        ({"component_identity": ""}, False),
+        ({"component_identity": "  "}, False),
+        ({"component_identity": None}, False),
+        ({"component_identity": 5}, True),
+        ({"is_dynamic": 1}, True),
+        ({"is_dynamic": True}, False),
+        ({"material_path": "Material'/Game/Room/M_Chair.M_Chair'"}, True),
+        ({"material_path": "'M_Chair'"}, False),
+    ],
+)
 def test_which_material_slots_can_be_measured(slot: dict[str, Any], reached: bool) -> None:
     chair = with_slot(**slot)
     assert counts(scene(WALL), scene(WALL, chair), scene(WALL, chair)) == ((1, 0, 0) if reached else (0, 1, 1))
 
 
-@pytest.mark.parametrize("written", ["Material'/Game/Room/M_Chair.M_Chair'", " /Game/Room/M_Chair.M_Chair\n",
-                                     "/GAME/Room/M_Chair.M_Chair"])
+@pytest.mark.parametrize(
+    "written", ["Material'/Game/Room/M_Chair.M_Chair'", " /Game/Room/M_Chair.M_Chair\n", "/GAME/Room/M_Chair.M_Chair"]
+)
 def test_material_paths_are_compared_without_export_quotes_blanks_and_case(written: str) -> None:
     other = with_slot(material_path=written) | {"material_paths": [written]}
     assert counts(scene(WALL), scene(WALL, CHAIR), scene(WALL, other)) == (1, 0, 0)

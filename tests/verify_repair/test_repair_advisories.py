@@ -9,8 +9,9 @@ from c4s.verify.repair import repair_verdict
 from c4s.verify.verdict import Verdict
 from tests.verify_repair.repair_scenes import Scene, actor, moved, scene, with_actor, without
 
-ROOM = scene(actor("globe", "Globe", (0, 0, 80)), actor("chair", "Chair", (120, 0, 0)),
-             actor("plant", "Plant", (-150, 40, 0)))
+ROOM = scene(
+    actor("globe", "Globe", (0, 0, 80)), actor("chair", "Chair", (120, 0, 0)), actor("plant", "Plant", (-150, 40, 0))
+)
 START = moved(ROOM, "chair", 60)
 
 
@@ -53,8 +54,9 @@ def test_a_target_that_only_its_box_misses() -> None:
 
 def test_a_removal_by_clearing_the_mesh() -> None:
     start = with_actor(START, actor("extra", "Box", (300, 0, 0)))
-    cleared = edited(with_actor(ROOM, actor("extra", "Box", (300, 0, 0))), "extra", asset_path=None,
-                     component_asset_paths=[])
+    cleared = edited(
+        with_actor(ROOM, actor("extra", "Box", (300, 0, 0))), "extra", asset_path=None, component_asset_paths=[]
+    )
     verdict = repair_verdict(start, ROOM, cleared)
     assert told(verdict) == {"cleared-removal": ["extra"]}
     assert (verdict.measurements["tp"], verdict.measurements["fp"]) == (2, 1)
@@ -62,8 +64,9 @@ def test_a_removal_by_clearing_the_mesh() -> None:
 
 def test_a_survivor_names_both_actors() -> None:
     truth = scene(actor("kept", "Globe", (0, 0, 0)), actor("chair", "Chair", (500, 0, 0)))
-    start = scene(actor("kept", "Globe", (0, 0, 0)), actor("chair", "Chair", (700, 0, 0)),
-                  actor("spare", "Chair", (490, 0, 0)))
+    start = scene(
+        actor("kept", "Globe", (0, 0, 0)), actor("chair", "Chair", (700, 0, 0)), actor("spare", "Chair", (490, 0, 0))
+    )
     candidate = moved(without(start, "chair"), "spare", 10)
     verdict = repair_verdict(start, truth, candidate)
     assert told(verdict)["rebound-survivor"] == ["chair", "spare"]

@@ -14,10 +14,43 @@ from c4s.errors import BadInput
 from c4s.verify.repair import repair_verdict, verify_repair
 from tests.verify_repair.repair_scenes import Scene, actor, scene
 
-ODD = st.sampled_from([None, True, 0, -0.0, "", "1.5", [], {}, [1, 2], [1, 2, 3], [True, 0, 0], [0.0, 0.0, 1e308],
-                       float("nan"), [float("inf"), 0, 0], {"location_cm": [1, 2, 3]}, "/Game/A.A", "ü\\\"\n"])
-FIELDS = st.sampled_from(["class", "asset_path", "component_asset_paths", "transform", "material_paths", "properties",
-                          "component_material_slots", "bounds", "label", "stable_actor_id", "text", "parsed"])
+ODD = st.sampled_from(
+    [
+        None,
+        True,
+        0,
+        -0.0,
+        "",
+        "1.5",
+        [],
+        {},
+        [1, 2],
+        [1, 2, 3],
+        [True, 0, 0],
+        [0.0, 0.0, 1e308],
+        float("nan"),
+        [float("inf"), 0, 0],
+        {"location_cm": [1, 2, 3]},
+        "/Game/A.A",
+        'ü\\"\n',
+    ]
+)
+FIELDS = st.sampled_from(
+    [
+        "class",
+        "asset_path",
+        "component_asset_paths",
+        "transform",
+        "material_paths",
+        "properties",
+        "component_material_slots",
+        "bounds",
+        "label",
+        "stable_actor_id",
+        "text",
+        "parsed",
+    ]
+)
 PLACES = st.sampled_from([0.0, 0.05, 0.1, 0.15, 49.95, 50.0, 400.0, -1e9])
 
 
@@ -25,8 +58,12 @@ PLACES = st.sampled_from([0.0, 0.05, 0.1, 0.15, 49.95, 50.0, 400.0, -1e9])
 def _scene(draw: st.DrawFn) -> Scene:
     actors = []
     for n in range(draw(st.integers(0, 5))):
-        one = actor(f"{n}", draw(st.sampled_from(["Chair", "Table"])), (draw(PLACES), 0.0, 0.0),
-                    yaw=draw(st.sampled_from([0.0, 180.0, -180.0])))
+        one = actor(
+            f"{n}",
+            draw(st.sampled_from(["Chair", "Table"])),
+            (draw(PLACES), 0.0, 0.0),
+            yaw=draw(st.sampled_from([0.0, 180.0, -180.0])),
+        )
         for field, value in draw(st.dictionaries(FIELDS, ODD, max_size=2)).items():
             one[field] = value
         actors.append(one)

@@ -42,12 +42,18 @@ def test_intermediate_results_agree(rows: list[dict[str, Any]]) -> None:
             continue
         result = repair(row["input"], row["ground_truth"], row["candidate"])
         case, detail = result.case, row["detail"]
-        assert [[t.operation, sorted(t.fields)] for t in case.targets] == \
-            [[operation, sorted(fields)] for operation, fields in detail["targets"]], row["name"]
+        assert [[t.operation, sorted(t.fields)] for t in case.targets] == [
+            [operation, sorted(fields)] for operation, fields in detail["targets"]
+        ], row["name"]
         assert Counter(pair.method for pair in case.matched.pairs) == detail["methods"], row["name"]
-        assert {"m": len(result.accepted), "d": len(result.removed_targets), "C": len(case.pool),
-                "o": len(result.losses), "repurposed": len(result.repurposed), "rebinds": result.rebound} == \
-            {key: detail[key] for key in ("m", "d", "C", "o", "repurposed", "rebinds")}, row["name"]
+        assert {
+            "m": len(result.accepted),
+            "d": len(result.removed_targets),
+            "C": len(case.pool),
+            "o": len(result.losses),
+            "repurposed": len(result.repurposed),
+            "rebinds": result.rebound,
+        } == {key: detail[key] for key in ("m", "d", "C", "o", "repurposed", "rebinds")}, row["name"]
 
 
 def test_files_give_what_plain_data_gives(rows: list[dict[str, Any]], tmp_path: Path) -> None:

@@ -45,8 +45,12 @@ def changed(record: Scene, fate: str) -> list[Scene]:
 def cases(draw: st.DrawFn) -> tuple[Scene, Scene, Scene]:
     """Input, truth and candidate: two differently damaged forms of one scene, with actors of their own."""
     places, own = iter(draw(PLACES)), draw(st.lists(st.sampled_from(KINDS), min_size=4, max_size=4))
-    truth = scene(*(actor(f"a{n}", draw(st.sampled_from(KINDS)), next(places), draw(st.sampled_from([0.0, 90.0])))
-                    for n in range(draw(st.integers(1, 7)))))
+    truth = scene(
+        *(
+            actor(f"a{n}", draw(st.sampled_from(KINDS)), next(places), draw(st.sampled_from([0.0, 90.0])))
+            for n in range(draw(st.integers(1, 7)))
+        )
+    )
 
     def damaged(extra: str) -> Scene:
         kept = [each for record in truth["actors"] for each in changed(record, draw(st.sampled_from(FATES)))]
@@ -66,8 +70,13 @@ def disguised(given: Scene, names: dict[str, str], rng: random.Random) -> Scene:
     result = deepcopy(given)
     for record in result["actors"]:
         new = names.setdefault(record["stable_actor_id"], rng.choice("abcXYZ") + str(len(names)))
-        record |= {"stable_actor_id": new, "label": f"Renamed {new}", "name": f"N_{new}", "actor_guid": new[::-1],
-                   "actor_path": f"/Game/S.S:PersistentLevel.{new}"}
+        record |= {
+            "stable_actor_id": new,
+            "label": f"Renamed {new}",
+            "name": f"N_{new}",
+            "actor_guid": new[::-1],
+            "actor_path": f"/Game/S.S:PersistentLevel.{new}",
+        }
     rng.shuffle(result["actors"])
     return result
 
@@ -109,10 +118,14 @@ def test_the_truth_scores_one_unless_a_removal_shares_its_kind(case: tuple[Scene
         return
     keep = {record["stable_actor_id"] for record in truth["actors"]}
     removed = kinds([record for record in start["actors"] if record["stable_actor_id"] not in keep])
-    wanted = {row["identity"].removeprefix("stable:"): row for row in verdict.measurements["targets"]
-              if row["operation"] != "remove"}
-    shared = [record for record in truth["actors"] if record["stable_actor_id"] in wanted
-              and record["asset_path"] in removed]
+    wanted = {
+        row["identity"].removeprefix("stable:"): row
+        for row in verdict.measurements["targets"]
+        if row["operation"] != "remove"
+    }
+    shared = [
+        record for record in truth["actors"] if record["stable_actor_id"] in wanted and record["asset_path"] in removed
+    ]
     told = [note for note in verdict.advisories if note["code"] == "removal-shares-a-descriptor"]
     if not shared:
         assert (verdict.score, told) == (1.0, [])
@@ -122,8 +135,9 @@ def test_the_truth_scores_one_unless_a_removal_shares_its_kind(case: tuple[Scene
 
 @settings(max_examples=80, deadline=None)
 @given(cases(), st.sampled_from([*KINDS, "Unheard"]))
-def test_a_stray_actor_beside_the_truth_is_exactly_one_false_positive(case: tuple[Scene, Scene, Scene],
-                                                                      kind: str) -> None:
+def test_a_stray_actor_beside_the_truth_is_exactly_one_false_positive(
+    case: tuple[Scene, Scene, Scene], kind: str
+) -> None:
     start, truth, _ = case
     before, stray = counts(start, truth, truth), actor("stray", kind, (9999.0, 9999.0, 0.0))
     assume(before is not None)
@@ -140,7 +154,8 @@ def test_a_stray_actor_beside_the_truth_is_exactly_one_false_positive(case: tupl
 @settings(max_examples=60, deadline=None)
 @given(cases())
 def test_a_stray_actor_of_no_known_kind_is_one_false_positive_beside_any_candidate(
-        case: tuple[Scene, Scene, Scene]) -> None:
+    case: tuple[Scene, Scene, Scene],
+) -> None:
     start, truth, candidate = case
     before = counts(*case)
     assume(before is not None)

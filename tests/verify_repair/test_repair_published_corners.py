@@ -10,8 +10,9 @@ import pytest
 from c4s.verify.batch import repair_row
 from tests.verify_repair.repair_scenes import Scene, actor, moved, scene
 
-ROOM = scene(actor("globe", "Globe", (0, 0, 80)), actor("chair", "Chair", (120, 0, 0)),
-             actor("plant", "Plant", (-150, 40, 0)))
+ROOM = scene(
+    actor("globe", "Globe", (0, 0, 80)), actor("chair", "Chair", (120, 0, 0)), actor("plant", "Plant", (-150, 40, 0))
+)
 START = moved(ROOM, "chair", 60)
 
 
@@ -32,8 +33,7 @@ def counts(scenes: dict[str, Scene]) -> Any:
     return "refused" if "error" in answer else (answer["tp"], answer["fp"], answer["fn"])
 
 
-@pytest.mark.parametrize("vector", [[float("nan"), 0, 0],
-                                    None, "x", ["a", 0, 0], {}])
+@pytest.mark.parametrize("vector", [[float("nan"), 0, 0], None, "x", ["a", 0, 0], {}])
 def test_vectors_that_are_no_numbers_differ_even_from_themselves(vector: Any) -> None:
     assert counts(everywhere({"location_cm": vector}, 0)) == (1, 1, 1)
 

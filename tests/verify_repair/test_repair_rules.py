@@ -17,8 +17,12 @@ from c4s.verify.batch import repair_batch
 from c4s.verify.repair import RELAXED, STRICT, repair, repair_verdict, verify_repair
 from tests.verify_repair.repair_scenes import Scene, actor, moved, renamed, scene, with_actor, without
 
-ROOM = scene(actor("globe", "Globe", (0, 0, 80)), actor("chair", "Chair", (120, 0, 0)),
-             actor("plant", "Plant", (-150, 40, 0)), actor("desk", "Desk", (0, 200, 0)))
+ROOM = scene(
+    actor("globe", "Globe", (0, 0, 80)),
+    actor("chair", "Chair", (120, 0, 0)),
+    actor("plant", "Plant", (-150, 40, 0)),
+    actor("desk", "Desk", (0, 200, 0)),
+)
 BOX = actor("box", "Box", (300, 300, 0))
 START = with_actor(moved(without(ROOM, "globe"), "chair", 60), BOX)
 
@@ -45,7 +49,9 @@ def test_explanation_names_every_target_and_every_false_positive() -> None:
     assert rows["chair"]["failed"] == ["position", "bounds_center"]
     assert rows["chair"]["errors"]["position_cm"] == 30.0
     assert sorted((row["actor"], row["kind"]) for row in found["false_positives"]) == [
-        ("chair", "repair_target_wrong"), ("plant", "background_lost")]
+        ("chair", "repair_target_wrong"),
+        ("plant", "background_lost"),
+    ]
     assert len(found["false_positives"]) == found["fp"]
 
 
@@ -62,15 +68,19 @@ def test_no_operation_and_a_perfect_repair() -> None:
     assert counts(START, ROOM, START) == (0, 1, 3)
 
 
-@pytest.mark.parametrize(("start", "truth", "candidate", "text"), [
-    (ROOM, ROOM, ROOM, "no repair target"),
-    (START, ROOM, {"actors": None}, "list 'actors'"),
-    (START, ROOM, {"actors": [], "export_metadata": {"status": "error"}}, "did not succeed"),
-    ({**START, "export_metadata": {}}, ROOM, ROOM, "did not succeed"),
-    (with_actor(START, START["actors"][0]), ROOM, ROOM, "two actors"),
-    (START, ROOM, [], "JSON object"),
-    (START, ROOM, {"actors": [3]}, "not a JSON object"),
-    (START, ROOM, {"actors": [{"class": "X"}]}, "no id")])
+@pytest.mark.parametrize(
+    ("start", "truth", "candidate", "text"),
+    [
+        (ROOM, ROOM, ROOM, "no repair target"),
+        (START, ROOM, {"actors": None}, "list 'actors'"),
+        (START, ROOM, {"actors": [], "export_metadata": {"status": "error"}}, "did not succeed"),
+        ({**START, "export_metadata": {}}, ROOM, ROOM, "did not succeed"),
+        (with_actor(START, START["actors"][0]), ROOM, ROOM, "two actors"),
+        (START, ROOM, [], "JSON object"),
+        (START, ROOM, {"actors": [3]}, "not a JSON object"),
+        (START, ROOM, {"actors": [{"class": "X"}]}, "no id"),
+    ],
+)
 def test_scenes_that_cannot_be_scored_are_refused(start: Any, truth: Any, candidate: Any, text: str) -> None:
     with pytest.raises(BadInput, match=text):
         repair(start, truth, candidate)
@@ -78,9 +88,13 @@ def test_scenes_that_cannot_be_scored_are_refused(start: Any, truth: Any, candid
 
 def test_files_are_read_with_their_digests_and_faults_are_told_apart(tmp_path: Path) -> None:
     paths = {}
-    for name, value in (("input", START), ("truth", ROOM), ("candidate", ROOM),
-                        ("double", with_actor(ROOM, ROOM["actors"][0])),
-                        ("failed", {"actors": [], "export_metadata": {"status": "error"}})):
+    for name, value in (
+        ("input", START),
+        ("truth", ROOM),
+        ("candidate", ROOM),
+        ("double", with_actor(ROOM, ROOM["actors"][0])),
+        ("failed", {"actors": [], "export_metadata": {"status": "error"}}),
+    ):
         paths[name] = tmp_path / f"{name}.json"
         paths[name].write_text(json.dumps(value))
     verdict = verify_repair(paths["input"], paths["truth"], paths["candidate"])
@@ -125,8 +139,10 @@ PLACES = st.tuples(st.integers(-6, 6), st.integers(-6, 6), st.integers(0, 1))
 @st.composite
 def repairs(draw: st.DrawFn) -> tuple[Scene, Scene, Scene]:
     """An input, a truth and a candidate that share most actors."""
-    actors = [actor(f"a{n}", draw(KINDS), tuple(100.0 * v for v in draw(PLACES)), draw(st.sampled_from([0.0, 90.0])))
-              for n in range(draw(st.integers(2, 8)))]
+    actors = [
+        actor(f"a{n}", draw(KINDS), tuple(100.0 * v for v in draw(PLACES)), draw(st.sampled_from([0.0, 90.0])))
+        for n in range(draw(st.integers(2, 8)))
+    ]
     truth = scene(*actors)
 
     def damaged() -> Scene:

@@ -22,25 +22,84 @@ AGENTS = ("alpha", "beta", "gamma")
 SCORES = st.sampled_from([None, 0.0, 0.2, 0.25, 1.0, 0.123456])
 
 
-def _store(root: Path, scores: dict[tuple[str, str, int], float | None], *, judge: str = "rule",
-           unranked: tuple[str, ...] = ()) -> None:
+def _store(
+    root: Path, scores: dict[tuple[str, str, int], float | None], *, judge: str = "rule", unranked: tuple[str, ...] = ()
+) -> None:
     for (agent, setting, number), score in scores.items():
         key = f"{agent}-{setting.replace('/', '-')}-{number}-{judge}"
-        base = {"trial_id": key, "run_id": "run", "suite": "s", "configuration": agent, "repeat": 1,
-                "case_id": f"{setting}-{number}"}
-        shared = {"setting": setting, "scene_id": "scene", "policy": "p", "judge": judge, "engine": "headless",
-                  "suite_digest": "d", "ranked": agent not in unranked}
-        write_part(root, "schedule", [ScheduleRow(
-            **base, **shared, client=agent, model=None, title="", prompt="", operations="", operation_group=None,
-            difficulty=None, proxy_assets=False)], suite="s", configuration=agent, key=key)
+        base = {
+            "trial_id": key,
+            "run_id": "run",
+            "suite": "s",
+            "configuration": agent,
+            "repeat": 1,
+            "case_id": f"{setting}-{number}",
+        }
+        shared = {
+            "setting": setting,
+            "scene_id": "scene",
+            "policy": "p",
+            "judge": judge,
+            "engine": "headless",
+            "suite_digest": "d",
+            "ranked": agent not in unranked,
+        }
+        write_part(
+            root,
+            "schedule",
+            [
+                ScheduleRow(
+                    **base,
+                    **shared,
+                    client=agent,
+                    model=None,
+                    title="",
+                    prompt="",
+                    operations="",
+                    operation_group=None,
+                    difficulty=None,
+                    proxy_assets=False,
+                )
+            ],
+            suite="s",
+            configuration=agent,
+            key=key,
+        )
         if score is None:
             continue
-        write_part(root, "outcomes", [OutcomeRow(
-            **base, **shared, status="measured", score=score, reason="", detailed=None, known_coverage=None,
-            overview=None, physics=0.5, repair_precision=None, repair_recall=None, repair_f1=score, attempts=1,
-            retained_attempt=1, tool_calls=1, attempt_wall_s=1.0, evaluation_s=1.0, orchestration_s=0.0,
-            input_tokens=None, output_tokens=None, cost_usd=None, score_sha256="0")],
-            suite="s", configuration=agent, key=key)
+        write_part(
+            root,
+            "outcomes",
+            [
+                OutcomeRow(
+                    **base,
+                    **shared,
+                    status="measured",
+                    score=score,
+                    reason="",
+                    detailed=None,
+                    known_coverage=None,
+                    overview=None,
+                    physics=0.5,
+                    repair_precision=None,
+                    repair_recall=None,
+                    repair_f1=score,
+                    attempts=1,
+                    retained_attempt=1,
+                    tool_calls=1,
+                    attempt_wall_s=1.0,
+                    evaluation_s=1.0,
+                    orchestration_s=0.0,
+                    input_tokens=None,
+                    output_tokens=None,
+                    cost_usd=None,
+                    score_sha256="0",
+                )
+            ],
+            suite="s",
+            configuration=agent,
+            key=key,
+        )
     rebuild(root)
 
 
@@ -52,20 +111,35 @@ def _grid() -> list[tuple[str, str, int]]:
 @given(st.lists(SCORES, min_size=len(_grid()), max_size=len(_grid())))
 def test_the_sql_agrees_with_the_score_package(values: list[float | None]) -> None:
     scores = dict(zip(_grid(), values, strict=True))
-    wanted = aggregate([{"model": agent, "setting": setting, "case_id": f"{setting}-{number}", "score": score,
-                         "repair_f1": score, "physics": 0.5}
-                        for (agent, setting, number), score in scores.items() if score is not None] or
-                       [{"model": "alpha", "setting": "text-to-scene", "case_id": "text-to-scene-0", "score": 0.0}],
-                       schedule={setting: [f"{setting}-{n}" for n in range(CASES[setting])] for setting in SETTINGS},
-                       missing_as_zero=False)
+    wanted = aggregate(
+        [
+            {
+                "model": agent,
+                "setting": setting,
+                "case_id": f"{setting}-{number}",
+                "score": score,
+                "repair_f1": score,
+                "physics": 0.5,
+            }
+            for (agent, setting, number), score in scores.items()
+            if score is not None
+        ]
+        or [{"model": "alpha", "setting": "text-to-scene", "case_id": "text-to-scene-0", "score": 0.0}],
+        schedule={setting: [f"{setting}-{n}" for n in range(CASES[setting])] for setting in SETTINGS},
+        missing_as_zero=False,
+    )
     with TemporaryDirectory() as folder:
         _store(Path(folder), scores)
         found = {row["configuration"]: row for row in rows(Path(folder), "SELECT * FROM leaderboard")}
     assert set(found) == set(AGENTS)
     for line in wanted:
         row = found[line["model"]]
-        for ours, theirs in (("model_score", "model_score"), ("text_to_scene", "t2s_score"),
-                             ("image_to_scene", "i2s_score"), ("indoor", "indoor_i2s_score")):
+        for ours, theirs in (
+            ("model_score", "model_score"),
+            ("text_to_scene", "t2s_score"),
+            ("image_to_scene", "i2s_score"),
+            ("indoor", "indoor_i2s_score"),
+        ):
             if line[theirs] is None or all(score is None for key, score in scores.items() if key[0] == line["model"]):
                 continue
             assert row[ours] == pytest.approx(line[theirs], abs=1e-12)
@@ -81,8 +155,14 @@ def test_other_judges_and_validating_agents_are_never_ranked_together(tmp_path: 
     _store(tmp_path, high, unranked=("gamma",))
     _store(tmp_path, low, judge="model")
     found = {(row["judge"], row["configuration"]): row["rank"] for row in rows(tmp_path, "SELECT * FROM leaderboard")}
-    assert found == {("rule", "alpha"): 1, ("rule", "beta"): 1, ("rule", "gamma"): None,
-                     ("model", "alpha"): 1, ("model", "beta"): 1, ("model", "gamma"): 1}
+    assert found == {
+        ("rule", "alpha"): 1,
+        ("rule", "beta"): 1,
+        ("rule", "gamma"): None,
+        ("model", "alpha"): 1,
+        ("model", "beta"): 1,
+        ("model", "gamma"): 1,
+    }
 
 
 def test_an_empty_warehouse_answers_and_a_wrong_query_is_one_line(tmp_path: Path) -> None:

@@ -54,9 +54,13 @@ class ApiAgent:
         if context.model is None:
             raise MachineryFault("no model was opened for this agent", where=context.configuration.name)
         log = context.folder / "api.jsonl"
-        chat = ChatClient(f"{context.model.url}/v1", context.model.token, wait=context.stopped,
-                          jitter=random.Random(f"{context.case.case_id}/{context.attempt}"),
-                          note=lambda record: append_json_line(log, record))
+        chat = ChatClient(
+            f"{context.model.url}/v1",
+            context.model.token,
+            wait=context.stopped,
+            jitter=random.Random(f"{context.case.case_id}/{context.attempt}"),
+            note=lambda record: append_json_line(log, record),
+        )
         try:
             with context.connect() as tools:
                 message = _Play(context, ApiOptions.of(context.configuration), chat, tools, log).play()
@@ -72,12 +76,17 @@ class ApiAgent:
 
 
 class _Play:
-    def __init__(self, context: AgentContext, options: ApiOptions, chat: ChatClient, tools: GatewayClient,
-                 log: Path) -> None:
+    def __init__(
+        self, context: AgentContext, options: ApiOptions, chat: ChatClient, tools: GatewayClient, log: Path
+    ) -> None:
         self._context, self._options, self._chat, self._tools, self._log = context, options, chat, tools, log
-        self._specs = [{"type": "function", "function": {
-            "name": tool.name, "description": tool.description or "", "parameters": tool.input_schema}}
-            for tool in tools.tools()]
+        self._specs = [
+            {
+                "type": "function",
+                "function": {"name": tool.name, "description": tool.description or "", "parameters": tool.input_schema},
+            }
+            for tool in tools.tools()
+        ]
         self._conversation = Conversation([{"role": "user", "content": self._first_message()}], self._specs)
 
     def _first_message(self) -> list[dict[str, Any]]:
@@ -121,12 +130,19 @@ class _Play:
             self._trim(number, round(REFILL * room), "the context fills up")
         while True:
             try:
-                reply = self._chat.ask({
-                    "model": self._context.configuration.model, "messages": self._conversation.messages(),
-                    "tools": self._specs, "tool_choice": "auto", **self._options.request_fields()})
+                reply = self._chat.ask(
+                    {
+                        "model": self._context.configuration.model,
+                        "messages": self._conversation.messages(),
+                        "tools": self._specs,
+                        "tool_choice": "auto",
+                        **self._options.request_fields(),
+                    }
+                )
             except ChatFailed as failure:
-                if failure.kind != "context" or not self._trim(number, round(
-                        REFILL * self._conversation.tokens()), "the model says that the prompt is too long"):
+                if failure.kind != "context" or not self._trim(
+                    number, round(REFILL * self._conversation.tokens()), "the model says that the prompt is too long"
+                ):
                     raise
                 continue
             self._conversation.learn(reply.prompt_tokens)
@@ -157,16 +173,28 @@ class _Play:
                     digests.append(digest_bytes(base64.b64decode(block.data)))
                     turn.pictures += self._picture(call["function"]["name"], block)
         self._conversation.turns.append(turn)
-        append_json_line(self._log, {"event": "turn", "turn": number, "finish": reply.finish, "pictures": digests,
-                                     "prompt_tokens": reply.prompt_tokens, "fingerprint": reply.fingerprint,
-                                     "assistant": turn.assistant, "results": [r["content"] for r in turn.results]})
+        append_json_line(
+            self._log,
+            {
+                "event": "turn",
+                "turn": number,
+                "finish": reply.finish,
+                "pictures": digests,
+                "prompt_tokens": reply.prompt_tokens,
+                "fingerprint": reply.fingerprint,
+                "assistant": turn.assistant,
+                "results": [r["content"] for r in turn.results],
+            },
+        )
         return stopped
 
     def _picture(self, tool: str, block: wire.ImageContent) -> list[dict[str, Any]]:
         if not self._options.pictures:
             return [{"type": "text", "text": f"{tool} made a picture, which this model cannot see."}]
-        return [{"type": "text", "text": f"Picture of {tool}:"},
-                {"type": "image_url", "image_url": {"url": f"data:{block.mime_type};base64,{block.data}"}}]
+        return [
+            {"type": "text", "text": f"Picture of {tool}:"},
+            {"type": "image_url", "image_url": {"url": f"data:{block.mime_type};base64,{block.data}"}},
+        ]
 
 
 def _arguments(call: dict[str, Any]) -> dict[str, Any]:

@@ -29,13 +29,23 @@ import httpx
 from c4s.errors import AgentFault
 
 ErrorClass = Literal["connection", "timeout", "rate", "server", "malformed", "context", "refused"]
-TRIES: dict[ErrorClass, int] = {"connection": 5, "timeout": 3, "rate": 10, "server": 6, "malformed": 3, "context": 0,
-                                "refused": 0}
+TRIES: dict[ErrorClass, int] = {
+    "connection": 5,
+    "timeout": 3,
+    "rate": 10,
+    "server": 6,
+    "malformed": 3,
+    "context": 0,
+    "refused": 0,
+}
 FIRST_WAIT_S: dict[ErrorClass, float] = {"connection": 1, "timeout": 2, "rate": 5, "server": 2, "malformed": 1}
 LONGEST_WAIT_S, LONGEST_TOLD_WAIT_S = 60.0, 600.0
 CONNECT_S, SILENCE_S = 30.0, 1200.0
-_TOO_LONG = re.compile(r"context[ _-]?(length|window|limit)|maximum context|too many tokens|prompt is too long"
-                       r"|input is too long|exceeds? the .*token|reduce the length", re.IGNORECASE)
+_TOO_LONG = re.compile(
+    r"context[ _-]?(length|window|limit)|maximum context|too many tokens|prompt is too long"
+    r"|input is too long|exceeds? the .*token|reduce the length",
+    re.IGNORECASE,
+)
 
 
 class ChatFailed(AgentFault):
@@ -67,11 +77,22 @@ class _Failure:
 class ChatClient:
     """Asks one model. ``wait`` waits some seconds and is True when the run ended meanwhile."""
 
-    def __init__(self, base_url: str, token: str, *, wait: Callable[[float], bool], jitter: random.Random,
-                 note: Callable[[dict[str, Any]], None]) -> None:
+    def __init__(
+        self,
+        base_url: str,
+        token: str,
+        *,
+        wait: Callable[[float], bool],
+        jitter: random.Random,
+        note: Callable[[dict[str, Any]], None],
+    ) -> None:
         """``note`` is given one record for every failure."""
-        self._http = httpx.Client(base_url=base_url, trust_env=False, headers={"Authorization": f"Bearer {token}"},
-                                  timeout=httpx.Timeout(SILENCE_S, connect=CONNECT_S))
+        self._http = httpx.Client(
+            base_url=base_url,
+            trust_env=False,
+            headers={"Authorization": f"Bearer {token}"},
+            timeout=httpx.Timeout(SILENCE_S, connect=CONNECT_S),
+        )
         self._wait, self._jitter, self._note = wait, jitter, note
 
     def close(self) -> None:
@@ -88,11 +109,21 @@ class ChatClient:
             count = failures[outcome.kind] = failures.get(outcome.kind, 0) + 1
             again = count <= TRIES[outcome.kind]
             wait = self._pause(outcome, count) if again else 0.0
-            self._note({"event": "error", "class": outcome.kind, "status": outcome.status, "what": outcome.what[:500],
-                        "try": count, "again": again, "wait_s": round(wait, 3)})
+            self._note(
+                {
+                    "event": "error",
+                    "class": outcome.kind,
+                    "status": outcome.status,
+                    "what": outcome.what[:500],
+                    "try": count,
+                    "again": again,
+                    "wait_s": round(wait, 3),
+                }
+            )
             if not again:
-                raise ChatFailed(outcome.kind, f"the model does not answer ({outcome.kind}): {outcome.what[:300]}",
-                                 outcome.status)
+                raise ChatFailed(
+                    outcome.kind, f"the model does not answer ({outcome.kind}): {outcome.what[:300]}", outcome.status
+                )
             if self._wait(wait):
                 raise ChatFailed(outcome.kind, "the run ended while the model did not answer", outcome.status)
 
@@ -154,10 +185,18 @@ def _reply(value: Any) -> Reply | _Failure:
     if not isinstance(message, dict):
         return _Failure("malformed", "the answer has no message")
     calls = message.get("tool_calls") or []
-    if not isinstance(calls, list) or not all(isinstance(call, dict) and isinstance(call.get("function"), dict)
-                                              and isinstance(call["function"].get("name"), str) for call in calls):
+    if not isinstance(calls, list) or not all(
+        isinstance(call, dict)
+        and isinstance(call.get("function"), dict)
+        and isinstance(call["function"].get("name"), str)
+        for call in calls
+    ):
         return _Failure("malformed", "the answer has tool calls without a function")
     usage = value.get("usage")
     tokens = usage.get("prompt_tokens") if isinstance(usage, dict) else None
-    return Reply(message, str(choice.get("finish_reason") or ""), tokens if isinstance(tokens, int) else None,
-                 value.get("system_fingerprint") if isinstance(value.get("system_fingerprint"), str) else None)
+    return Reply(
+        message,
+        str(choice.get("finish_reason") or ""),
+        tokens if isinstance(tokens, int) else None,
+        value.get("system_fingerprint") if isinstance(value.get("system_fingerprint"), str) else None,
+    )

@@ -106,8 +106,9 @@ def _tokens(message: dict[str, Any]) -> float:
 
 def _remove_pictures(turn: Turn) -> int:
     found = len([part for part in turn.pictures if part["type"] == "image_url"])
-    turn.pictures = [{"type": "text", "text": REMOVED} if part["type"] == "image_url" else part
-                     for part in turn.pictures]
+    turn.pictures = [
+        {"type": "text", "text": REMOVED} if part["type"] == "image_url" else part for part in turn.pictures
+    ]
     return found
 
 

@@ -23,7 +23,18 @@ class Antigravity(CommandClient):
         "wire": "gemini",
         "command": ["agy", "-p", "{prompt}", "--model", "{model}", "--output-format", "stream-json"],
         "environment": {"GEMINI_API_KEY": "{model_token}", "GOOGLE_GEMINI_BASE_URL": "{model_url}"},
-        "files": {".gemini/config/mcp_config.json": canonical_json({"mcpServers": {"c4s": {
-            "serverUrl": "{tools_url}", "httpUrl": "{tools_url}",
-            "headers": {"Authorization": "Bearer {tools_token}"}}}})},
-        "install": "install Antigravity from its vendor, then give its program in `options.command`"}
+        "files": {
+            ".gemini/config/mcp_config.json": canonical_json(
+                {
+                    "mcpServers": {
+                        "c4s": {
+                            "serverUrl": "{tools_url}",
+                            "httpUrl": "{tools_url}",
+                            "headers": {"Authorization": "Bearer {tools_token}"},
+                        }
+                    }
+                }
+            )
+        },
+        "install": "install Antigravity from its vendor, then give its program in `options.command`",
+    }

@@ -92,10 +92,18 @@ class ExternalClient(ABC):
             raise MachineryFault("no model was opened for this client", where=self.name)
         home = context.folder / "home"
         home.mkdir()
-        setup = Setup(self.program(context.options), home,
-                      briefing(context.case, SERVER, pictures=len(context.case.reference_views)),
-                      tuple(_give_pictures(context, home)), access.model, access.url, access.token,
-                      context.endpoint.url, context.endpoint.token, context.options)
+        setup = Setup(
+            self.program(context.options),
+            home,
+            briefing(context.case, SERVER, pictures=len(context.case.reference_views)),
+            tuple(_give_pictures(context, home)),
+            access.model,
+            access.url,
+            access.token,
+            context.endpoint.url,
+            context.endpoint.token,
+            context.options,
+        )
         command = self.command(setup)
         out = context.folder / self.name
         status = confined.run(command, home, out, servers=(access.url, context.endpoint.url), stop=context.stopped)

@@ -39,8 +39,9 @@ class CommandClient(ExternalClient):
         """The option ``wire``."""
         wire = str(self._options(configuration.options).get("wire", self.wire))
         if wire not in BY_NAME:
-            raise BadInput(f"option wire is {wire!r}", where=configuration.name,
-                           todo=f"use one of {', '.join(BY_NAME)}")
+            raise BadInput(
+                f"option wire is {wire!r}", where=configuration.name, todo=f"use one of {', '.join(BY_NAME)}"
+            )
         return wire
 
     def program(self, options: Mapping[str, Any]) -> Program:
@@ -51,8 +52,10 @@ class CommandClient(ExternalClient):
             raise BadInput(f"the agent {self.name!r} needs its command line", todo="add `options: {command: [...]}`")
         found = shutil.which(command[0])
         if found is None:
-            raise BadInput(f"the client {command[0]!r} is not installed", todo=str(
-                given.get("install", "install it, or give the full path of its program in `options.command`")))
+            raise BadInput(
+                f"the client {command[0]!r} is not installed",
+                todo=str(given.get("install", "install it, or give the full path of its program in `options.command`")),
+            )
         path = Path(found).absolute()
         extra = tuple(Path(place).absolute() for place in given.get("read_only", ()))
         missing = next((place for place in extra if not place.exists()), None)
@@ -64,17 +67,37 @@ class CommandClient(ExternalClient):
     def command(self, setup: Setup) -> Command:
         """See ``ExternalClient``."""
         options = self._options(setup.options)
-        values = {"prompt": setup.prompt, "model": setup.model, "model_url": setup.model_url,
-                  "model_token": setup.model_token, "tools_url": setup.tools_url, "tools_token": setup.tools_token}
-        values["mcp_file"] = setup.write_json("mcp.json", {"mcpServers": {SERVER: {
-            "type": "http", "url": setup.tools_url, "headers": {"Authorization": f"Bearer {setup.tools_token}"}}}})
+        values = {
+            "prompt": setup.prompt,
+            "model": setup.model,
+            "model_url": setup.model_url,
+            "model_token": setup.model_token,
+            "tools_url": setup.tools_url,
+            "tools_token": setup.tools_token,
+        }
+        values["mcp_file"] = setup.write_json(
+            "mcp.json",
+            {
+                "mcpServers": {
+                    SERVER: {
+                        "type": "http",
+                        "url": setup.tools_url,
+                        "headers": {"Authorization": f"Bearer {setup.tools_token}"},
+                    }
+                }
+            },
+        )
 
         def filled(text: Any) -> str:
             return _PLACE.sub(lambda place: values.get(place[1], place[0]), str(text))
+
         for name, text in options.get("files", {}).items():
             if Path(name).is_absolute() or ".." in Path(name).parts:
                 raise BadInput(f"option files names {name!r}, which is not under HOME")
             setup.write(name, filled(text))
-        return Command([str(setup.program.path), *map(filled, options["command"][1:])],
-                       {name: filled(value) for name, value in options.get("environment", {}).items()},
-                       setup.program.read_only, setup.prompt.encode())
+        return Command(
+            [str(setup.program.path), *map(filled, options["command"][1:])],
+            {name: filled(value) for name, value in options.get("environment", {}).items()},
+            setup.program.read_only,
+            setup.prompt.encode(),
+        )

@@ -30,12 +30,33 @@ HOME = Path("/home/agent")
 LOOK_S = 0.2
 """Seconds between two looks at what a client uses, and at whether its run goes on."""
 _INSIDE = Path("/run/c4s")
-_ETC = {"passwd": "agent:x:1000:1000:agent:/home/agent:/bin/sh\n", "group": "agent:x:1000:\n",
-        "hosts": "127.0.0.1 localhost\n", "nsswitch.conf": "passwd: files\ngroup: files\nhosts: files\n"}
+_ETC = {
+    "passwd": "agent:x:1000:1000:agent:/home/agent:/bin/sh\n",
+    "group": "agent:x:1000:\n",
+    "hosts": "127.0.0.1 localhost\n",
+    "nsswitch.conf": "passwd: files\ngroup: files\nhosts: files\n",
+}
 _LINKED = ("/bin", "/sbin", "/lib", "/lib64", "/usr")
-_NAMESPACES = ("--unshare-all", "--unshare-user", "--disable-userns", "--uid", "1000", "--gid", "1000",
-               "--die-with-parent", "--new-session", "--cap-drop", "ALL", "--hostname", "agent", "--clearenv",
-               "--proc", "/proc", "--dev", "/dev")
+_NAMESPACES = (
+    "--unshare-all",
+    "--unshare-user",
+    "--disable-userns",
+    "--uid",
+    "1000",
+    "--gid",
+    "1000",
+    "--die-with-parent",
+    "--new-session",
+    "--cap-drop",
+    "ALL",
+    "--hostname",
+    "agent",
+    "--clearenv",
+    "--proc",
+    "/proc",
+    "--dev",
+    "/dev",
+)
 
 
 @dataclass(frozen=True)
@@ -52,13 +73,21 @@ def check() -> None:
     """``MachineryFault`` when this machine cannot confine a client: none is started without its sandbox."""
     fault = faults()["bubblewrap"]
     if fault is not None:
-        raise MachineryFault(f"agent clients run in bubblewrap, which is unusable here: {fault}",
-                             todo="install bubblewrap (Debian and Ubuntu: apt-get install bubblewrap)")
+        raise MachineryFault(
+            f"agent clients run in bubblewrap, which is unusable here: {fault}",
+            todo="install bubblewrap (Debian and Ubuntu: apt-get install bubblewrap)",
+        )
 
 
-def run(command: Command, home: Path, out: Path, *, servers: Sequence[str] = (),
-        stop: Callable[[float], bool] = lambda seconds: threading.Event().wait(seconds),
-        limits: ClientLimits | None = None) -> int:
+def run(
+    command: Command,
+    home: Path,
+    out: Path,
+    *,
+    servers: Sequence[str] = (),
+    stop: Callable[[float], bool] = lambda seconds: threading.Event().wait(seconds),
+    limits: ClientLimits | None = None,
+) -> int:
     """Run a command to its end, or until ``stop`` says so; its exit status, or -9 where it was killed.
 
     One that passes a limit is killed with all that it started: ``AgentFault``.
@@ -73,8 +102,11 @@ def run(command: Command, home: Path, out: Path, *, servers: Sequence[str] = (),
     """
     limits = limits or ClientLimits()
     check()
-    with _doors(servers) as (folder, doors), out.with_suffix(".stdout").open("wb") as told, \
-            out.with_suffix(".stderr").open("wb") as errors:
+    with (
+        _doors(servers) as (folder, doors),
+        out.with_suffix(".stdout").open("wb") as told,
+        out.with_suffix(".stderr").open("wb") as errors,
+    ):
         process = _start(command, home, folder, doors, limits, told, errors)
         watch = ClientWatch(process.pid, home, limits)
         feeder = threading.Thread(target=_feed, args=(process, command.stdin), name="client-input", daemon=True)
@@ -93,8 +125,15 @@ def run(command: Command, home: Path, out: Path, *, servers: Sequence[str] = (),
         return -signal.SIGKILL if status < 0 else status
 
 
-def _start(command: Command, home: Path, folder: Path, doors: Mapping[int, Path], limits: ClientLimits,
-           told: BinaryIO, errors: BinaryIO) -> subprocess.Popen[bytes]:
+def _start(
+    command: Command,
+    home: Path,
+    folder: Path,
+    doors: Mapping[int, Path],
+    limits: ClientLimits,
+    told: BinaryIO,
+    errors: BinaryIO,
+) -> subprocess.Popen[bytes]:
     line = [shutil.which("bwrap") or "bwrap", *_NAMESPACES]
     for place in ("/tmp", "/dev/shm"):
         line += ["--size", str(limits.temporary), "--tmpfs", place]
@@ -117,16 +156,33 @@ def _start(command: Command, home: Path, folder: Path, doors: Mapping[int, Path]
     line += ["--bind", str(home), str(HOME)]
     for path in doors.values():
         line += ["--bind", str(path), str(_INSIDE / path.name)]
-    for key, value in {"PATH": "/usr/local/bin:/usr/bin:/bin", "HOME": str(HOME), "LANG": "C.UTF-8", "USER": "agent",
-                       "TMPDIR": "/tmp", **command.environment}.items():
+    for key, value in {
+        "PATH": "/usr/local/bin:/usr/bin:/bin",
+        "HOME": str(HOME),
+        "LANG": "C.UTF-8",
+        "USER": "agent",
+        "TMPDIR": "/tmp",
+        **command.environment,
+    }.items():
         line += ["--setenv", key, value]
     line += ["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", str(HOME)]
     line += ["--", str(python), "-I", "-S", str(starter)]
     line += [f"{port}={_INSIDE / path.name}" for port, path in doors.items()]
-    line += [f"CPU={limits.cpu_s}", f"DATA={limits.data}", f"FSIZE={limits.file_size}", f"NOFILE={limits.open_files}",
-             f"NPROC={2 * limits.threads}"]
-    return subprocess.Popen([*line, "--", *command.arguments], stdin=subprocess.PIPE, stdout=told, stderr=errors,
-                            env={}, start_new_session=True)
+    line += [
+        f"CPU={limits.cpu_s}",
+        f"DATA={limits.data}",
+        f"FSIZE={limits.file_size}",
+        f"NOFILE={limits.open_files}",
+        f"NPROC={2 * limits.threads}",
+    ]
+    return subprocess.Popen(
+        [*line, "--", *command.arguments],
+        stdin=subprocess.PIPE,
+        stdout=told,
+        stderr=errors,
+        env={},
+        start_new_session=True,
+    )
 
 
 def _feed(process: subprocess.Popen[bytes], text: bytes) -> None:
@@ -143,8 +199,9 @@ def _doors(servers: Sequence[str]) -> Iterator[tuple[Path, dict[int, Path]]]:
         folder, started, stopping = Path(name), threading.Event(), threading.Event()
         ports = [port for server in servers if (port := urlsplit(server).port) is not None]
         doors = {port: folder / f"{port}.sock" for port in ports}
-        thread = threading.Thread(target=lambda: asyncio.run(_carry(doors, started, stopping)), name="client-doors",
-                                  daemon=True)
+        thread = threading.Thread(
+            target=lambda: asyncio.run(_carry(doors, started, stopping)), name="client-doors", daemon=True
+        )
         thread.start()
         try:
             if not started.wait(10):
@@ -167,6 +224,7 @@ async def _carry(doors: Mapping[int, Path], started: threading.Event, stopping: 
             task = asyncio.ensure_future(join(reader, writer))
             open_doors.add(task)
             task.add_done_callback(open_doors.discard)
+
         return opened
 
     servers = [await asyncio.start_unix_server(opener(port), path) for port, path in doors.items()]

@@ -36,18 +36,45 @@ class GeminiCLI(ExternalClient):
         settings: dict[str, Any] = {
             "security": {"auth": {"selectedType": "gemini-api-key"}, "folderTrust": {"enabled": False}},
             "general": {"disableAutoUpdate": True, "disableUpdateNag": True, "enableAutoUpdate": False},
-            "privacy": {"usageStatisticsEnabled": False}, "telemetry": {"enabled": False},
-            "mcpServers": {SERVER: {"httpUrl": setup.tools_url, "timeout": TOOL_TIMEOUT_S * 1000, "trust": True,
-                                    "headers": {"Authorization": f"Bearer {setup.tools_token}"}}},
-            **setup.options.get("settings", {})}
+            "privacy": {"usageStatisticsEnabled": False},
+            "telemetry": {"enabled": False},
+            "mcpServers": {
+                SERVER: {
+                    "httpUrl": setup.tools_url,
+                    "timeout": TOOL_TIMEOUT_S * 1000,
+                    "trust": True,
+                    "headers": {"Authorization": f"Bearer {setup.tools_token}"},
+                }
+            },
+            **setup.options.get("settings", {}),
+        }
         setup.write_json(".gemini/settings.json", settings)
         policy = setup.write("policy.toml", POLICY)
         prompt = setup.prompt + "".join(f"\n@{picture}" for picture in setup.pictures)
-        return Command([str(setup.program.path), "-m", setup.model, "-p", prompt, "--output-format", "stream-json",
-                        "--policy", policy, "--allowed-mcp-server-names", SERVER, "--skip-trust"],
-                       {"GOOGLE_GEMINI_BASE_URL": setup.model_url, "GEMINI_API_KEY": setup.model_token,
-                        "GEMINI_CLI_TRUST_WORKSPACE": "true", "NO_COLOR": "1", "GEMINI_TELEMETRY_ENABLED": "false"},
-                       setup.program.read_only)
+        return Command(
+            [
+                str(setup.program.path),
+                "-m",
+                setup.model,
+                "-p",
+                prompt,
+                "--output-format",
+                "stream-json",
+                "--policy",
+                policy,
+                "--allowed-mcp-server-names",
+                SERVER,
+                "--skip-trust",
+            ],
+            {
+                "GOOGLE_GEMINI_BASE_URL": setup.model_url,
+                "GEMINI_API_KEY": setup.model_token,
+                "GEMINI_CLI_TRUST_WORKSPACE": "true",
+                "NO_COLOR": "1",
+                "GEMINI_TELEMETRY_ENABLED": "false",
+            },
+            setup.program.read_only,
+        )
 
     def closing(self, lines: Iterator[Mapping[str, Any]]) -> str:
         """The assistant's last words, or the error."""

@@ -28,16 +28,49 @@ class Hermes(ExternalClient):
         agent: dict[str, Any] = {"max_turns": int(options.get("max_turns", 1000))}
         if "effort" in options:
             agent["reasoning_effort"] = str(options["effort"])
-        setup.write_json(".hermes/config.yaml", {
-            "model": {"default": setup.model, "provider": "custom", "base_url": f"{setup.model_url}/v1",
-                      "api_key": setup.model_token,
-                      "context_length": int(options.get("context_tokens", CONTEXT_TOKENS))},
-            "agent": agent, "memory": {"memory_enabled": False, "user_profile_enabled": False},
-            "checkpoints": {"enabled": False}, "updates": {"check": False},
-            "mcp_servers": {SERVER: {"url": setup.tools_url, "timeout": TOOL_TIMEOUT_S, "connect_timeout": 60,
-                                     "headers": {"Authorization": f"Bearer {setup.tools_token}"}}}})
+        setup.write_json(
+            ".hermes/config.yaml",
+            {
+                "model": {
+                    "default": setup.model,
+                    "provider": "custom",
+                    "base_url": f"{setup.model_url}/v1",
+                    "api_key": setup.model_token,
+                    "context_length": int(options.get("context_tokens", CONTEXT_TOKENS)),
+                },
+                "agent": agent,
+                "memory": {"memory_enabled": False, "user_profile_enabled": False},
+                "checkpoints": {"enabled": False},
+                "updates": {"check": False},
+                "mcp_servers": {
+                    SERVER: {
+                        "url": setup.tools_url,
+                        "timeout": TOOL_TIMEOUT_S,
+                        "connect_timeout": 60,
+                        "headers": {"Authorization": f"Bearer {setup.tools_token}"},
+                    }
+                },
+            },
+        )
         prompt = setup.prompt + "".join(f"\nReference picture: {picture}" for picture in setup.pictures)
-        return Command([str(setup.program.path), "-t", SERVER, "--ignore-rules", "-m", setup.model,
-                        "--usage-file", str(HOME / "usage.json"), "-z", prompt],
-                       {"HERMES_HOME": str(HOME / ".hermes"), "OPENAI_API_KEY": setup.model_token,
-                        "OPENAI_BASE_URL": f"{setup.model_url}/v1", "NO_COLOR": "1"}, setup.program.read_only)
+        return Command(
+            [
+                str(setup.program.path),
+                "-t",
+                SERVER,
+                "--ignore-rules",
+                "-m",
+                setup.model,
+                "--usage-file",
+                str(HOME / "usage.json"),
+                "-z",
+                prompt,
+            ],
+            {
+                "HERMES_HOME": str(HOME / ".hermes"),
+                "OPENAI_API_KEY": setup.model_token,
+                "OPENAI_BASE_URL": f"{setup.model_url}/v1",
+                "NO_COLOR": "1",
+            },
+            setup.program.read_only,
+        )

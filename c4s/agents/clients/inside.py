@@ -26,8 +26,9 @@ async def _carry(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> 
         writer.transport.abort()
 
 
-async def join(reader: asyncio.StreamReader, writer: asyncio.StreamWriter,
-               other: tuple[asyncio.StreamReader, asyncio.StreamWriter]) -> None:
+async def join(
+    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, other: tuple[asyncio.StreamReader, asyncio.StreamWriter]
+) -> None:
     """Carry bytes both ways until both directions are closed; an end that is gone closes the other."""
     other_reader, other_writer = other
     await asyncio.gather(_carry(reader, other_writer), _carry(other_reader, writer))
@@ -53,6 +54,7 @@ async def main(doors: list[str], limits: list[str], command: list[str]) -> int:
 
         async def open_door(reader: asyncio.StreamReader, writer: asyncio.StreamWriter, path: str = path) -> None:
             await join(reader, writer, await asyncio.open_unix_connection(path))
+
         await asyncio.start_server(open_door, "127.0.0.1", int(port))
     process = await asyncio.create_subprocess_exec(*command, preexec_fn=lambda: _limit(limits))
     status = await process.wait()
@@ -62,5 +64,12 @@ async def main(doors: list[str], limits: list[str], command: list[str]) -> int:
 if __name__ == "__main__":
     split = sys.argv.index("--")
     told = sys.argv[1:split]
-    os._exit(asyncio.run(main([one for one in told if one[0].isdigit()], [one for one in told if one[0].isalpha()],
-                              sys.argv[split + 1:])))
+    os._exit(
+        asyncio.run(
+            main(
+                [one for one in told if one[0].isdigit()],
+                [one for one in told if one[0].isalpha()],
+                sys.argv[split + 1 :],
+            )
+        )
+    )

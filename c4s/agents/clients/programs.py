@@ -33,8 +33,11 @@ class Install:
         if self.registry == "npm":
             return ["npm", "install", "--no-audit", "--no-fund", "--prefix", str(self.folder()), self.package]
         folder = self.folder()
-        return ["sh", "-c", f"'{sys.executable}' -m venv '{folder}' && '{folder}/bin/pip' install --quiet "
-                            f"'{self.package}'"]
+        return [
+            "sh",
+            "-c",
+            f"'{sys.executable}' -m venv '{folder}' && '{folder}/bin/pip' install --quiet '{self.package}'",
+        ]
 
 
 @dataclass(frozen=True)
@@ -52,15 +55,19 @@ def find(install: Install, options: Mapping[str, Any]) -> Program:
     ``BadInput`` with the installing command when there is none.
     """
     told = options.get("program")
-    places = [Path(str(told)).absolute()] if told else [
-        install.folder() / "node_modules" / ".bin" / install.program, install.folder() / "bin" / install.program]
+    places = (
+        [Path(str(told)).absolute()]
+        if told
+        else [install.folder() / "node_modules" / ".bin" / install.program, install.folder() / "bin" / install.program]
+    )
     found = next((place for place in places if place.is_file()), None)
     if found is None and not told and (on_path := shutil.which(install.program)):
         found = Path(on_path).absolute()
     if found is None or not os.access(found, os.X_OK):
-        raise BadInput(f"the client {install.program!r} is not installed" + (f" at {told}" if told else ""),
-                       todo="install it with: " + " ".join(
-                           f'"{part}"' if " " in part else part for part in install.command()))
+        raise BadInput(
+            f"the client {install.program!r} is not installed" + (f" at {told}" if told else ""),
+            todo="install it with: " + " ".join(f'"{part}"' if " " in part else part for part in install.command()),
+        )
     return Program(found, _version(found, install), _needs(found))
 
 

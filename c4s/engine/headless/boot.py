@@ -14,8 +14,13 @@ from c4s.errors import BadInput
 from c4s.packs.store import PackStore
 
 
-def boot(pack_folders: Sequence[Path], content: Path, levels: Sequence[Path] = (), start_map: str | None = None,
-         scratch: Path | None = None) -> ModuleType:
+def boot(
+    pack_folders: Sequence[Path],
+    content: Path,
+    levels: Sequence[Path] = (),
+    start_map: str | None = None,
+    scratch: Path | None = None,
+) -> ModuleType:
     """Build the world and install ``unreal`` in ``sys.modules``.
 
     Args:

@@ -60,8 +60,8 @@ class Incoming:
                 raise ValueError(f"a message of {size} bytes")
             if len(self._buffer) < _LENGTH.size + size:
                 return
-            message = bytes(self._buffer[_LENGTH.size:_LENGTH.size + size])
-            del self._buffer[:_LENGTH.size + size]
+            message = bytes(self._buffer[_LENGTH.size : _LENGTH.size + size])
+            del self._buffer[: _LENGTH.size + size]
             yield message
 
 

@@ -52,7 +52,7 @@ def _decode(raw: Any, kind: str) -> Any:
         need(raw, kind, "value")
         return converted(raw, kind) if raw is not None else None
     if kind.startswith("Sequence"):
-        item = kind[len("Sequence["):-1]
+        item = kind[len("Sequence[") : -1]
         return Array._of(item, [_decode(v, item) for v in raw])
     found = TYPES[kind.split(" | ")[0]]
     if issubclass(found, EnumBase):

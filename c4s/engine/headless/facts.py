@@ -17,8 +17,12 @@ def _row(values: Any) -> list[float]:
 
 def _place(pose: Pose) -> dict[str, Any]:
     pitch, yaw, roll = rotator_from_quat(pose.quat)
-    return {"location_cm": _row(pose.location), "rotation_deg": [pitch + 0.0, yaw + 0.0, roll + 0.0],
-            "quaternion_xyzw": _row(pose.quat), "scale": _row(pose.scale)}
+    return {
+        "location_cm": _row(pose.location),
+        "rotation_deg": [pitch + 0.0, yaw + 0.0, roll + 0.0],
+        "quaternion_xyzw": _row(pose.quat),
+        "scale": _row(pose.scale),
+    }
 
 
 class DirectReader(Reader):
@@ -40,8 +44,16 @@ class DirectReader(Reader):
             instances = [_place(compose(each, pose)) for each in component._instances]
         mesh = component._mesh
         slots = [self.material(component._material(i)) for i in range(component._slot_count())]
-        return Part(str(component._name), self.paths[component._class()], True, component._collides(), mesh, slots,
-                    _place(pose), instances)
+        return Part(
+            str(component._name),
+            self.paths[component._class()],
+            True,
+            component._collides(),
+            mesh,
+            slots,
+            _place(pose),
+            instances,
+        )
 
     def material(self, material: Any) -> tuple[str | None, str | None]:
         return (None, None) if material is None else (self.paths[material], self.paths[material._class()])
@@ -52,11 +64,20 @@ class DirectReader(Reader):
         above = actor._root()._parent
         parent = above._outer if above is not None else None
         return Stand(
-            str(actor._name), self.paths[actor._class()], str(actor._label),
-            f"{self._level}:PersistentLevel.{actor._name}", actor._guid.upper(),
+            str(actor._name),
+            self.paths[actor._class()],
+            str(actor._label),
+            f"{self._level}:PersistentLevel.{actor._name}",
+            actor._guid.upper(),
             [str(tag) for tag in actor._values.get("tags", ())],
-            (str(parent._path()), str(parent._label)) if parent is not None else None, _row(pose.location),
-            _row(pose.rotation_deg), _row(pose.quat), _row(pose.scale), _row(origin), _row(extent))
+            (str(parent._path()), str(parent._label)) if parent is not None else None,
+            _row(pose.location),
+            _row(pose.rotation_deg),
+            _row(pose.quat),
+            _row(pose.scale),
+            _row(origin),
+            _row(extent),
+        )
 
 
 def attach() -> None:

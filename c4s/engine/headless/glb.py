@@ -46,9 +46,15 @@ def write_glb(world: World, path: Path) -> dict[str, Any]:
     if not scene.nodes:
         raise BadInput("the level shows no mesh", where=world.package, todo="give the packs that it uses")
     write_bytes(path, scene.bytes())
-    return {"actors": len({d.actor_index for d in shown}), "nodes": len(scene.nodes), "meshes": len(scene.geometries),
-            "triangles": scene.triangles, "lights": len(scene.extras.lights), "cameras": len(scene.extras.cameras),
-            "left_out": scene.extras.left_out}
+    return {
+        "actors": len({d.actor_index for d in shown}),
+        "nodes": len(scene.nodes),
+        "meshes": len(scene.geometries),
+        "triangles": scene.triangles,
+        "lights": len(scene.extras.lights),
+        "cameras": len(scene.extras.cameras),
+        "left_out": scene.extras.left_out,
+    }
 
 
 def to_gltf(matrix_cm: Array) -> Array:
@@ -109,8 +115,12 @@ class _Scene:
     def _node(self, name: str, matrix: Array, geometry: str | None, parent: str) -> str:
         key = f"node_{len(self.nodes)}"
         self.nodes.append(name)
-        self._scene.graph.update(frame_to=key, frame_from=parent, matrix=matrix,  # type: ignore[no-untyped-call]
-                                 geometry=geometry)
+        self._scene.graph.update(
+            frame_to=key,
+            frame_from=parent,
+            matrix=matrix,  # type: ignore[no-untyped-call]
+            geometry=geometry,
+        )
         return key
 
     def _geometries(self, part: Drawable) -> Iterator[str]:
@@ -131,8 +141,10 @@ class _Scene:
         packed = self._store.material(material._origin_path()) if material is not None else None
         if packed is None:
             return Pictures()
-        base, normal, roughness_metal, emissive = (self._store.pack_file(packed, name) for name in (
-            packed.texture, packed.normal_texture, packed.roughness_metal_texture, packed.emissive_texture))
+        base, normal, roughness_metal, emissive = (
+            self._store.pack_file(packed, name)
+            for name in (packed.texture, packed.normal_texture, packed.roughness_metal_texture, packed.emissive_texture)
+        )
         return Pictures(base, normal, roughness_metal, emissive, packed.alpha, packed.alpha_cutoff)
 
     def _material(self, surface: Material, pictures: Pictures) -> tuple[str, PBRMaterial]:
@@ -140,10 +152,17 @@ class _Scene:
         if known not in self._materials:
             key = f"material_{len(self._materials)}"
             self._exact[key] = (surface.path.rsplit(".", 1)[-1] or "Default", surface, pictures)
-            self._materials[known] = key, PBRMaterial(  # type: ignore[no-untyped-call]
-                name=key, baseColorTexture=self._picture(pictures.base, pictures.alpha != "opaque"),
-                normalTexture=self._picture(pictures.normal), emissiveTexture=self._picture(pictures.emissive),
-                metallicRoughnessTexture=self._picture(pictures.roughness_metal), doubleSided=True)
+            self._materials[known] = (
+                key,
+                PBRMaterial(  # type: ignore[no-untyped-call]
+                    name=key,
+                    baseColorTexture=self._picture(pictures.base, pictures.alpha != "opaque"),
+                    normalTexture=self._picture(pictures.normal),
+                    emissiveTexture=self._picture(pictures.emissive),
+                    metallicRoughnessTexture=self._picture(pictures.roughness_metal),
+                    doubleSided=True,
+                ),
+            )
         return self._materials[known]
 
     def _picture(self, file: Path | None, alpha: bool = False) -> Image.Image | None:
@@ -174,8 +193,10 @@ class _Scene:
             name, surface, pictures = self._exact[material["name"]]
             material["name"] = name
             material.setdefault("pbrMetallicRoughness", {}).update(
-                baseColorFactor=[*surface.base_color, surface.opacity], roughnessFactor=surface.roughness,
-                metallicFactor=surface.metallic)
+                baseColorFactor=[*surface.base_color, surface.opacity],
+                roughnessFactor=surface.roughness,
+                metallicFactor=surface.metallic,
+            )
             material["alphaMode"] = "BLEND" if surface.opacity < 1 else pictures.alpha.upper()
             if material["alphaMode"] == "MASK":
                 material["alphaCutoff"] = pictures.alpha_cutoff
@@ -193,7 +214,8 @@ def _tell_targets(tree: dict[str, Any]) -> None:
     for mesh in tree["meshes"]:
         for primitive in mesh["primitives"]:
             for accessor, target in [(index, _VERTICES) for index in primitive["attributes"].values()] + [
-                    (primitive["indices"], _INDICES)]:
+                (primitive["indices"], _INDICES)
+            ]:
                 tree["bufferViews"][tree["accessors"][accessor]["bufferView"]]["target"] = target
 
 
@@ -206,10 +228,18 @@ def _geometry(mesh: Mesh, slot: int, material: PBRMaterial) -> trimesh.Trimesh:
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     inwards = np.einsum("ij,ij->i", across, normals[faces].sum(axis=1)) < 0
     faces[inwards] = faces[inwards][:, ::-1]
-    textured = any(picture is not None for picture in (material.baseColorTexture, material.normalTexture,
-                                                       material.metallicRoughnessTexture, material.emissiveTexture))
+    textured = any(
+        picture is not None
+        for picture in (
+            material.baseColorTexture,
+            material.normalTexture,
+            material.metallicRoughnessTexture,
+            material.emissiveTexture,
+        )
+    )
     visual = trimesh.visual.TextureVisuals(  # type: ignore[no-untyped-call]
-        uv=mesh.uvs[used] * [1, -1] + [0, 1] if textured else None, material=material)
+        uv=mesh.uvs[used] * [1, -1] + [0, 1] if textured else None, material=material
+    )
     if mesh.colors is not None:
         shown = np.column_stack((mesh.colors[used], np.ones(len(used))))
         visual.vertex_attributes["color"] = np.round(255 * shown).astype(np.uint8)

@@ -18,8 +18,12 @@ if TYPE_CHECKING:
     from c4s.engine.headless.world import LightSource, World
 
 EXTENSION = "KHR_lights_punctual"
-_KINDS = {"DirectionalLightComponent": "directional", "PointLightComponent": "point", "SpotLightComponent": "spot",
-          "RectLightComponent": "spot"}
+_KINDS = {
+    "DirectionalLightComponent": "directional",
+    "PointLightComponent": "point",
+    "SpotLightComponent": "spot",
+    "RectLightComponent": "spot",
+}
 _TURN = (0.0, -math.sqrt(0.5), 0.0, math.sqrt(0.5))
 """Turns -Z towards +X about Y."""
 _NEAR_M = 0.01
@@ -55,8 +59,12 @@ class LightsAndCameras:
         strong = max(red, green, blue)
         sun = kind == "directional"
         level = float(source.properties["intensity"]) if sun else candela_of(source)
-        light: Json = {"type": kind, "name": label, "intensity": max(0.0, level * strong),
-                       "color": [part / strong for part in (red, green, blue)] if strong > 0 else [0.0, 0.0, 0.0]}
+        light: Json = {
+            "type": kind,
+            "name": label,
+            "intensity": max(0.0, level * strong),
+            "color": [part / strong for part in (red, green, blue)] if strong > 0 else [0.0, 0.0, 0.0],
+        }
         reach = float(source.properties["attenuation_radius"]) if not sun else 0.0
         if reach > 0:
             light["range"] = reach / _METRE_CM
@@ -72,16 +80,31 @@ class LightsAndCameras:
             self.left_out.append(label)
             return
         self._node(label, camera._world_pose(), {"camera": len(self.cameras)})
-        self.cameras.append({"type": "perspective", "name": label, "perspective": {
-            "aspectRatio": aspect, "yfov": 2 * math.atan(math.tan(wide / 2) / aspect), "znear": _NEAR_M}})
+        self.cameras.append(
+            {
+                "type": "perspective",
+                "name": label,
+                "perspective": {
+                    "aspectRatio": aspect,
+                    "yfov": 2 * math.atan(math.tan(wide / 2) / aspect),
+                    "znear": _NEAR_M,
+                },
+            }
+        )
 
     def _node(self, label: str, pose: Pose, more: Json) -> None:
         x, y, z = pose.location
         qx, qy, qz, qw = pose.quat
         turned = quat_multiply((-qx, -qz, -qy, qw), _TURN)
         length = math.sqrt(sum(part * part for part in turned))
-        self.nodes.append({"name": label, "translation": [x / _METRE_CM, z / _METRE_CM, y / _METRE_CM],
-                           "rotation": [part / length for part in turned], **more})
+        self.nodes.append(
+            {
+                "name": label,
+                "translation": [x / _METRE_CM, z / _METRE_CM, y / _METRE_CM],
+                "rotation": [part / length for part in turned],
+                **more,
+            }
+        )
 
     def add_to(self, tree: Json) -> None:
         """Put them into a glTF document, below its scene."""

@@ -52,7 +52,7 @@ class JobLog:
                 data += file.read(min(PAGE_BYTES, size - offset - len(data)))
         last = offset + len(data) >= size
         if not (complete and last):
-            del data[data.rfind(b"\n") + 1:]
+            del data[data.rfind(b"\n") + 1 :]
         text = data.decode("utf-8", "replace")
         lines = text.removesuffix("\n").split("\n") if text else []
         return {"python_logs": lines, "next_offset": offset + len(data), "more": not last}

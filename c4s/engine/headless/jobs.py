@@ -60,8 +60,11 @@ class Job:
     def reply(self, offset: int = 0) -> dict[str, Any]:
         """The state of the job as a bridge reply."""
         finished = self.done.is_set()
-        reply: dict[str, Any] = {"status": "running", "job_id": self.id,
-                                 "result": self.log.read(offset, complete=finished)}
+        reply: dict[str, Any] = {
+            "status": "running",
+            "job_id": self.id,
+            "result": self.log.read(offset, complete=finished),
+        }
         if finished and self.error is None:
             reply |= {"status": "ok", "value": orjson.Fragment(self.value or b"null")}
         elif finished:
@@ -87,8 +90,14 @@ class JobBoard:
             and says how it ended.
     """
 
-    def __init__(self, connection: socket.socket, output: int, folder: Path, watch: Callable[[], str | None],
-                 end: Callable[[bool], str]) -> None:
+    def __init__(
+        self,
+        connection: socket.socket,
+        output: int,
+        folder: Path,
+        watch: Callable[[], str | None],
+        end: Callable[[bool], str],
+    ) -> None:
         self._connection, self._output, self._folder, self._watch, self._end = connection, output, folder, watch, end
         self.log = JobLog(folder / "engine.log")
         """What the engine prints outside of jobs."""
@@ -118,7 +127,7 @@ class JobBoard:
             self._jobs[job.id] = job
             while len(self._jobs) > KEPT_JOBS and next(iter(self._jobs.values())).done.is_set():
                 self._jobs.popitem(last=False)
-            for old in list(self._jobs.values())[-KEPT_VALUES - 8:-KEPT_VALUES]:
+            for old in list(self._jobs.values())[-KEPT_VALUES - 8 : -KEPT_VALUES]:
                 old.value = None
             if self.gone is None:
                 self._waiting.append(job)
@@ -137,8 +146,12 @@ class JobBoard:
         with self._lock:
             running, gone = self.running, self.gone
             state = "dead" if gone is not None else "busy" if running is not None or self._waiting else "idle"
-            told: dict[str, Any] = {"state": state, "busy": state == "busy", "job_id": running.id if running else None,
-                                    "waiting": len(self._waiting)}
+            told: dict[str, Any] = {
+                "state": state,
+                "busy": state == "busy",
+                "job_id": running.id if running else None,
+                "waiting": len(self._waiting),
+            }
         if running is not None and running.started is not None:
             told["running_s"] = round(time.monotonic() - running.started, 3)
         if gone is not None:
@@ -267,8 +280,9 @@ class JobBoard:
         _pour(self._output, self.log, _available(self._output))
         tails = [log.tail(_TAIL_BYTES) for log in ([running.log] if running else []) + [self.log]]
         with self._lock:
-            self.gone = " ".join(part for part in (f"the engine ended with {how}", f"({reason})" if reason else "",
-                                                   *tails) if part)
+            self.gone = " ".join(
+                part for part in (f"the engine ended with {how}", f"({reason})" if reason else "", *tails) if part
+            )
             left = ([running] if running else []) + list(self._waiting)
             self.running = None
             self._waiting.clear()

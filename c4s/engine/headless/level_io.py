@@ -139,8 +139,9 @@ def _fill(world: World, actor: Actor, component: ActorComponent, doc: LevelCompo
                 world.log.warning(f"{component._path()}: failed to find material '{path}'")
         for slot, spec in _dynamic(properties, where).items():
             parent = world.find(spec.parent)
-            made = MaterialInstanceDynamic._owned(spec.name, component, parent
-                                                  if isinstance(parent, MaterialInterface) else None)
+            made = MaterialInstanceDynamic._owned(
+                spec.name, component, parent if isinstance(parent, MaterialInterface) else None
+            )
             made._vectors, made._scalars = dict(spec.vectors), dict(spec.scalars)
             component._materials[slot] = made
         properties.pop(_DYNAMIC, None)
@@ -154,14 +155,17 @@ def _fill(world: World, actor: Actor, component: ActorComponent, doc: LevelCompo
         component._stale()
 
 
-def _component_for(world: World, actor: Actor, doc: LevelComponent, free: list[ActorComponent],
-                   where: str) -> ActorComponent:
+def _component_for(
+    world: World, actor: Actor, doc: LevelComponent, free: list[ActorComponent], where: str
+) -> ActorComponent:
     """The default component that a document's component describes (by name, else by class), or a new one."""
     wanted = world.native_class(doc.class_path)
     if wanted is None or not issubclass(wanted, ActorComponent):
         raise BadInput(f"unknown component class {doc.class_path!r}", where=where)
-    for match in ([c for c in free if c._name == doc.name and type(c) is wanted],
-                  [c for c in free if type(c) is wanted]):
+    for match in (
+        [c for c in free if c._name == doc.name and type(c) is wanted],
+        [c for c in free if type(c) is wanted],
+    ):
         if match:
             free.remove(match[0])
             match[0]._name = doc.name
@@ -211,8 +215,12 @@ def _check_parents(level: Level, actors: dict[str, Actor], where: str) -> None:
         above, depth = parent, 1
         while above is not None:
             if above == name or depth > DEEPEST:
-                raise BadInput(f"its parent {parent!r} is below it" if above == name else
-                               f"it is attached more than {DEEPEST} deep, or below a circle", where=f"{where}: {name}")
+                raise BadInput(
+                    f"its parent {parent!r} is below it"
+                    if above == name
+                    else f"it is attached more than {DEEPEST} deep, or below a circle",
+                    where=f"{where}: {name}",
+                )
             above, depth = parents.get(above), depth + 1
 
 
@@ -249,11 +257,19 @@ def _component_plain(component: ActorComponent, is_root: bool) -> dict[str, Any]
         out["static_mesh"] = component._mesh._path() if component._mesh is not None else None
     if isinstance(component, MeshComponent):
         fixed = {s: m for s, m in component._materials.items() if not m._dead}
-        out["materials"] = {str(s): m._path() for s, m in sorted(fixed.items())
-                            if not isinstance(m, MaterialInstanceDynamic)}
-        dynamic = {str(s): {"name": m._name, "parent": "".join(m._references()),
-                            "vectors": {k: list(v) for k, v in m._vectors.items()}, "scalars": dict(m._scalars)}
-                   for s, m in sorted(fixed.items()) if isinstance(m, MaterialInstanceDynamic)}
+        out["materials"] = {
+            str(s): m._path() for s, m in sorted(fixed.items()) if not isinstance(m, MaterialInstanceDynamic)
+        }
+        dynamic = {
+            str(s): {
+                "name": m._name,
+                "parent": "".join(m._references()),
+                "vectors": {k: list(v) for k, v in m._vectors.items()},
+                "scalars": dict(m._scalars),
+            }
+            for s, m in sorted(fixed.items())
+            if isinstance(m, MaterialInstanceDynamic)
+        }
         if dynamic:
             properties[_DYNAMIC] = dynamic
     if isinstance(component, InstancedStaticMeshComponent):
@@ -269,9 +285,14 @@ def actor_plain(actor: Actor) -> dict[str, Any]:
     """One actor as the data of a ``LevelActor`` (defaults left out)."""
     root = actor._components[0]
     parent = actor._root()._parent
-    out: dict[str, Any] = {"name": actor._name, "label": actor._label, "class_path": actor._class()._path(),
-                           "guid": actor._guid, "transform": _plain(actor._pose()),
-                           "components": [_component_plain(c, c is root) for c in actor._components]}
+    out: dict[str, Any] = {
+        "name": actor._name,
+        "label": actor._label,
+        "class_path": actor._class()._path(),
+        "guid": actor._guid,
+        "transform": _plain(actor._pose()),
+        "components": [_component_plain(c, c is root) for c in actor._components],
+    }
     tags = actor._values.get("tags")
     if tags is not None and len(tags):
         out["tags"] = [str(t) for t in tags]
@@ -290,8 +311,7 @@ def actor_plain(actor: Actor) -> dict[str, Any]:
 def write(path: Path, package: str, actors: list[Actor]) -> None:
     """Write the actors as a level document. ``BadInput`` for what ``read`` would refuse."""
     _check_count(len(actors), package)
-    value = {"schema_version": "c4s.level.v1", "package": package,
-             "actors": [_sound(actor) for actor in actors]}
+    value = {"schema_version": "c4s.level.v1", "package": package, "actors": [_sound(actor) for actor in actors]}
     data = _encoded(value)
     _check_size(data, package)
     write_bytes(path, data)

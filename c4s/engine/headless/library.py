@@ -235,14 +235,18 @@ class AssetLibrary(ABC):
         common: dict[str, Any] = {"path": asset._path(), "class_path": asset._class_path()}
         if isinstance(asset, MaterialInstanceConstant):
             parent = asset._parent()
-            return AssetDocument(**common, parent=parent._path() if parent is not None else None,
-                                 vectors=asset._vectors, scalars=asset._scalars)
+            return AssetDocument(
+                **common,
+                parent=parent._path() if parent is not None else None,
+                vectors=asset._vectors,
+                scalars=asset._scalars,
+            )
         if isinstance(asset, Material):
             origin = asset._origin if asset._origin != asset._path() else None
-            return AssetDocument(**common, material=asset._surface(), parent=origin,
-                                 parameters=asset._named())
-        return AssetDocument(**common, parent=asset._asset.path,
-                             slots={i: m._path() for i, m in asset._slot_overrides.items()})
+            return AssetDocument(**common, material=asset._surface(), parent=origin, parameters=asset._named())
+        return AssetDocument(
+            **common, parent=asset._asset.path, slots={i: m._path() for i, m in asset._slot_overrides.items()}
+        )
 
     def _from_document(self, document: AssetDocument) -> AssetObject:
         if document.class_path == MaterialInstanceConstant._class_path():
@@ -262,8 +266,14 @@ class AssetLibrary(ABC):
         source = self.store.asset(document.parent or "")
         if source is None:
             self.log.warning(f"{document.path}: the mesh '{document.parent}' that it copies is missing")
-            source = manifest.Asset(id="missing", name="missing", path=document.parent or "", category="",
-                                    bounds_min_cm=(0, 0, 0), bounds_max_cm=(0, 0, 0))
+            source = manifest.Asset(
+                id="missing",
+                name="missing",
+                path=document.parent or "",
+                category="",
+                bounds_min_cm=(0, 0, 0),
+                bounds_max_cm=(0, 0, 0),
+            )
         mesh: StaticMesh = StaticMesh._at(document.path, created=True)._bind(source)
         for slot, path in document.slots.items():
             used = self.find(path)

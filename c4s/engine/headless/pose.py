@@ -65,9 +65,11 @@ class Pose:
     def axes(self) -> tuple[Triple, Triple, Triple]:
         """Rows of the rotation matrix R (``world = R @ local``)."""
         x, y, z, w = self.quat
-        return ((1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
-                (2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
-                (2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)))
+        return (
+            (1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
+            (2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+            (2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)),
+        )
 
     def matrix(self) -> Array:
         """4x4 matrix acting on column vectors (cm)."""
@@ -85,15 +87,21 @@ class Pose:
         """Local position of a world point; an axis of zero scale gives 0."""
         offset = (world[0] - self.location[0], world[1] - self.location[1], world[2] - self.location[2])
         local = rotate(conjugate(self.quat), offset)
-        return (local[0] * reciprocal(self.scale[0]), local[1] * reciprocal(self.scale[1]),
-                local[2] * reciprocal(self.scale[2]))
+        return (
+            local[0] * reciprocal(self.scale[0]),
+            local[1] * reciprocal(self.scale[1]),
+            local[2] * reciprocal(self.scale[2]),
+        )
 
     def box(self, low: Sequence[float], high: Sequence[float]) -> tuple[Triple, Triple]:
         """World AABB (origin, half extent) of the local box ``low..high``."""
         sx, sy, sz = self.scale
         cx, cy, cz = ((low[0] + high[0]) / 2 * sx, (low[1] + high[1]) / 2 * sy, (low[2] + high[2]) / 2 * sz)
-        hx, hy, hz = ((high[0] - low[0]) / 2 * abs(sx), (high[1] - low[1]) / 2 * abs(sy),
-                      (high[2] - low[2]) / 2 * abs(sz))
+        hx, hy, hz = (
+            (high[0] - low[0]) / 2 * abs(sx),
+            (high[1] - low[1]) / 2 * abs(sy),
+            (high[2] - low[2]) / 2 * abs(sz),
+        )
         if self.quat == _UNTURNED:
             return (cx + self.location[0], cy + self.location[1], cz + self.location[2]), (hx, hy, hz)
         origin, extent = [], []
@@ -127,10 +135,16 @@ def conjugate(quat: Quaternion) -> Quaternion:
 def rotate(quat: Quaternion, vector: Triple) -> Triple:
     """``vector`` turned by a unit quaternion."""
     x, y, z, w = quat
-    tx, ty, tz = (2 * (y * vector[2] - z * vector[1]), 2 * (z * vector[0] - x * vector[2]),
-                  2 * (x * vector[1] - y * vector[0]))
-    return (vector[0] + w * tx + y * tz - z * ty, vector[1] + w * ty + z * tx - x * tz,
-            vector[2] + w * tz + x * ty - y * tx)
+    tx, ty, tz = (
+        2 * (y * vector[2] - z * vector[1]),
+        2 * (z * vector[0] - x * vector[2]),
+        2 * (x * vector[1] - y * vector[0]),
+    )
+    return (
+        vector[0] + w * tx + y * tz - z * ty,
+        vector[1] + w * ty + z * tx - x * tz,
+        vector[2] + w * tz + x * ty - y * tx,
+    )
 
 
 def normalized(quat: Sequence[float]) -> Quaternion:

@@ -38,9 +38,13 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
 
     gc.disable()  # what loads now stays: looking through it again and again would take longer than loading it
     try:
-        boot([Path(pack) for pack in settings["packs"]], Path(settings["content"]),
-             levels=[Path(level) for level in settings["levels"]], start_map=settings["start_map"],
-             scratch=Path(settings["scratch"]))
+        boot(
+            [Path(pack) for pack in settings["packs"]],
+            Path(settings["content"]),
+            levels=[Path(level) for level in settings["levels"]],
+            start_map=settings["start_map"],
+            scratch=Path(settings["scratch"]),
+        )
     except BadInput as error:
         refused = {"what": error.what, "where": error.where, "todo": error.todo}
         channel.send(connection, json.dumps({"refused": refused}).encode())

@@ -35,19 +35,26 @@ class Air:
 
 def air_of(properties: Mapping[str, Any]) -> Air:
     """The air of a SkyAtmosphereComponent; coefficients are per km, heights in km."""
+
     def column(color: Any, scale: str, km: float) -> list[float]:
         share = max(float(properties[scale]), 0.0) * max(km, 0.0)
         return [max(float(channel), 0.0) * share for channel in (color.r, color.g, color.b)]
 
     mie_km = float(properties["mie_exponential_distribution"])
-    rayleigh = column(properties["rayleigh_scattering"], "rayleigh_scattering_scale",
-                      float(properties["rayleigh_exponential_distribution"]))
+    rayleigh = column(
+        properties["rayleigh_scattering"],
+        "rayleigh_scattering_scale",
+        float(properties["rayleigh_exponential_distribution"]),
+    )
     mie = column(properties["mie_scattering"], "mie_scattering_scale", mie_km)
     haze = column(properties["mie_absorption"], "mie_absorption_scale", mie_km)
     ozone = column(properties["other_absorption"], "other_absorption_scale", _OZONE_KM)
     factor = properties["sky_luminance_factor"]
-    return Air((rayleigh[0] + mie[0], rayleigh[1] + mie[1], rayleigh[2] + mie[2]),
-               (haze[0] + ozone[0], haze[1] + ozone[1], haze[2] + ozone[2]), (factor.r, factor.g, factor.b))
+    return Air(
+        (rayleigh[0] + mie[0], rayleigh[1] + mie[1], rayleigh[2] + mie[2]),
+        (haze[0] + ozone[0], haze[1] + ozone[1], haze[2] + ozone[2]),
+        (factor.r, factor.g, factor.b),
+    )
 
 
 def air_mass(height_deg: float) -> float:
@@ -79,10 +86,21 @@ def through_air(air: Air, sun: Sun, sky: Sky) -> tuple[Sun, Sky]:
         return sun.color[channel] * _passes(air, height, channel) / _passes(air, 90.0, channel)
 
     def shines(color: Rgb, view_deg: float) -> Rgb:
-        found = [color[channel] * air.luminance[channel] * _scattered(air, height, view_deg, channel)
-                 / max(_scattered(air, _DAY_HEIGHT_DEG, view_deg, channel), _LEAST) for channel in range(3)]
+        found = [
+            color[channel]
+            * air.luminance[channel]
+            * _scattered(air, height, view_deg, channel)
+            / max(_scattered(air, _DAY_HEIGHT_DEG, view_deg, channel), _LEAST)
+            for channel in range(3)
+        ]
         return found[0], found[1], found[2]
 
-    return (replace(sun, color=(arrives(0), arrives(1), arrives(2))),
-            replace(sky, zenith=shines(sky.zenith, 90.0), horizon=shines(sky.horizon, _HORIZON_DEG),
-                    ground=shines(sky.ground, _HORIZON_DEG)))
+    return (
+        replace(sun, color=(arrives(0), arrives(1), arrives(2))),
+        replace(
+            sky,
+            zenith=shines(sky.zenith, 90.0),
+            horizon=shines(sky.horizon, _HORIZON_DEG),
+            ground=shines(sky.ground, _HORIZON_DEG),
+        ),
+    )

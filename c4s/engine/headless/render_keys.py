@@ -32,9 +32,19 @@ def picture_keys(cameras: Sequence[Mapping[str, Any]], mode: str) -> list[str]:
     level = world()
     sources = tuple(level.light_sources())
     scene = _scene(level, repr(lights_of(sources)))
-    return [digest([scene, mode, float(view.get("exposure_bias_ev") or 0.0), repr(camera),
-                    repr(grade_at(sources, camera.location_cm))])
-            for view in cameras for camera in [camera_of(view)]]
+    return [
+        digest(
+            [
+                scene,
+                mode,
+                float(view.get("exposure_bias_ev") or 0.0),
+                repr(camera),
+                repr(grade_at(sources, camera.location_cm)),
+            ]
+        )
+        for view in cameras
+        for camera in [camera_of(view)]
+    ]
 
 
 def _scene(level: World, lights: str) -> str:
@@ -43,8 +53,10 @@ def _scene(level: World, lights: str) -> str:
     looks: dict[Any, int] = {}
     for shown in drawn(level):
         mesh = meshes.setdefault(shown.mesh, len(meshes))
-        look = tuple(looks.setdefault(look_of(level.store, shown.component._material(slot)), len(looks))
-                     for slot in range(shown.component._slot_count()))
+        look = tuple(
+            looks.setdefault(look_of(level.store, shown.component._material(slot)), len(looks))
+            for slot in range(shown.component._slot_count())
+        )
         found.update(repr((mesh, look, shown.actor_index)).encode())
         found.update(shown.matrix.tobytes())
     names = [(actor.get_name(), actor.get_actor_label()) for actor in level.actor_list()]
@@ -71,5 +83,9 @@ def _painter() -> str:
     """Digest of the sources and the libraries' versions."""
     root = Path(c4s.__file__).parent
     files = [file for folder in _SOURCES for file in sorted((root / folder).rglob("*.py"))]
-    return digest([[[file.relative_to(root).as_posix(), digest_file(file)] for file in files],
-                   [importlib.metadata.version(name) for name in _LIBRARIES]])
+    return digest(
+        [
+            [[file.relative_to(root).as_posix(), digest_file(file)] for file in files],
+            [importlib.metadata.version(name) for name in _LIBRARIES],
+        ]
+    )

@@ -35,8 +35,9 @@ _MANUAL_EV100 = math.log2(4.0**2 * 60.0)
 _DEFAULT_BIAS = 1.0
 _NEUTRAL_K = 6500.0
 _TINT = 0.05
-_XYZ_OF_RGB = np.array([[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750],
-                        [0.0193339, 0.1191920, 0.9503041]])
+_XYZ_OF_RGB = np.array(
+    [[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750], [0.0193339, 0.1191920, 0.9503041]]
+)
 _BRADFORD = np.array([[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]])
 
 
@@ -63,9 +64,15 @@ def lights_of(sources: Sequence[LightSource]) -> Lights:
         elif source.kind == "DirectionalLightComponent":
             direction = _axis(source, 0)
             if direction[2] < 0 and intensity > 0:
-                suns.append(Sun(direction, light_colour(source), intensity,
-                                max(_MIN_SUN_DEG, float(source.properties["light_source_angle"])),
-                                bool(source.properties["cast_shadows"])))
+                suns.append(
+                    Sun(
+                        direction,
+                        light_colour(source),
+                        intensity,
+                        max(_MIN_SUN_DEG, float(source.properties["light_source_angle"])),
+                        bool(source.properties["cast_shadows"]),
+                    )
+                )
                 in_air.append(bool(source.properties["atmosphere_sun_light"]))
         elif intensity > 0:
             local.append(_local(source))
@@ -79,8 +86,9 @@ def lights_of(sources: Sequence[LightSource]) -> Lights:
         dome = Sky(intensity=follows * max(sky[0], _MIN_SKY), light_color=sky[1])
     if air is not None and suns and in_air[0]:
         suns[0], dome = through_air(air, suns[0], dome)
-    return Lights(sun=suns[0] if suns else None, other_suns=tuple(suns[1:]), sky=dome, local=tuple(local),
-                  fog=_fog(fog, dome))
+    return Lights(
+        sun=suns[0] if suns else None, other_suns=tuple(suns[1:]), sky=dome, local=tuple(local), fog=_fog(fog, dome)
+    )
 
 
 def _axis(source: LightSource, number: int) -> Point:
@@ -99,10 +107,10 @@ def _white(kelvin: float, tint: float) -> Any:
     t = min(max(kelvin, 1000.0), 15000.0)
 
     def uv(t: float) -> tuple[float, float]:
-        return ((0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t * t)
-                / (1 + 8.42420235e-4 * t + 7.08145163e-7 * t * t),
-                (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t * t)
-                / (1 - 2.89741816e-5 * t + 1.61456053e-7 * t * t))
+        return (
+            (0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t * t) / (1 + 8.42420235e-4 * t + 7.08145163e-7 * t * t),
+            (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t * t) / (1 - 2.89741816e-5 * t + 1.61456053e-7 * t * t),
+        )
 
     (u, v), (near_u, near_v) = uv(t), uv(t + 1.0)
     along = math.hypot(near_u - u, near_v - v)
@@ -136,9 +144,13 @@ def candela_of(source: LightSource) -> float:
     elif source.kind == "RectLightComponent":
         solid_angle, area_cm2 = math.pi, float(properties["source_width"]) * float(properties["source_height"])
     intensity, units = float(properties["intensity"]), str(properties["intensity_units"].name)
-    return {"UNITLESS": intensity / _UNITLESS_PER_CANDELA, "LUMENS": intensity / solid_angle,
-            "CANDELAS": intensity, "NITS": intensity * area_cm2 / 1e4,
-            "EV": float(2.0 ** (min(intensity, _MAX_EV) - _EV_OF_ONE_CANDELA))}[units]
+    return {
+        "UNITLESS": intensity / _UNITLESS_PER_CANDELA,
+        "LUMENS": intensity / solid_angle,
+        "CANDELAS": intensity,
+        "NITS": intensity * area_cm2 / 1e4,
+        "EV": float(2.0 ** (min(intensity, _MAX_EV) - _EV_OF_ONE_CANDELA)),
+    }[units]
 
 
 def _local(source: LightSource) -> LocalLight:
@@ -156,11 +168,20 @@ def _local(source: LightSource) -> LocalLight:
         upwards = (up[0] * high, up[1] * high, up[2] * high)
     intensity, candela = float(properties["intensity"]), candela_of(source)
     by_exponent = not properties.get("use_inverse_squared_falloff", True)
-    return LocalLight(source.pose.location, light_colour(source), intensity if by_exponent else candela,
-                      float(properties["attenuation_radius"]), _axis(source, 0), inner, outer,
-                      _source_radius(properties), across, upwards,
-                      float(properties["light_falloff_exponent"]) if by_exponent else 0.0,
-                      bool(properties["cast_shadows"]))
+    return LocalLight(
+        source.pose.location,
+        light_colour(source),
+        intensity if by_exponent else candela,
+        float(properties["attenuation_radius"]),
+        _axis(source, 0),
+        inner,
+        outer,
+        _source_radius(properties),
+        across,
+        upwards,
+        float(properties["light_falloff_exponent"]) if by_exponent else 0.0,
+        bool(properties["cast_shadows"]),
+    )
 
 
 def _fog(source: LightSource | None, sky: Sky) -> Fog | None:
@@ -172,9 +193,15 @@ def _fog(source: LightSource | None, sky: Sky) -> Fog | None:
     color: Rgb = (own.r, own.g, own.b)
     if max(color) <= 0:
         color = (sky.horizon[0] * sky.intensity, sky.horizon[1] * sky.intensity, sky.horizon[2] * sky.intensity)
-    return Fog(float(properties["fog_density"]), float(properties["fog_height_falloff"]),
-               float(source.pose.location[2]), color, float(properties["start_distance"]),
-               float(properties["fog_cutoff_distance"]), float(properties["fog_max_opacity"]))
+    return Fog(
+        float(properties["fog_density"]),
+        float(properties["fog_height_falloff"]),
+        float(source.pose.location[2]),
+        color,
+        float(properties["start_distance"]),
+        float(properties["fog_cutoff_distance"]),
+        float(properties["fog_max_opacity"]),
+    )
 
 
 def grade_at(sources: Sequence[LightSource], location_cm: Point) -> Grade:
@@ -198,8 +225,9 @@ def _holds(volume: LightSource, location_cm: Point) -> bool:
 def overridden(settings: Any) -> dict[str, Any]:
     """The values of post-process settings whose ``override_`` flag is set."""
     names = [name.removeprefix("override_") for name in settings._fields if name.startswith("override_")]
-    return {name: settings.get_editor_property(name) for name in names
-            if settings.get_editor_property(f"override_{name}")}
+    return {
+        name: settings.get_editor_property(name) for name in names if settings.get_editor_property(f"override_{name}")
+    }
 
 
 def grade_of(chosen: Mapping[str, Any]) -> Grade:
@@ -227,9 +255,18 @@ def grade_of(chosen: Mapping[str, Any]) -> Grade:
         lowest = _gain_of_ev100(float(chosen["auto_exposure_max_brightness"]))
     if "auto_exposure_min_brightness" in chosen:
         highest = _gain_of_ev100(float(chosen["auto_exposure_min_brightness"]))
-    return Grade(fixed, min(lowest, highest), highest, bias - _DEFAULT_BIAS, balance, triple("color_saturation", 1.0),
-                 triple("color_contrast", 1.0), triple("color_gamma", 1.0), triple("color_gain", 1.0),
-                 triple("color_offset", 0.0))
+    return Grade(
+        fixed,
+        min(lowest, highest),
+        highest,
+        bias - _DEFAULT_BIAS,
+        balance,
+        triple("color_saturation", 1.0),
+        triple("color_contrast", 1.0),
+        triple("color_gamma", 1.0),
+        triple("color_gain", 1.0),
+        triple("color_offset", 0.0),
+    )
 
 
 def _gain_of_ev100(ev100: float) -> float:

@@ -12,15 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from c4s.engine.headless.render import (
-    Camera,
-    Instance,
-    Lights,
-    LocalLight,
-    Picture,
-    Renderer,
-    SurfaceMaterial,
-)
+from c4s.engine.headless.render import Camera, Instance, Lights, LocalLight, Picture, Renderer, SurfaceMaterial
 from c4s.engine.headless.render_lights import grade_at, lights_of
 from c4s.packs.meshes import Mesh
 from c4s.packs.store import PackStore
@@ -60,9 +52,12 @@ def take(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, 
     records = []
     for view, name in zip(cameras, files, strict=True):
         camera = camera_of(view)
-        picture = scene.renderer.render(camera, mode="base_color" if mode == "base_color" else "lit",
-                                        exposure_bias_ev=float(view.get("exposure_bias_ev") or 0.0),
-                                        grade=grade_at(scene.sources, camera.location_cm))
+        picture = scene.renderer.render(
+            camera,
+            mode="base_color" if mode == "base_color" else "lit",
+            exposure_bias_ev=float(view.get("exposure_bias_ev") or 0.0),
+            grade=grade_at(scene.sources, camera.location_cm),
+        )
         path = Path(name)
         Image.fromarray(picture.rgb).save(path, format="PNG", compress_level=_PNG_LEVEL)
         if masks:
@@ -82,8 +77,13 @@ def camera_of(view: Mapping[str, Any]) -> Camera:
 def write_mask(path: Path, picture: Picture, scene: Scene) -> None:
     """Write the actor mask and depth of a picture with the table of its actors."""
     with path.open("wb") as file:
-        np.savez_compressed(file, actor=picture.actor, depth_cm=picture.depth_cm.astype(np.float32),
-                            names=np.array(scene.names, dtype=np.str_), labels=np.array(scene.labels, dtype=np.str_))
+        np.savez_compressed(
+            file,
+            actor=picture.actor,
+            depth_cm=picture.depth_cm.astype(np.float32),
+            names=np.array(scene.names, dtype=np.str_),
+            labels=np.array(scene.labels, dtype=np.str_),
+        )
 
 
 def visible(picture: Picture, scene: Scene) -> dict[str, int]:
@@ -108,8 +108,12 @@ def open_level() -> Scene:
         instances.append(Instance(meshes[shown.mesh], shown.matrix, surfaces.of(shown.component), shown.actor_index))
     actors = level.actor_list()
     sources = tuple(level.light_sources())
-    return Scene(Renderer(loaded, instances, lights_of(sources)), tuple(actor.get_name() for actor in actors),
-                 tuple(actor.get_actor_label() for actor in actors), sources)
+    return Scene(
+        Renderer(loaded, instances, lights_of(sources)),
+        tuple(actor.get_name() for actor in actors),
+        tuple(actor.get_actor_label() for actor in actors),
+        sources,
+    )
 
 
 def drawn(level: World) -> Iterator[Drawable]:
@@ -126,8 +130,15 @@ def look_of(store: PackStore, material: MaterialInterface | None) -> tuple[Any, 
     numbers = (look.base_color, look.roughness, look.metallic, look.emissive, look.opacity)
     if packed is None:
         return (*numbers, "opaque", 0.5, None, None, None, None)
-    return (*numbers, packed.alpha, packed.alpha_cutoff, *(store.pack_file(packed, name) for name in (
-        packed.texture, packed.normal_texture, packed.roughness_metal_texture, packed.emissive_texture)))
+    return (
+        *numbers,
+        packed.alpha,
+        packed.alpha_cutoff,
+        *(
+            store.pack_file(packed, name)
+            for name in (packed.texture, packed.normal_texture, packed.roughness_metal_texture, packed.emissive_texture)
+        ),
+    )
 
 
 def _volume(matrix: NDArray[np.float64]) -> float:
@@ -142,8 +153,9 @@ class _Surfaces:
     def __init__(self, store: PackStore) -> None:
         self._store = store
         self._known: dict[tuple[Any, ...], SurfaceMaterial] = {}
-        self._of_slots: dict[tuple[int, ...], tuple[tuple[MaterialInterface | None, ...],
-                                                    tuple[SurfaceMaterial, ...]]] = {}
+        self._of_slots: dict[
+            tuple[int, ...], tuple[tuple[MaterialInterface | None, ...], tuple[SurfaceMaterial, ...]]
+        ] = {}
         """By the identities of the slots' materials, which are kept so that no other takes their place."""
         self._missing = SurfaceMaterial()
 
@@ -163,9 +175,21 @@ class _Surfaces:
             base_color, roughness, metallic, emissive, opacity, alpha, cutoff, *files = look
             color, normal, roughness_metal, emissive_texture = (
                 None if file is None else _texture(file, number == 0 and alpha != "opaque")
-                for number, file in enumerate(files))
-            self._known[look] = SurfaceMaterial(base_color, roughness, metallic, emissive, opacity, color, alpha,
-                                                cutoff, normal, roughness_metal, emissive_texture)
+                for number, file in enumerate(files)
+            )
+            self._known[look] = SurfaceMaterial(
+                base_color,
+                roughness,
+                metallic,
+                emissive,
+                opacity,
+                color,
+                alpha,
+                cutoff,
+                normal,
+                roughness_metal,
+                emissive_texture,
+            )
         return self._known[look]
 
 
@@ -177,9 +201,13 @@ def _texture(file: Path, alpha: bool) -> NDArray[np.uint8]:
 
 def warm() -> None:
     """Compile every kernel by taking one small picture of each kind."""
-    triangle = Mesh(np.array([[0, -50, 0], [0, 50, 0], [0, 0, 80]], np.float32), np.array([[0, 1, 2]], np.int32),
-                    np.tile(np.array([-1, 0, 0], np.float32), (3, 1)), np.zeros((3, 2), np.float32),
-                    np.zeros(1, np.int32))
+    triangle = Mesh(
+        np.array([[0, -50, 0], [0, 50, 0], [0, 0, 80]], np.float32),
+        np.array([[0, 1, 2]], np.int32),
+        np.tile(np.array([-1, 0, 0], np.float32), (3, 1)),
+        np.zeros((3, 2), np.float32),
+        np.zeros(1, np.int32),
+    )
     surface = SurfaceMaterial(texture=np.full((2, 2, 4), 255, np.uint8), alpha="mask")
     lights = Lights(local=(LocalLight((-100.0, 0.0, 50.0)),))
     renderer = Renderer([triangle], [Instance(0, np.eye(4), (surface,), 0)], lights)

@@ -12,10 +12,20 @@ from typing import Any
 
 from c4s.engine.headless.unreal.libraries import ticking
 
-READERS = frozenset({
-    "capture.capture_views", "capture.take_screenshots", "capture.viewport_camera", "dependencies.export_dependencies",
-    "scene_tools.actor_ids", "scene_tools.current_level", "scene_tools.find_actors", "scene_tools.list_actors",
-    "snapshot.export_if_changed", "snapshot.export_snapshot"})
+READERS = frozenset(
+    {
+        "capture.capture_views",
+        "capture.take_screenshots",
+        "capture.viewport_camera",
+        "dependencies.export_dependencies",
+        "scene_tools.actor_ids",
+        "scene_tools.current_level",
+        "scene_tools.find_actors",
+        "scene_tools.list_actors",
+        "snapshot.export_if_changed",
+        "snapshot.export_snapshot",
+    }
+)
 """Functions of ``c4s.editor`` that change nothing which a snapshot tells."""
 OWN_THREADS = 2
 """The one that runs jobs, and the one that hears the host."""

@@ -44,10 +44,16 @@ class BridgeServer:
         self._lock = threading.Lock()
         self._places = threading.BoundedSemaphore(_MAX_CONNECTIONS)
         self._answers: dict[str, Callable[[Params], dict[str, Any]]] = {
-            "execute_python_script": self._execute, "read_job_log": self._read, "abandon_job": self._abandon,
-            "editor_status": self._status, "call_function": self._call, "take_screenshot": self._screenshot,
-            "take_screenshot_batch": self._screenshots, "begin_rendering": lambda _: {"status": "ok"},
-            "shutdown": self._shutdown}
+            "execute_python_script": self._execute,
+            "read_job_log": self._read,
+            "abandon_job": self._abandon,
+            "editor_status": self._status,
+            "call_function": self._call,
+            "take_screenshot": self._screenshot,
+            "take_screenshot_batch": self._screenshots,
+            "begin_rendering": lambda _: {"status": "ok"},
+            "shutdown": self._shutdown,
+        }
         threading.Thread(target=self._accept, name="bridge", daemon=True).start()
 
     def close(self) -> None:
@@ -160,8 +166,12 @@ class BridgeServer:
             raise BadRequest(f"shots must be a list of 1 to {MAX_SHOTS}")
         for shot in shots:
             _check_shot(shot)
-        job = self._board.submit({"function": "capture.take_screenshots",
-                                  "params": {"shots": shots, "folder": str(self._scratch / "screenshots")}})
+        job = self._board.submit(
+            {
+                "function": "capture.take_screenshots",
+                "params": {"shots": shots, "folder": str(self._scratch / "screenshots")},
+            }
+        )
         job.done.wait()
         if job.error is not None or job.value is None:
             return job.reply()
@@ -210,10 +220,13 @@ def _same_user(connection: socket.socket) -> bool:
 
 def _is_batch(taken: Any) -> bool:
     """Whether this is the reply of ``capture.take_screenshots``: agent code shares the engine with that function."""
-    return (isinstance(taken, dict) and taken.get("status") in ("success", "partial")
-            and all(isinstance(taken.get(key), list) for key in ("results", "missing"))
-            and all(isinstance(result, dict) and isinstance(result.get("filepath"), str) for result in taken["results"])
-            and (taken["status"] == "partial" or bool(taken["results"])))
+    return (
+        isinstance(taken, dict)
+        and taken.get("status") in ("success", "partial")
+        and all(isinstance(taken.get(key), list) for key in ("results", "missing"))
+        and all(isinstance(result, dict) and isinstance(result.get("filepath"), str) for result in taken["results"])
+        and (taken["status"] == "partial" or bool(taken["results"]))
+    )
 
 
 def _refusal(text: str) -> dict[str, Any]:

@@ -36,8 +36,9 @@ class JobAbandoned(BaseException):
 class Worker:
     """Runs the jobs that come over ``connection`` on the thread that calls ``run_forever``; ``begin`` hears of each."""
 
-    def __init__(self, connection: socket.socket, tick: Callable[[float], None],
-                 begin: Callable[[dict[str, Any]], None]) -> None:
+    def __init__(
+        self, connection: socket.socket, tick: Callable[[float], None], begin: Callable[[dict[str, Any]], None]
+    ) -> None:
         self._connection, self._tick, self._begin = connection, tick, begin
         self._orders: queue.SimpleQueue[Order | None] = queue.SimpleQueue()
         self._namespace: dict[str, Any] = {"__name__": "__main__", "__builtins__": builtins, "__doc__": None}

@@ -322,14 +322,20 @@ class World(AssetLibrary):
         for actor in self.actors.values():
             if actor._values.get("hidden") or actor._hidden_ed:
                 continue
-            sources: list[Any] = [c for c in actor._components if isinstance(c, kinds)
-                                  and isinstance(c, SceneComponent) and c.get_editor_property("visible")]
+            sources: list[Any] = [
+                c
+                for c in actor._components
+                if isinstance(c, kinds) and isinstance(c, SceneComponent) and c.get_editor_property("visible")
+            ]
             if type(actor).__name__ == "PostProcessVolume" and actor.get_editor_property("enabled"):
                 sources.append(actor)
             for source in sources:
                 pose = actor._pose() if source is actor else source._world_pose()
-                properties = {name: source.get_editor_property(name)
-                              for name, prop in type(source)._properties.items() if prop.scripts}
+                properties = {
+                    name: source.get_editor_property(name)
+                    for name, prop in type(source)._properties.items()
+                    if prop.scripts
+                }
                 yield LightSource(actor, type(source).__name__, pose, properties)
 
 

@@ -60,8 +60,11 @@ class AnthropicMessages:
         """``partial``: the output told so far is that of the first moment and stands for nothing."""
         if usage is None:
             return
-        told = {name: value if value is not None else 0 for name, value in usage.items()
-                if value is not None or name.startswith("cache_")}
+        told = {
+            name: value if value is not None else 0
+            for name, value in usage.items()
+            if value is not None or name.startswith("cache_")
+        }
         if partial:
             told.pop("output_tokens", None)
         reading.parts.update(told)
@@ -69,8 +72,14 @@ class AnthropicMessages:
 
     def error(self, status: int, kind: str, text: str) -> dict[str, Any]:
         """See ``Wire``."""
-        names = {400: "invalid_request_error", 401: "authentication_error", 402: "billing_error",
-                 403: "permission_error", 404: "not_found_error", 504: "timeout_error"}
+        names = {
+            400: "invalid_request_error",
+            401: "authentication_error",
+            402: "billing_error",
+            403: "permission_error",
+            404: "not_found_error",
+            504: "timeout_error",
+        }
         return {"type": "error", "error": {"type": names.get(status, "api_error"), "message": text}}
 
 
@@ -85,7 +94,12 @@ def _usage(usage: Mapping[str, Any]) -> Usage:
             cache_write = (tokens(lifetimes, "ephemeral_5m_input_tokens", 0) or 0) + (hour or 0)
     known = fresh is not None and cache_read is not None and cache_write is not None
     details = block(usage, "output_tokens_details") or {}
-    return Usage(input_tokens=(fresh or 0) + (cache_read or 0) + (cache_write or 0) if known else None,
-                 fresh_input_tokens=fresh, cache_read_tokens=cache_read, cache_write_tokens=cache_write,
-                 cache_write_1h_tokens=hour, output_tokens=tokens(usage, "output_tokens"),
-                 reasoning_tokens=tokens(details, "thinking_tokens"))
+    return Usage(
+        input_tokens=(fresh or 0) + (cache_read or 0) + (cache_write or 0) if known else None,
+        fresh_input_tokens=fresh,
+        cache_read_tokens=cache_read,
+        cache_write_tokens=cache_write,
+        cache_write_1h_tokens=hour,
+        output_tokens=tokens(usage, "output_tokens"),
+        reasoning_tokens=tokens(details, "thinking_tokens"),
+    )

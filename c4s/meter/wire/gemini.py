@@ -49,8 +49,10 @@ class GeminiGenerate:
         if error is not None:
             reading.error = f"{error.get('status', 'error')}: {error.get('message', '')}"
         candidates, feedback = message.get("candidates"), block(message, "promptFeedback")
-        if (feedback and feedback.get("blockReason")) or (isinstance(candidates, list) and any(
-                isinstance(candidate, Mapping) and candidate.get("finishReason") for candidate in candidates)):
+        if (feedback and feedback.get("blockReason")) or (
+            isinstance(candidates, list)
+            and any(isinstance(candidate, Mapping) and candidate.get("finishReason") for candidate in candidates)
+        ):
             reading.finished = True
         usage = block(message, "usageMetadata")
         if usage is not None:
@@ -58,8 +60,14 @@ class GeminiGenerate:
 
     def error(self, status: int, kind: str, text: str) -> dict[str, Any]:
         """See ``Wire``."""
-        names = {400: "INVALID_ARGUMENT", 401: "UNAUTHENTICATED", 403: "PERMISSION_DENIED", 404: "NOT_FOUND",
-                 402: "FAILED_PRECONDITION", 504: "DEADLINE_EXCEEDED"}
+        names = {
+            400: "INVALID_ARGUMENT",
+            401: "UNAUTHENTICATED",
+            403: "PERMISSION_DENIED",
+            404: "NOT_FOUND",
+            402: "FAILED_PRECONDITION",
+            504: "DEADLINE_EXCEEDED",
+        }
         return {"error": {"code": status, "message": text, "status": names.get(status, "UNAVAILABLE")}}
 
 
@@ -68,7 +76,12 @@ def _usage(usage: Mapping[str, Any]) -> Usage:
     cached, tool_use = tokens(usage, "cachedContentTokenCount", 0), tokens(usage, "toolUsePromptTokenCount", 0) or 0
     fresh = split_input(prompt, cached, 0)
     thoughts, answer = tokens(usage, "thoughtsTokenCount", 0) or 0, tokens(usage, "candidatesTokenCount", 0) or 0
-    return Usage(input_tokens=None if prompt is None else prompt + tool_use,
-                 fresh_input_tokens=None if fresh is None else fresh + tool_use,
-                 cache_read_tokens=cached, cache_write_tokens=0, cache_write_1h_tokens=0,
-                 output_tokens=answer + thoughts, reasoning_tokens=thoughts)
+    return Usage(
+        input_tokens=None if prompt is None else prompt + tool_use,
+        fresh_input_tokens=None if fresh is None else fresh + tool_use,
+        cache_read_tokens=cached,
+        cache_write_tokens=0,
+        cache_write_1h_tokens=0,
+        output_tokens=answer + thoughts,
+        reasoning_tokens=thoughts,
+    )

@@ -43,8 +43,9 @@ class OpenAIChat:
         if message.get("error"):
             reading.error = _error_text(message["error"])
         choices = message.get("choices")
-        if isinstance(choices, list) and any(isinstance(choice, Mapping) and choice.get("finish_reason")
-                                             for choice in choices):
+        if isinstance(choices, list) and any(
+            isinstance(choice, Mapping) and choice.get("finish_reason") for choice in choices
+        ):
             reading.finished = True
         usage = block(message, "usage")
         if usage is not None:
@@ -76,7 +77,12 @@ def _usage(usage: Mapping[str, Any]) -> Usage:
     whole = tokens(usage, "total_tokens")
     if reasoning and total is not None and output is not None and whole == total + output + reasoning:
         output += reasoning
-    return Usage(input_tokens=total, fresh_input_tokens=split_input(total, cache_read, cache_write),
-                 cache_read_tokens=cache_read, cache_write_tokens=cache_write,
-                 cache_write_1h_tokens=0 if cache_write is not None else None,
-                 output_tokens=output, reasoning_tokens=reasoning)
+    return Usage(
+        input_tokens=total,
+        fresh_input_tokens=split_input(total, cache_read, cache_write),
+        cache_read_tokens=cache_read,
+        cache_write_tokens=cache_write,
+        cache_write_1h_tokens=0 if cache_write is not None else None,
+        output_tokens=output,
+        reasoning_tokens=reasoning,
+    )

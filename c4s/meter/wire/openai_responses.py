@@ -62,8 +62,12 @@ def _usage(usage: Mapping[str, Any]) -> Usage:
     total = tokens(usage, "input_tokens")
     cache_read = tokens(details, "cached_tokens", 0) if details is not None else None
     cache_write = tokens(details, "cache_write_tokens", 0) if details is not None else None
-    return Usage(input_tokens=total, fresh_input_tokens=split_input(total, cache_read, cache_write),
-                 cache_read_tokens=cache_read, cache_write_tokens=cache_write,
-                 cache_write_1h_tokens=0 if cache_write is not None else None,
-                 output_tokens=tokens(usage, "output_tokens"),
-                 reasoning_tokens=tokens(output_details, "reasoning_tokens", 0) if output_details is not None else None)
+    return Usage(
+        input_tokens=total,
+        fresh_input_tokens=split_input(total, cache_read, cache_write),
+        cache_read_tokens=cache_read,
+        cache_write_tokens=cache_write,
+        cache_write_1h_tokens=0 if cache_write is not None else None,
+        output_tokens=tokens(usage, "output_tokens"),
+        reasoning_tokens=tokens(output_details, "reasoning_tokens", 0) if output_details is not None else None,
+    )

@@ -76,8 +76,9 @@ class Index:
                 break
             found.append((other, PREFIX))
         found += [(stem[:end], PREFIX) for end in range(LEAST_PREFIX, len(stem)) if stem[:end] in self._posting]
-        return found + [(stem[start:], PREFIX) for start in range(1, len(stem) - LEAST_PREFIX + 1)
-                        if stem[start:] in self._posting]
+        return found + [
+            (stem[start:], PREFIX) for start in range(1, len(stem) - LEAST_PREFIX + 1) if stem[start:] in self._posting
+        ]
 
 
 def _weights(document: Document) -> dict[str, float]:

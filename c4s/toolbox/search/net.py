@@ -38,8 +38,11 @@ class WordNet:
             if not line.strip() or line.startswith("#"):
                 continue
             names, kinds, uses = line.split("|")
-            thing = Thing(tuple(tuple(map(stem_of, words_of(name))) for name in names.split(",")),
-                          tuple(map(stem_of, words_of(kinds))), tuple(map(stem_of, words_of(uses))))
+            thing = Thing(
+                tuple(tuple(map(stem_of, words_of(name))) for name in names.split(",")),
+                tuple(map(stem_of, words_of(kinds))),
+                tuple(map(stem_of, words_of(uses))),
+            )
             for name in thing.names:
                 self._things.setdefault(name, []).append(thing)
         self.longest = max(map(len, self._things))
@@ -49,7 +52,7 @@ class WordNet:
         found, at = [], 0
         while at < len(stems):
             for length in range(min(self.longest, len(stems) - at), 0, -1):
-                name = tuple(stems[at:at + length])
+                name = tuple(stems[at : at + length])
                 if name in self._things:
                     found.append((name, at))
                     at += length

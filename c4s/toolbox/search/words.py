@@ -8,16 +8,36 @@ from functools import lru_cache
 import snowballstemmer
 
 _WORD = re.compile(r"[a-z0-9]+")
-_IRREGULAR = {"knives": "knife", "shelves": "shelf", "leaves": "leaf", "loaves": "loaf", "wolves": "wolf",
-              "men": "man", "women": "woman", "people": "person", "children": "child", "geese": "goose",
-              "mice": "mouse", "feet": "foot", "sat": "sit", "slept": "sleep", "kept": "keep", "lit": "light",
-              "written": "write", "wrote": "write", "drove": "drive", "driven": "drive", "held": "hold"}
+_IRREGULAR = {
+    "knives": "knife",
+    "shelves": "shelf",
+    "leaves": "leaf",
+    "loaves": "loaf",
+    "wolves": "wolf",
+    "men": "man",
+    "women": "woman",
+    "people": "person",
+    "children": "child",
+    "geese": "goose",
+    "mice": "mouse",
+    "feet": "foot",
+    "sat": "sit",
+    "slept": "sleep",
+    "kept": "keep",
+    "lit": "light",
+    "written": "write",
+    "wrote": "write",
+    "drove": "drive",
+    "driven": "drive",
+    "held": "hold",
+}
 _EMPTY = (
     "a an and any are as at be been by can do does for from get gives had has have he her here his how i in into is it "
     "its kind let lets like made make makes me my no not object objects of off on one or our out over own place places "
     "she so some somebody someone something somewhere sort such that the their them then there these they thing things "
     "this those to type up use used uses using very was we were what when where which while who with you your it's "
-    "asset assets item items model prop props near next")
+    "asset assets item items model prop props near next"
+)
 EMPTY = frozenset(_EMPTY.split())
 """Words that say nothing of what is looked for."""
 _STEMMER = snowballstemmer.stemmer("english")

@@ -4,5 +4,15 @@ from c4s.verify.repair.counts import RepairResult, repair
 from c4s.verify.repair.policy import NOMINAL, PROFILES, RELAXED, REPAIR_POLICY, STRICT, Tolerances
 from c4s.verify.repair.verdict import repair_verdict, verify_repair
 
-__all__ = ["NOMINAL", "PROFILES", "RELAXED", "REPAIR_POLICY", "STRICT", "RepairResult", "Tolerances", "repair",
-           "repair_verdict", "verify_repair"]
+__all__ = [
+    "NOMINAL",
+    "PROFILES",
+    "RELAXED",
+    "REPAIR_POLICY",
+    "STRICT",
+    "RepairResult",
+    "Tolerances",
+    "repair",
+    "repair_verdict",
+    "verify_repair",
+]

@@ -37,8 +37,9 @@ class Errors:
     def failed(self, limits: Tolerances) -> tuple[str, ...]:
         """Names of the tests that fail; empty means accepted."""
         limit = {"distance": limits.position_cm, "angle": limits.rotation_deg, "ratio": limits.ratio}
-        far = tuple(name for name, quantity, value in self.numbers
-                    if value is None or not value <= limit[quantity] + GUARD)
+        far = tuple(
+            name for name, quantity, value in self.numbers if value is None or not value <= limit[quantity] + GUARD
+        )
         return (() if self.descriptor_equal else ("descriptor",)) + far + self.unequal
 
     def accepted(self, limits: Tolerances) -> bool:
@@ -98,7 +99,10 @@ def measure(truth: Record, candidate: Record) -> Errors:
     rotation = _measure(angle_deg, theirs.get("rotation_deg"), mine.get("rotation_deg"))
     scale = _measure(_ratio, theirs.get("scale"), mine.get("scale"))
     numbers: list[tuple[str, Quantity, float | None]] = [
-        ("position", "distance", position), ("rotation", "angle", rotation), ("scale", "ratio", scale)]
+        ("position", "distance", position),
+        ("rotation", "angle", rotation),
+        ("scale", "ratio", scale),
+    ]
     center = extent = None
     if truth.get("bounds") is not None:
         wanted, found = _members(truth, "bounds"), _members(candidate, "bounds")
@@ -108,6 +112,13 @@ def measure(truth: Record, candidate: Record) -> Errors:
         if "extent_cm" in wanted:
             extent = _measure(_extent_ratio, found.get("extent_cm"), wanted["extent_cm"])
             numbers.append(("bounds_extent", "ratio", extent))
-    return Errors(position, rotation, None if scale is None else 100 * scale, center,
-                  None if extent is None else 100 * extent, same_kind,
-                  tuple(_attribute_failures(truth, candidate)), tuple(numbers))
+    return Errors(
+        position,
+        rotation,
+        None if scale is None else 100 * scale,
+        center,
+        None if extent is None else 100 * extent,
+        same_kind,
+        tuple(_attribute_failures(truth, candidate)),
+        tuple(numbers),
+    )

@@ -17,8 +17,16 @@ from c4s.verify.repair.vectors import Vector3, valid_vector
 
 Role: TypeAlias = Literal["input", "truth", "candidate"]
 
-_CONTENT_FIELDS = ("class", "asset_path", "component_asset_paths", "transform", "bounds", "properties",
-                   "material_paths", "component_material_slots")
+_CONTENT_FIELDS = (
+    "class",
+    "asset_path",
+    "component_asset_paths",
+    "transform",
+    "bounds",
+    "properties",
+    "material_paths",
+    "component_material_slots",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +42,9 @@ def by_identity(entries: Sequence[Entry], role: Role) -> dict[str, Entry]:
     found = {entry.identity(): entry for entry in entries}
     if len(found) != len(entries):
         key = next(key for key, count in Counter(entry.identity() for entry in entries).items() if count > 1)
-        raise BadInput(f"two actors have the identity {key}", where=f"{role} snapshot",
-                       todo="identities must be unique in a scene")
+        raise BadInput(
+            f"two actors have the identity {key}", where=f"{role} snapshot", todo="identities must be unique in a scene"
+        )
     return found
 
 
@@ -65,8 +74,9 @@ def scene_actors(snapshot: Any, role: Role) -> list[Entry]:
         return scene.actors
     status = metadata.get("status") if isinstance(metadata, dict) else None
     if status != "success":
-        raise BadInput(f"the export of this scene did not succeed: status {status!r}", where=where,
-                       todo="export it again")
+        raise BadInput(
+            f"the export of this scene did not succeed: status {status!r}", where=where, todo="export it again"
+        )
     return scene.actors
 
 
@@ -111,5 +121,7 @@ def prepare(entries: Iterable[Entry], keys: Iterable[str], kinds: Iterable[Kind]
     """The semantic ones of the actors, with their identities and kinds, ready for matching, in export order."""
     known = [row for row in zip(entries, keys, kinds, strict=True) if row[2].semantic]
     places = posed_locations([entry for entry, _, _ in known])
-    return [Actor(entry, key, index, kind, place, entry.written)
-            for index, ((entry, key, kind), place) in enumerate(zip(known, places, strict=True))]
+    return [
+        Actor(entry, key, index, kind, place, entry.written)
+        for index, ((entry, key, kind), place) in enumerate(zip(known, places, strict=True))
+    ]

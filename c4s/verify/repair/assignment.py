@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-def maximum_matching(left: Iterable[int], edges: Callable[[int], Sequence[int]],
-                     taken: dict[int, int] | None = None) -> dict[int, int]:
+def maximum_matching(
+    left: Iterable[int], edges: Callable[[int], Sequence[int]], taken: dict[int, int] | None = None
+) -> dict[int, int]:
     """Maximum-cardinality matching, ``{left: right}``.
 
     ``left`` nodes enter in order and, once matched, stay matched. ``edges(node)`` lists the right nodes of a left

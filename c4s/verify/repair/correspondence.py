@@ -23,14 +23,7 @@ from c4s.scene.transform import quat_from_rotator
 from c4s.verify.repair.actors import Actor
 from c4s.verify.repair.assignment import maximum_matching, minimum_cost
 from c4s.verify.repair.difference import changed_fields, property_differences, transform_differences
-from c4s.verify.repair.policy import (
-    ANGLE_COST,
-    FIELD_COST,
-    GUARD,
-    SAME_LOCATION_CM,
-    SAME_ROTATION_DEG,
-    SAME_SCALE,
-)
+from c4s.verify.repair.policy import ANGLE_COST, FIELD_COST, GUARD, SAME_LOCATION_CM, SAME_ROTATION_DEG, SAME_SCALE
 
 Method: TypeAlias = Literal["unchanged_semantic", "changed_structural_assignment", "pose_anchored_asset_change"]
 _CELL_CM = 50.0
@@ -38,12 +31,18 @@ _CELL_CM = 50.0
 _STACK = 8
 """Actors at one point from which verdicts on equal contents are remembered."""
 _REACH_CM = SAME_LOCATION_CM * (1 + 1e-9)
-_FAR_CELL = 2 ** 40
+_FAR_CELL = 2**40
 _MIX = np.array([0x1F35_9A3B, 0x2545_F491_4F6C_DD1D, 0x0CE6_6D5B_97A1_2F33, 0x3C79_AC49_2BA7_B653])
 """Odd factors that turn kind and cell into one number. Where two cells meet in a number their actors are many, which
 only means that they are looked at one by one."""
-_PROPERTY_FIELDS = ("class", "asset_path", "component_asset_paths", "material_paths", "component_material_slots",
-                    "properties")
+_PROPERTY_FIELDS = (
+    "class",
+    "asset_path",
+    "component_asset_paths",
+    "material_paths",
+    "component_material_slots",
+    "properties",
+)
 
 
 class Pair(msgspec.Struct, frozen=True, gc=False):
@@ -66,8 +65,9 @@ class Correspondence:
     """Candidate actors without an input actor."""
 
 
-def _near(actors: Iterable[Actor], others: Iterable[Actor],
-          key: Callable[[Actor], Hashable]) -> Iterator[tuple[Actor, list[Actor]]]:
+def _near(
+    actors: Iterable[Actor], others: Iterable[Actor], key: Callable[[Actor], Hashable]
+) -> Iterator[tuple[Actor, list[Actor]]]:
     """Each posed actor that has them, with the posed others of the same key within 0.1 cm on every axis."""
     cells: dict[Hashable, list[Actor]] = defaultdict(list)
     for other, cell in zip(*_cells(others, 0.0), strict=True):
@@ -79,12 +79,21 @@ def _near(actors: Iterable[Actor], others: Iterable[Actor],
         if first == last:
             inside = cells.get((kind, *first))
         else:
-            inside = [other for cell in product(*(sorted({a, b}) for a, b in zip(first, last, strict=True)))
-                      for other in cells.get((kind, *cell), ())]
+            inside = [
+                other
+                for cell in product(*(sorted({a, b}) for a, b in zip(first, last, strict=True)))
+                for other in cells.get((kind, *cell), ())
+            ]
         if inside:
             x, y, z = actor.location or (0.0, 0.0, 0.0)
-            close = [other for other in inside if (at := other.location) is not None and abs(at[0] - x) <= _REACH_CM
-                     and abs(at[1] - y) <= _REACH_CM and abs(at[2] - z) <= _REACH_CM]
+            close = [
+                other
+                for other in inside
+                if (at := other.location) is not None
+                and abs(at[0] - x) <= _REACH_CM
+                and abs(at[1] - y) <= _REACH_CM
+                and abs(at[2] - z) <= _REACH_CM
+            ]
             if close:
                 yield actor, close
 
@@ -114,16 +123,19 @@ def _lonely(start: list[Actor], candidate: list[Actor]) -> Iterator[tuple[Actor,
         return
     places = np.vstack([left_places, right_places])
     cell = np.floor(places / _CELL_CM)
-    inner = ((np.floor((places - _REACH_CM) / _CELL_CM) == cell) & (np.floor((places + _REACH_CM) / _CELL_CM) == cell)
-             & (np.abs(cell) < _FAR_CELL)).all(axis=1)
+    inner = (
+        (np.floor((places - _REACH_CM) / _CELL_CM) == cell)
+        & (np.floor((places + _REACH_CM) / _CELL_CM) == cell)
+        & (np.abs(cell) < _FAR_CELL)
+    ).all(axis=1)
     kinds = np.fromiter([actor.kind.number for side in (left, right) for actor in side], np.int64)
     mixed = np.column_stack([kinds, np.clip(cell, -_FAR_CELL, _FAR_CELL).astype(np.int64)]) @ _MIX
     _, bucket = np.unique(mixed, return_inverse=True)
-    here, there = bucket[:len(left)], bucket[len(left):]
+    here, there = bucket[: len(left)], bucket[len(left) :]
     sizes = [np.bincount(side, minlength=len(bucket)) for side in (here, there)]
     owner = np.zeros(len(bucket), dtype=np.intp)
     owner[there] = np.arange(len(right))
-    i = np.nonzero(inner[:len(left)] & (sizes[0][here] == 1) & (sizes[1][here] == 1))[0]
+    i = np.nonzero(inner[: len(left)] & (sizes[0][here] == 1) & (sizes[1][here] == 1))[0]
     j = owner[here[i]]
     near = inner[len(left) + j] & (np.abs(left_places[i] - right_places[j]) <= _REACH_CM).all(axis=1)
     yield from zip(map(left.__getitem__, i[near].tolist()), map(right.__getitem__, j[near].tolist()), strict=True)
@@ -138,9 +150,11 @@ class _Matcher:
 
     def take_lonely(self) -> None:
         """The unchanged actors without a rival on either side: the only pair that each can be in."""
-        self.pairs = [Pair(actor.index, other.index, "unchanged_semantic", ())
-                      for actor, other in _lonely(self.start, self.candidate)
-                      if (actor.written is not None and actor.written == other.written) or unchanged(actor, other)]
+        self.pairs = [
+            Pair(actor.index, other.index, "unchanged_semantic", ())
+            for actor, other in _lonely(self.start, self.candidate)
+            if (actor.written is not None and actor.written == other.written) or unchanged(actor, other)
+        ]
         starts, candidates = {pair.start for pair in self.pairs}, {pair.candidate for pair in self.pairs}
         self.open_start = {s: None for s in self.open_start if s not in starts}
         self.open_candidate = {c: None for c in self.open_candidate if c not in candidates}
@@ -149,8 +163,9 @@ class _Matcher:
         self.pairs.append(Pair(start, candidate, method, fields))
         del self.open_start[start], self.open_candidate[candidate]
 
-    def near_edges(self, key: Callable[[Actor], Hashable],
-                   accept: Callable[[Actor, Actor], bool]) -> dict[int, list[int]]:
+    def near_edges(
+        self, key: Callable[[Actor], Hashable], accept: Callable[[Actor, Actor], bool]
+    ) -> dict[int, list[int]]:
         """Acceptable pairs at one place among what is open: indices of candidates by index of the input actor."""
         near = _near((self.start[s] for s in self.open_start), (self.candidate[c] for c in self.open_candidate), key)
         known: dict[tuple[str, str], bool] = {}
@@ -161,9 +176,12 @@ class _Matcher:
                 known[contents] = accept(actor, other)
             return known[contents]
 
-        return {actor.index: [other.index for other in others
-                              if (accepted if len(others) >= _STACK else accept)(actor, other)]
-                for actor, others in near}
+        return {
+            actor.index: [
+                other.index for other in others if (accepted if len(others) >= _STACK else accept)(actor, other)
+            ]
+            for actor, others in near
+        }
 
     def match(self, edges: dict[int, list[int]], method: Method) -> None:
         """Maximum matching over ``edges``: background first, then targets on what is left."""
@@ -182,8 +200,9 @@ class _Matcher:
         rank = {c: place for place, c in enumerate(choices)}
         ordered = {s: sorted(edges[s], key=rank.__getitem__) for s in contested}
         background = maximum_matching([s for s in contested if s not in self.targets], ordered.__getitem__)
-        targets = maximum_matching([s for s in contested if s in self.targets], ordered.__getitem__,
-                                   {c: s for s, c in background.items()})
+        targets = maximum_matching(
+            [s for s in contested if s in self.targets], ordered.__getitem__, {c: s for s, c in background.items()}
+        )
         for s, c in (background | targets).items():
             self.take(s, c, method, self.fields(s, c, method))
 
@@ -207,7 +226,7 @@ class _Matcher:
             left.sort(key=Actor.order)
             right.sort(key=Actor.order)
             method: Method = "changed_structural_assignment"
-            for i, j in ([(0, 0)] if len(left) == len(right) == 1 else minimum_cost(_costs(left, right))):
+            for i, j in [(0, 0)] if len(left) == len(right) == 1 else minimum_cost(_costs(left, right)):
                 self.take(left[i].index, right[j].index, method, self.fields(left[i].index, right[j].index, method))
 
 
@@ -218,6 +237,7 @@ def unchanged(start: Actor, candidate: Actor) -> bool:
 
 def _changed_property_counts(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
     """Number of changed recorded fields, transform aside, of every pair; computed once per distinct content."""
+
     def classes(actors: list[Actor]) -> tuple[list[int], list[Actor]]:
         known: dict[str, int] = {}
         members: list[Actor] = []
@@ -232,8 +252,10 @@ def _changed_property_counts(left: list[Actor], right: list[Actor]) -> NDArray[n
 
     left_class, left_members = classes(left)
     right_class, right_members = classes(right)
-    table = np.array([[len(property_differences(a.record, b.record, target=False)) for b in right_members]
-                      for a in left_members], dtype=float)
+    table = np.array(
+        [[len(property_differences(a.record, b.record, target=False)) for b in right_members] for a in left_members],
+        dtype=float,
+    )
     return table[np.ix_(left_class, right_class)]
 
 
@@ -246,8 +268,15 @@ def _distances(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
 
 def _angles(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
     """Angle of every pair in degrees, NaN where a rotation is not known; exact like the distances."""
-    here, there = (np.array([quat_from_rotator(turn) if (turn := actor.vector("rotation_deg")) is not None
-                             else (math.nan,) * 4 for actor in side]) for side in (left, right))
+    here, there = (
+        np.array(
+            [
+                quat_from_rotator(turn) if (turn := actor.vector("rotation_deg")) is not None else (math.nan,) * 4
+                for actor in side
+            ]
+        )
+        for side in (left, right)
+    )
     dot = np.zeros((len(left), len(right)))
     for a, b in zip(here.T, there.T, strict=True):
         dot += a[:, None] * b
@@ -261,6 +290,7 @@ def _costs(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
 
     Equal costs are frequent and the solver settles them by place, so the numbers are the published ones bit by bit.
     """
+
     def vectors(actors: list[Actor], member: str) -> NDArray[np.float64]:
         return np.array([a.vector(member) or (np.nan,) * 3 for a in actors], dtype=float)
 
@@ -295,8 +325,11 @@ def correspond(start: list[Actor], candidate: list[Actor], target_starts: set[in
     matcher.match(matcher.near_edges(lambda actor: actor.kind.number, unchanged), "unchanged_semantic")
     matcher.assign_leftovers()
     if matcher.open_start and matcher.open_candidate:
-        matcher.match(matcher.near_edges(lambda a: a.descriptor[0],
-                                         lambda a, b: not transform_differences(a.record, b.record,
-                                                                                as_quaternion=True)),
-                      "pose_anchored_asset_change")
+        matcher.match(
+            matcher.near_edges(
+                lambda a: a.descriptor[0],
+                lambda a, b: not transform_differences(a.record, b.record, as_quaternion=True),
+            ),
+            "pose_anchored_asset_change",
+        )
     return Correspondence(matcher.pairs, list(matcher.open_start), list(matcher.open_candidate))

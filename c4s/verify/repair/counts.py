@@ -110,8 +110,9 @@ def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     kinds = Kinds()
     start_by_key = by_identity(start_entries, "input")
     before = prepare(start_entries, start_by_key, list(map(kinds.of, start_entries)))
-    targets, beside = find_targets(start_by_key, by_identity(truth_entries, "truth"),
-                           {actor.key for actor in before if actor.location is not None})
+    targets, beside = find_targets(
+        start_by_key, by_identity(truth_entries, "truth"), {actor.key for actor in before if actor.location is not None}
+    )
     candidate_kinds = list(map(kinds.of, candidate_entries))
     outputs = [entry for entry, kind in zip(candidate_entries, candidate_kinds, strict=True) if kind.semantic]
     after = prepare(outputs, by_identity(outputs, "candidate"), [kind for kind in candidate_kinds if kind.semantic])
@@ -122,14 +123,29 @@ def prepare_case(start: Any, truth: Any, candidate: Any) -> Repair:
     restored = {s for s, t in target_of_start.items() if t.operation == "repair"}
     pool = matched.new + [p.candidate for p in matched.pairs if p.fields or p.start in restored]
     _in_canonical_order(pool, before, after, matched, set(target_of_start))
-    replaced = {p.start for p in matched.pairs if p.method == "pose_anchored_asset_change"
-                and before[p.start].descriptor != after[p.candidate].descriptor}
-    return Repair(targets, beside, before, after, matched, pool, start_of,
-                  {pair.start: pair.candidate for pair in matched.pairs}, target_of_start, index_of, replaced)
+    replaced = {
+        p.start
+        for p in matched.pairs
+        if p.method == "pose_anchored_asset_change" and before[p.start].descriptor != after[p.candidate].descriptor
+    }
+    return Repair(
+        targets,
+        beside,
+        before,
+        after,
+        matched,
+        pool,
+        start_of,
+        {pair.start: pair.candidate for pair in matched.pairs},
+        target_of_start,
+        index_of,
+        replaced,
+    )
 
 
-def _in_canonical_order(pool: list[int], before: list[Actor], after: list[Actor], matched: Correspondence,
-                        target_starts: set[int]) -> None:
+def _in_canonical_order(
+    pool: list[int], before: list[Actor], after: list[Actor], matched: Correspondence, target_starts: set[int]
+) -> None:
     """Sort the pool by content. Among equal contents the published order decides which one stands for a target: new
     actors by identity, then matched ones by phase and by the order in which each phase finds them."""
     pool.sort(key=lambda c: after[c].order())
@@ -146,8 +162,11 @@ def _in_canonical_order(pool: list[int], before: list[Actor], after: list[Actor]
         if pair.method == "changed_structural_assignment":
             by_row = sizes[0][kind] <= sizes[1][kind]
             return actor.order()[0], 2, (start if by_row else actor).order()
-        return (actor.order()[0], 1 if pair.method == "unchanged_semantic" else 3,
-                (pair.start in target_starts, *start.order()))
+        return (
+            actor.order()[0],
+            1 if pair.method == "unchanged_semantic" else 3,
+            (pair.start in target_starts, *start.order()),
+        )
 
     pool.sort(key=place)
 
@@ -184,14 +203,30 @@ def count(case: Repair, limits: Tolerances = NOMINAL) -> RepairResult:
             lost -= {own}
             lost.add(pair.start)
             rebounds.append((i, case.targets.index(other)))
-    done = frozenset(i for i, t in enumerate(case.targets)
-                     if t.operation == "remove" and start_index.get(t.key) in lost | case.replaced)
-    repurposed = {pair.start for c in accepted.values() if (pair := case.start_of.get(c)) is not None
-                  and pair.start not in case.target_of_start}
+    done = frozenset(
+        i
+        for i, t in enumerate(case.targets)
+        if t.operation == "remove" and start_index.get(t.key) in lost | case.replaced
+    )
+    repurposed = {
+        pair.start
+        for c in accepted.values()
+        if (pair := case.start_of.get(c)) is not None and pair.start not in case.target_of_start
+    }
     losses = sorted((lost - set(case.target_of_start)) | repurposed)
     m, d = len(accepted), len(done)
-    return RepairResult(case, limits, m + d, len(case.pool) - m + len(losses), len(case.targets) - m - d, accepted,
-                        done, tuple(losses), frozenset(repurposed), tuple(rebounds))
+    return RepairResult(
+        case,
+        limits,
+        m + d,
+        len(case.pool) - m + len(losses),
+        len(case.targets) - m - d,
+        accepted,
+        done,
+        tuple(losses),
+        frozenset(repurposed),
+        tuple(rebounds),
+    )
 
 
 def repair(start: Any, truth: Any, candidate: Any, profile: Tolerances = NOMINAL) -> RepairResult:

@@ -16,8 +16,11 @@ from c4s.verify.repair.materials import comparable_materials, comparable_slots
 from c4s.verify.repair.policy import GUARD, SAME_LOCATION_CM, SAME_ROTATION_DEG, SAME_SCALE, VISIBLE_PROPERTIES
 from c4s.verify.repair.vectors import angle_deg, same_within, valid_vector
 
-_MEMBERS = (("location_cm", "transform.location", SAME_LOCATION_CM),
-            ("rotation_deg", "transform.rotation", SAME_ROTATION_DEG), ("scale", "transform.scale", SAME_SCALE))
+_MEMBERS = (
+    ("location_cm", "transform.location", SAME_LOCATION_CM),
+    ("rotation_deg", "transform.rotation", SAME_ROTATION_DEG),
+    ("scale", "transform.scale", SAME_SCALE),
+)
 
 
 def _same_rotation(a: Any, b: Any, *, as_quaternion: bool) -> bool:
@@ -42,8 +45,11 @@ def transform_differences(reference: Record, other: Record, *, as_quaternion: bo
         if member not in mine:
             continue
         a, b = mine[member], theirs.get(member)
-        same = (_same_rotation(a, b, as_quaternion=as_quaternion) if member == "rotation_deg"
-                else same_within(a, b, tolerance))
+        same = (
+            _same_rotation(a, b, as_quaternion=as_quaternion)
+            if member == "rotation_deg"
+            else same_within(a, b, tolerance)
+        )
         if not same:
             found.append(name)
     return found
@@ -92,13 +98,15 @@ def property_differences(reference: Record, other: Record, *, target: bool) -> l
             found.append("property.class")
     if "asset_path" in reference and not _same_or_empty(reference["asset_path"], other.get("asset_path")):
         found.append("property.asset_path")
-    if "component_asset_paths" in reference and not _written_alike(reference["component_asset_paths"] or [],
-                                                                   other.get("component_asset_paths") or []):
+    if "component_asset_paths" in reference and not _written_alike(
+        reference["component_asset_paths"] or [], other.get("component_asset_paths") or []
+    ):
         found.append("property.component_asset_paths")
     if "material_paths" in reference and comparable_materials(reference) != comparable_materials(other):
         found.append("property.material_paths")
-    if "component_material_slots" in reference and not _written_alike(comparable_slots(reference),
-                                                                      comparable_slots(other)):
+    if "component_material_slots" in reference and not _written_alike(
+        comparable_slots(reference), comparable_slots(other)
+    ):
         found.append("property.component_material_slots")
     if "properties" in reference:
         mine, theirs = reference["properties"], other.get("properties")
@@ -116,11 +124,13 @@ def same_but_for_identity(truth: Record, start: Record) -> bool:
     """Whether two actors with different identities have identical content, so that neither is a target."""
     if "properties" in truth and truth["properties"] != start.get("properties"):
         return False
-    return not transform_differences(truth, start, as_quaternion=True) \
-        and not property_differences(truth, start, target=True)
+    return not transform_differences(truth, start, as_quaternion=True) and not property_differences(
+        truth, start, target=True
+    )
 
 
 def changed_fields(start: Record, candidate: Record) -> list[str]:
     """Fields of the input actor that the candidate actor does not reproduce; empty means unchanged."""
-    return transform_differences(start, candidate, as_quaternion=True) \
-        + property_differences(start, candidate, target=False)
+    return transform_differences(start, candidate, as_quaternion=True) + property_differences(
+        start, candidate, target=False
+    )

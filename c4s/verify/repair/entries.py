@@ -19,8 +19,15 @@ from c4s.verify.repair.vectors import Vector3, all_valid, valid_vector
 Record: TypeAlias = dict[str, Any]
 _LEVEL_MARK = ":PersistentLevel."
 _POSE = ("location_cm", "rotation_deg", "scale")
-_COMPARED = itemgetter("transform", "class", "asset_path", "component_asset_paths", "material_paths",
-                       "component_material_slots", "properties")
+_COMPARED = itemgetter(
+    "transform",
+    "class",
+    "asset_path",
+    "component_asset_paths",
+    "material_paths",
+    "component_material_slots",
+    "properties",
+)
 
 
 def identity(record: Record) -> str:

@@ -23,13 +23,19 @@ def _label(actor: Actor) -> str:
 
 
 def _pose_numbers(errors: Errors) -> dict[str, Any]:
-    return {"position_cm": _rounded(errors.position_cm), "rotation_deg": _rounded(errors.rotation_deg),
-            "scale_pct": _rounded(errors.scale_pct)}
+    return {
+        "position_cm": _rounded(errors.position_cm),
+        "rotation_deg": _rounded(errors.rotation_deg),
+        "scale_pct": _rounded(errors.scale_pct),
+    }
 
 
 def _numbers(errors: Errors) -> dict[str, Any]:
-    return {**_pose_numbers(errors), "bounds_center_cm": _rounded(errors.bounds_center_cm),
-            "bounds_extent_pct": _rounded(errors.bounds_extent_pct)}
+    return {
+        **_pose_numbers(errors),
+        "bounds_center_cm": _rounded(errors.bounds_center_cm),
+        "bounds_extent_pct": _rounded(errors.bounds_extent_pct),
+    }
 
 
 def best_attempt(result: RepairResult, target: int) -> tuple[int, Errors] | None:
@@ -61,22 +67,39 @@ def _missed(result: RepairResult, target: int) -> dict[str, Any]:
     candidate, errors = attempt
     pair = result.case.start_of.get(candidate)
     failed = errors.failed(result.tolerances)
-    reason = ("left as it was" if pair is not None and not pair.fields else
-              "taken by another target" if not failed else "fails: " + ", ".join(failed))
-    return {"reason": reason, "candidate": _label(result.case.candidate[candidate]), "failed": list(failed),
-            "errors": _numbers(errors)}
+    reason = (
+        "left as it was"
+        if pair is not None and not pair.fields
+        else "taken by another target"
+        if not failed
+        else "fails: " + ", ".join(failed)
+    )
+    return {
+        "reason": reason,
+        "candidate": _label(result.case.candidate[candidate]),
+        "failed": list(failed),
+        "errors": _numbers(errors),
+    }
 
 
 def target_rows(result: RepairResult) -> list[dict[str, Any]]:
     """One row a target: operation, the fields that were wrong, outcome TP or FN, reason and errors."""
     rows, case = [], result.case
     for i, target in enumerate(case.targets):
-        row: dict[str, Any] = {"actor": target.label, "identity": target.key, "operation": target.operation,
-                               "fields": list(target.fields)}
+        row: dict[str, Any] = {
+            "actor": target.label,
+            "identity": target.key,
+            "operation": target.operation,
+            "fields": list(target.fields),
+        }
         if i in result.accepted:
             found = result.accepted[i]
-            row |= {"outcome": "TP", "reason": "restored" if target.operation == "repair" else "added",
-                    "candidate": _label(case.candidate[found]), "errors": _numbers(case.errors(i, found))}
+            row |= {
+                "outcome": "TP",
+                "reason": "restored" if target.operation == "repair" else "added",
+                "candidate": _label(case.candidate[found]),
+                "errors": _numbers(case.errors(i, found)),
+            }
         elif target.operation == "remove":
             gone = i in result.removed_targets
             row |= {"outcome": "TP" if gone else "FN", "reason": "removed" if gone else "still there"}
@@ -103,18 +126,32 @@ def false_positive_rows(result: RepairResult) -> list[dict[str, Any]]:
         else:
             origin = case.start[pair.start]
             target = case.target_of_start.get(pair.start)
-            kind = ("background_changed" if target is None else
-                    "removal_target_changed" if target.operation == "remove" else "repair_target_wrong")
-            reason = ("left as it was" if not pair.fields else "changed: " + ", ".join(pair.fields))
-            row |= {"kind": kind, "reason": reason, "input_actor": _label(origin), "method": pair.method,
-                    "moved": _pose_numbers(measure(origin.record, actor.record))}
+            kind = (
+                "background_changed"
+                if target is None
+                else "removal_target_changed"
+                if target.operation == "remove"
+                else "repair_target_wrong"
+            )
+            reason = "left as it was" if not pair.fields else "changed: " + ", ".join(pair.fields)
+            row |= {
+                "kind": kind,
+                "reason": reason,
+                "input_actor": _label(origin),
+                "method": pair.method,
+                "moved": _pose_numbers(measure(origin.record, actor.record)),
+            }
             if target is not None and target.truth is not None:
                 row["errors"] = _numbers(case.errors(case.targets.index(target), c))
         rows.append(row)
     for s in result.losses:
         repurposed = s in result.repurposed
-        rows.append({"actor": _label(case.start[s]), "identity": case.start[s].key,
-                     "kind": "background_repurposed" if repurposed else "background_lost",
-                     "reason": "a background actor became a target's actor" if repurposed
-                     else "a background actor is gone"})
+        rows.append(
+            {
+                "actor": _label(case.start[s]),
+                "identity": case.start[s].key,
+                "kind": "background_repurposed" if repurposed else "background_lost",
+                "reason": "a background actor became a target's actor" if repurposed else "a background actor is gone",
+            }
+        )
     return rows

@@ -19,7 +19,7 @@ _HELPERS = frozenset({"cameraactor", "cinecameraactor", "scenecapture2d", "scene
 def _normalized_text(text: str) -> str:
     text = text.strip()
     if text.endswith("'"):
-        text = text[text.index("'") + 1:-1]
+        text = text[text.index("'") + 1 : -1]
     return text.casefold()
 
 
@@ -59,8 +59,12 @@ def _package_name(path: Any) -> str:
 def is_semantic(record: Record) -> bool:
     """False for capture helpers (cameras, scene captures); everything else counts, lights and volumes included."""
     name = short_class(record.get("class")).casefold()
-    return not (name in _HELPERS or name.endswith("cameraactor") or name.startswith("scenecapture")
-                or _package_name(record.get("asset_path")).casefold() == "matineecam_sm")
+    return not (
+        name in _HELPERS
+        or name.endswith("cameraactor")
+        or name.startswith("scenecapture")
+        or _package_name(record.get("asset_path")).casefold() == "matineecam_sm"
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -45,17 +45,25 @@ def comparable_slots(record: dict[str, Any]) -> Any:
     slots = _slots(record)
     if not isinstance(slots, list):
         return slots
-    return [{**slot, "material_path": _identity(slot["material_path"], _is_dynamic(slot))}
-            if isinstance(slot, dict) and slot.get("material_path") else slot for slot in slots]
+    return [
+        {**slot, "material_path": _identity(slot["material_path"], _is_dynamic(slot))}
+        if isinstance(slot, dict) and slot.get("material_path")
+        else slot
+        for slot in slots
+    ]
 
 
 def comparable_materials(record: dict[str, Any]) -> list[Identity]:
     """The material paths as a sorted multiset, reduced alike. A path is dynamic if a dynamic slot names it."""
     paths, slots = record.get("material_paths") or [], _slots(record)
-    dynamic = {str(slot.get("material_path")).casefold() for slot in (slots if isinstance(slots, list) else [])
-               if _is_dynamic(slot)}
-    return sorted(_identity(path, str(path).casefold() in dynamic) for path in (
-        paths if isinstance(paths, list) else [paths]))
+    dynamic = {
+        str(slot.get("material_path")).casefold()
+        for slot in (slots if isinstance(slots, list) else [])
+        if _is_dynamic(slot)
+    }
+    return sorted(
+        _identity(path, str(path).casefold() in dynamic) for path in (paths if isinstance(paths, list) else [paths])
+    )
 
 
 def _text(value: Any) -> str:
@@ -66,7 +74,7 @@ def _object_path(value: Any) -> str | None:
     """A case-folded absolute path without its export quotes, or None."""
     text = _text(value)
     if text.endswith("'"):
-        text = text[text.index("'") + 1:-1]
+        text = text[text.index("'") + 1 : -1]
     return text.casefold() if text.startswith("/") else None
 
 
@@ -88,10 +96,19 @@ def slot_map(slots: Any) -> SlotMap | None:
     for slot in slots:
         if not isinstance(slot, dict) or slot.get("is_dynamic") is True:
             return None
-        path, index, owner = _object_path(slot.get("material_path")), slot.get("slot_index"), _text(
-            slot.get("component_identity"))
-        if path is None or not owner or isinstance(index, bool) or not isinstance(index, int) or index < 0 \
-                or (owner, index) in found:
+        path, index, owner = (
+            _object_path(slot.get("material_path")),
+            slot.get("slot_index"),
+            _text(slot.get("component_identity")),
+        )
+        if (
+            path is None
+            or not owner
+            or isinstance(index, bool)
+            or not isinstance(index, int)
+            or index < 0
+            or (owner, index) in found
+        ):
             return None
         found[owner, index] = path
     return found

@@ -24,11 +24,32 @@ ANGLE_COST = 0.2
 FIELD_COST = 0.05
 """Weights of the assignment cost: ``d/(1+d) + 0.2*angle/180 + 0.05*changed fields`` (d in cm)."""
 
-VISIBLE_PROPERTIES = frozenset({
-    "intensity", "intensity_units", "light_color", "temperature", "use_temperature", "source_angle",
-    "indirect_lighting_intensity", "volumetric_scattering_intensity", "fog_density", "fog_height_falloff",
-    "start_distance", "sun_disk_scale", "cloud_opacity", "exposure_compensation", "min_brightness", "max_brightness",
-    "white_temp", "color_saturation", "color_contrast", "color_gamma", "color_gain", "color_offset"})
+VISIBLE_PROPERTIES = frozenset(
+    {
+        "intensity",
+        "intensity_units",
+        "light_color",
+        "temperature",
+        "use_temperature",
+        "source_angle",
+        "indirect_lighting_intensity",
+        "volumetric_scattering_intensity",
+        "fog_density",
+        "fog_height_falloff",
+        "start_distance",
+        "sun_disk_scale",
+        "cloud_opacity",
+        "exposure_compensation",
+        "min_brightness",
+        "max_brightness",
+        "white_temp",
+        "color_saturation",
+        "color_contrast",
+        "color_gamma",
+        "color_gain",
+        "color_offset",
+    }
+)
 """Property names (lower case) whose difference makes an actor a repair target."""
 
 ProfileName = Literal["strict", "nominal", "relaxed"]

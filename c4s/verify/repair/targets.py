@@ -51,8 +51,9 @@ def _without_identity_pairs(added: dict[str, Record], removed: dict[str, Record]
         pool[short_class(record.get("class"))][key] = record
     for key, truth in list(added.items()):
         same_class = pool[short_class(truth.get("class"))] if "class" in truth else removed
-        partner = next((k for k, start in same_class.items() if k in removed and same_but_for_identity(truth, start)),
-                       None)
+        partner = next(
+            (k for k, start in same_class.items() if k in removed and same_but_for_identity(truth, start)), None
+        )
         if partner is not None:
             del added[key], removed[partner]
             same_class.pop(partner, None)
@@ -70,8 +71,10 @@ def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[
     Raises:
         BadInput: there is no target.
     """
-    added, removed = ({key: entry.record for key, entry in side.items() if key not in other
-                       and is_semantic(entry.record)} for side, other in ((after, before), (before, after)))
+    added, removed = (
+        {key: entry.record for key, entry in side.items() if key not in other and is_semantic(entry.record)}
+        for side, other in ((after, before), (before, after))
+    )
     if added and removed:
         _without_identity_pairs(added, removed)
     found = [Target(key, "add", ("existence",), record, None) for key, record in added.items()]
@@ -90,6 +93,9 @@ def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[
         elif "properties" in cut and cut["properties"] != old.record["properties"]:
             beside.append(str(old.record.get("label") or key))
     if not found:
-        raise BadInput("input and truth define no repair target", where="truth snapshot",
-                       todo="a case needs at least one difference")
+        raise BadInput(
+            "input and truth define no repair target",
+            where="truth snapshot",
+            todo="a case needs at least one difference",
+        )
     return sorted(found, key=lambda t: (t.key.casefold(), t.key, t.operation)), beside

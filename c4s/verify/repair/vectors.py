@@ -34,7 +34,8 @@ def all_valid(vectors: list[Any]) -> bool:
     if set(map(type, vectors)) != {list} or set(map(len, vectors)) != {3}:
         return False
     return set(map(type, chain.from_iterable(vectors))) == {float} and isfinite(
-        sum(map(abs, chain.from_iterable(vectors))))
+        sum(map(abs, chain.from_iterable(vectors)))
+    )
 
 
 def same_within(a: Any, b: Any, tolerance: float) -> bool:
@@ -50,8 +51,9 @@ def same_within(a: Any, b: Any, tolerance: float) -> bool:
     except (TypeError, ValueError):
         return False
     except OverflowError:
-        raise BadInput("a transform holds a number beyond the range of a float", todo="export the scene again"
-                       ) from None
+        raise BadInput(
+            "a transform holds a number beyond the range of a float", todo="export the scene again"
+        ) from None
 
 
 def angle_deg(a: Vector3, b: Vector3) -> float:

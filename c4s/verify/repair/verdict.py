@@ -17,12 +17,19 @@ from c4s.verify.verdict import Verdict
 
 def counts_record(result: RepairResult) -> dict[str, Any]:
     """Counts and scores of a result, unrounded."""
-    return {"tp": result.tp, "fp": result.fp, "fn": result.fn, "precision": result.precision,
-            "recall": result.recall, "f1": result.f1}
+    return {
+        "tp": result.tp,
+        "fp": result.fp,
+        "fn": result.fn,
+        "precision": result.precision,
+        "recall": result.recall,
+        "f1": result.f1,
+    }
 
 
-def repair_verdict(start: Any, truth: Any, candidate: Any, *, policy: str = REPAIR_POLICY,
-                   inputs: dict[str, str] | None = None) -> Verdict:
+def repair_verdict(
+    start: Any, truth: Any, candidate: Any, *, policy: str = REPAIR_POLICY, inputs: dict[str, str] | None = None
+) -> Verdict:
     """Score plain snapshots under the nominal profile; strict and relaxed are recorded beside it.
 
     Raises ``BadInput`` when the scenes cannot be scored.
@@ -33,12 +40,26 @@ def repair_verdict(start: Any, truth: Any, candidate: Any, *, policy: str = REPA
     measurements = counts_record(nominal) | {
         "present_targets": sum(t.truth is not None for t in case.targets),
         "removal_targets": sum(t.truth is None for t in case.targets),
-        "targets": target_rows(nominal), "false_positives": false_positive_rows(nominal),
-        "profiles": {name: counts_record(result) for name, result in results.items()}}
-    population = {"targets": len(case.targets), "input_actors": len(case.start),
-                  "candidate_actors": len(case.candidate), "candidate_pool": len(case.pool)}
-    return Verdict(verifier="repair", status="measured", score=nominal.f1, policy=policy, measurements=measurements,
-                   population=population, advisories=advisories(nominal), inputs=inputs or {})
+        "targets": target_rows(nominal),
+        "false_positives": false_positive_rows(nominal),
+        "profiles": {name: counts_record(result) for name, result in results.items()},
+    }
+    population = {
+        "targets": len(case.targets),
+        "input_actors": len(case.start),
+        "candidate_actors": len(case.candidate),
+        "candidate_pool": len(case.pool),
+    }
+    return Verdict(
+        verifier="repair",
+        status="measured",
+        score=nominal.f1,
+        policy=policy,
+        measurements=measurements,
+        population=population,
+        advisories=advisories(nominal),
+        inputs=inputs or {},
+    )
 
 
 def _failure(candidate: Any) -> Literal["error", "not_evaluated"]:
@@ -64,5 +85,10 @@ def verify_repair(input_path: Path, truth_path: Path, candidate_path: Path, poli
         except BadInput as error:
             if error.where != "candidate snapshot":
                 raise
-            return Verdict(verifier="repair", status=_failure(values["candidate"]), policy=policy, inputs=inputs,
-                           reason=error.line())
+            return Verdict(
+                verifier="repair",
+                status=_failure(values["candidate"]),
+                policy=policy,
+                inputs=inputs,
+                reason=error.line(),
+            )

@@ -22,12 +22,29 @@ def pack(tmp_path_factory: pytest.TempPathFactory) -> Path:
     mesh.apply_translation((0, 0.5, 0))
     mesh.visual = trimesh.visual.TextureVisuals(material=trimesh.visual.material.PBRMaterial(name="Default"))
     write_bytes(folder / "meshes/box.glb", mesh.export(file_type="glb"))
-    assets = [Asset(id=name, name=name, path=path_of(name), category="things", bounds_min_cm=(-100, -50, 0),
-                    bounds_max_cm=(100, 50, 100), mesh="meshes/box.glb", mesh_sha256="0" * 64,
-                    slots=[MaterialSlot(name="Default", material=f"{FOLDER}/M_A.M_A")], collision=bodies)
-              for name, bodies in BODIES.items()]
-    Pack(pack_id="q", content_folder="Q", title="Q", license="CC0-1.0", assets=assets,
-         materials=[Material(path=f"{FOLDER}/M_A.M_A")]).write(folder / "pack.json")
+    assets = [
+        Asset(
+            id=name,
+            name=name,
+            path=path_of(name),
+            category="things",
+            bounds_min_cm=(-100, -50, 0),
+            bounds_max_cm=(100, 50, 100),
+            mesh="meshes/box.glb",
+            mesh_sha256="0" * 64,
+            slots=[MaterialSlot(name="Default", material=f"{FOLDER}/M_A.M_A")],
+            collision=bodies,
+        )
+        for name, bodies in BODIES.items()
+    ]
+    Pack(
+        pack_id="q",
+        content_folder="Q",
+        title="Q",
+        license="CC0-1.0",
+        assets=assets,
+        materials=[Material(path=f"{FOLDER}/M_A.M_A")],
+    ).write(folder / "pack.json")
     return folder
 
 

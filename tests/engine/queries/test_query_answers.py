@@ -34,11 +34,14 @@ def test_channels_profiles_and_object_types_decide(scene: Scene) -> None:
     assert library.line_trace_single_for_objects(scene.world, *ends, [], *tail) is None
     assert library.line_trace_single_by_profile(scene.world, *ends, "Pawn", *tail).to_tuple()[9] is glass
     assert library.line_trace_single_by_profile(scene.world, *ends, "OverlapAll", *tail) is None
-    parts[2].set_collision_response_to_channel(unreal.CollisionChannel.ECC_VISIBILITY,
-                                               unreal.CollisionResponseType.ECR_IGNORE)
+    parts[2].set_collision_response_to_channel(
+        unreal.CollisionChannel.ECC_VISIBILITY, unreal.CollisionResponseType.ECR_IGNORE
+    )
     assert scene.line(*along) is None and str(parts[2].get_collision_profile_name()) == "Custom"
-    assert parts[2].get_collision_response_to_channel(unreal.CollisionChannel.ECC_CAMERA) \
+    assert (
+        parts[2].get_collision_response_to_channel(unreal.CollisionChannel.ECC_CAMERA)
         == unreal.CollisionResponseType.ECR_BLOCK
+    )
     parts[2].set_collision_profile_name("BlockAll")
     assert scene.line(*along).to_tuple()[9] is wall
     parts[2].set_collision_enabled(unreal.CollisionEnabled.PHYSICS_ONLY)
@@ -57,8 +60,10 @@ def test_collision_settings_survive_saving(scene: Scene) -> None:
     again = unreal.EditorLevelLibrary.get_all_level_actors()[0].static_mesh_component
     assert again.get_collision_object_type() == unreal.CollisionChannel.ECC_PAWN
     assert str(again.get_collision_profile_name()) == "Custom"
-    assert again.get_collision_response_to_channel(unreal.CollisionChannel.ECC_VEHICLE) \
+    assert (
+        again.get_collision_response_to_channel(unreal.CollisionChannel.ECC_VEHICLE)
         == unreal.CollisionResponseType.ECR_OVERLAP
+    )
 
 
 def test_what_moves_appears_or_goes_is_seen_at_once(scene: Scene) -> None:
@@ -77,8 +82,9 @@ def test_what_moves_appears_or_goes_is_seen_at_once(scene: Scene) -> None:
     assert scene.line((1000, 0, 500), (1000, 0, -5)) is None
     row_component = scene.unreal.get_engine_subsystem(scene.unreal.SubobjectDataSubsystem)
     parent = row_component.k2_gather_subobject_data_for_instance(cube)[0]
-    handle, _ = row_component.add_new_subobject(scene.unreal.AddNewSubobjectParams(
-        parent_handle=parent, new_class=scene.unreal.InstancedStaticMeshComponent))
+    handle, _ = row_component.add_new_subobject(
+        scene.unreal.AddNewSubobjectParams(parent_handle=parent, new_class=scene.unreal.InstancedStaticMeshComponent)
+    )
     library = scene.unreal.SubobjectDataBlueprintFunctionLibrary
     many = library.get_object(row_component.k2_find_subobject_data_from_handle(handle))
     many.set_static_mesh(scene.unreal.load_asset("/Engine/BasicShapes/Cube"))
@@ -99,30 +105,52 @@ def test_actors_and_oneself_can_be_ignored(scene: Scene) -> None:
     assert scene.line(*down, context=two.static_mesh_component).to_tuple()[9] is one
     assert scene.line(*down, ignore=[one, two]) is None
     with pytest.raises(TypeError):
-        scene.library.line_trace_single(scene.world, (0, 0, 1), scene.vector((0, 0, 0)),
-                                        scene.unreal.TraceTypeQuery.TRACE_TYPE_QUERY1, False, "all", *scene.tail)
+        scene.library.line_trace_single(
+            scene.world,
+            (0, 0, 1),
+            scene.vector((0, 0, 0)),
+            scene.unreal.TraceTypeQuery.TRACE_TYPE_QUERY1,
+            False,
+            "all",
+            *scene.tail,
+        )
 
 
 def test_overlaps_name_each_actor_and_component_once(scene: Scene) -> None:
     unreal, library = scene.unreal, scene.library
     table, cube = scene.put("table"), scene.put("Cube", (0, 0, 150))
-    found = library.box_overlap_actors(scene.world, scene.vector((0, 0, 50)), scene.vector((200, 200, 60)),
-                                       scene.statics, None, [])
+    found = library.box_overlap_actors(
+        scene.world, scene.vector((0, 0, 50)), scene.vector((200, 200, 60)), scene.statics, None, []
+    )
     assert list(found) == [table, cube]
-    assert library.box_overlap_actors(scene.world, scene.vector((0, 0, 50)), scene.vector((80, 30, 30)),
-                                      scene.statics, None, []) is None
-    assert list(library.sphere_overlap_components(scene.world, scene.vector((0, 0, 100)), 20.0, scene.statics,
-                                                  unreal.StaticMeshComponent, [table])) == [cube.root_component]
-    assert library.sphere_overlap_actors(scene.world, scene.vector((0, 0, 100)), 20.0, scene.statics, unreal.Light,
-                                         []) is None
-    assert library.capsule_overlap_actors_with_orientation(
-        scene.world, scene.vector((0, 0, 260)), 10.0, 100.0, unreal.Rotator(roll=90), scene.statics, None, []) is None
+    assert (
+        library.box_overlap_actors(
+            scene.world, scene.vector((0, 0, 50)), scene.vector((80, 30, 30)), scene.statics, None, []
+        )
+        is None
+    )
+    assert list(
+        library.sphere_overlap_components(
+            scene.world, scene.vector((0, 0, 100)), 20.0, scene.statics, unreal.StaticMeshComponent, [table]
+        )
+    ) == [cube.root_component]
+    assert (
+        library.sphere_overlap_actors(scene.world, scene.vector((0, 0, 100)), 20.0, scene.statics, unreal.Light, [])
+        is None
+    )
+    assert (
+        library.capsule_overlap_actors_with_orientation(
+            scene.world, scene.vector((0, 0, 260)), 10.0, 100.0, unreal.Rotator(roll=90), scene.statics, None, []
+        )
+        is None
+    )
     part = cube.static_mesh_component
     assert library.component_overlap_components(part, part.get_world_transform(), scene.statics, None, []) is None
     lower = unreal.Transform(scene.vector((0, 0, 149)))
     assert list(library.component_overlap_actors(part, lower, scene.statics, None, [])) == [table]
-    assert list(library.component_overlap_components(part, lower, scene.statics, unreal.PrimitiveComponent, [])) \
-        == [table.root_component]
+    assert list(library.component_overlap_components(part, lower, scene.statics, unreal.PrimitiveComponent, [])) == [
+        table.root_component
+    ]
     assert list(part.get_overlapping_actors()) == []
     cube.set_actor_location(scene.vector((0, 0, 140)), False, False)
     part.set_collision_profile_name("OverlapAll")
@@ -138,8 +166,9 @@ def test_a_component_can_be_asked_alone(scene: Scene) -> None:
     location, normal, _, hit = part.line_trace_component(scene.vector((-500, 0, 50)), scene.vector((500, 0, 50)))
     assert row(location) == pytest.approx((250, 0, 50)) and row(normal) == (-1, 0, 0) and hit.to_tuple()[9] is back
     assert part.line_trace_component(scene.vector((-500, 0, 500)), scene.vector((500, 0, 500))) is None
-    assert part.sphere_trace_component(scene.vector((-500, 0, 50)), scene.vector((500, 0, 50)), 50.0, False)[3] \
-        .to_tuple()[3] == pytest.approx(700)
+    assert part.sphere_trace_component(scene.vector((-500, 0, 50)), scene.vector((500, 0, 50)), 50.0, False)[
+        3
+    ].to_tuple()[3] == pytest.approx(700)
     assert part.sphere_overlap_component(scene.vector((240, 0, 50)), 20.0, False) is not None
     box = scene.unreal.Box(scene.vector((-5, -5, -5)), scene.vector((5, 5, 5)))
     assert part.box_overlap_component(scene.vector((200, 0, 50)), box, False) is None
@@ -161,8 +190,10 @@ def test_both_layouts_of_results(scene: Scene) -> None:
         assert found is False and not hit.to_tuple()[0]
         found, hits = scene.line(*aside, many=True)
         assert found is False and len(hits) == 0
-        assert scene.library.sphere_overlap_actors(scene.world, scene.vector((0, 0, 0)), 10.0, scene.statics, None,
-                                                   [])[0] is True
+        assert (
+            scene.library.sphere_overlap_actors(scene.world, scene.vector((0, 0, 0)), 10.0, scene.statics, None, [])[0]
+            is True
+        )
     assert scene.line(*aside) is None
     assert not hasattr(scene.unreal.GameplayStatics, "break_hit_result")
     assert not hasattr(hit, "location")
@@ -181,10 +212,11 @@ def test_bounds_of_components_and_actors_hold_the_hits(scene: Scene) -> None:
 
 def test_a_trace_looks_at_few_of_many_actors(scene: Scene) -> None:
     """CPU time of one trace at the median: in a town of 6,700 actors not much above that in one of 60."""
+
     def median(number: int) -> float:
         scene.unreal.EditorLoadingAndSavingUtils.new_blank_map(False)
         scene.world = scene.unreal.EditorLevelLibrary.get_editor_world()
-        side = round(number ** 0.5)
+        side = round(number**0.5)
         actors = [scene.put("Cube", (300 * (i % side), 300 * (i // side), 50)) for i in range(number)]
         spent = []
         for i in range(60):
@@ -252,5 +284,7 @@ def test_actors_of_absurd_size_or_place_do_no_harm(scene: Scene, x: float, scale
         hit = scene.line((30, 30, -300), (30, 30, -900), triangles=triangles)
         assert hit.to_tuple()[9] is near or max(scale) > 1 or x == 0
         assert scene.ball((0, 900, 100), (0, 900, -1000), 10, triangles=triangles) is None
-    assert scene.library.sphere_overlap_actors(scene.world, scene.vector((0, 0, -500)), 10.0, scene.statics, None,
-                                               []) is not None
+    assert (
+        scene.library.sphere_overlap_actors(scene.world, scene.vector((0, 0, -500)), 10.0, scene.statics, None, [])
+        is not None
+    )

@@ -45,10 +45,15 @@ def test_round_bodies_under_uneven_scale_follow_unreal(scene: Scene) -> None:
 
 
 @settings(max_examples=60, deadline=None)
-@given(turn=st.tuples(*[st.floats(-180, 180)] * 3), scale=st.tuples(*[st.sampled_from([-2.0, 0.3, 1.0, 4.0])] * 3),
-       start=st.tuples(*[st.floats(-400, 400)] * 3), end=st.tuples(*[st.floats(-80, 80)] * 3))
-def test_a_line_meets_a_placed_cube_where_its_own_frame_says(engine: ModuleType, turn: Any, scale: Any, start: Any,
-                                                             end: Any) -> None:
+@given(
+    turn=st.tuples(*[st.floats(-180, 180)] * 3),
+    scale=st.tuples(*[st.sampled_from([-2.0, 0.3, 1.0, 4.0])] * 3),
+    start=st.tuples(*[st.floats(-400, 400)] * 3),
+    end=st.tuples(*[st.floats(-80, 80)] * 3),
+)
+def test_a_line_meets_a_placed_cube_where_its_own_frame_says(
+    engine: ModuleType, turn: Any, scale: Any, start: Any, end: Any
+) -> None:
     engine.EditorLoadingAndSavingUtils.new_blank_map(False)
     scene = Scene(engine)
     cube = scene.put("Cube", (10, 20, 30), turn, scale)
@@ -73,24 +78,35 @@ def test_a_line_meets_a_placed_cube_where_its_own_frame_says(engine: ModuleType,
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.sampled_from(["Cube", "Sphere", "Cone", "table", "post", "wedge"]), st.tuples(*[st.floats(-180, 180)] * 3),
-       st.sampled_from(["ball", "box", "capsule"]), st.tuples(*[st.floats(-300, 300)] * 3),
-       st.tuples(*[st.floats(-300, 300)] * 3))
-def test_a_sweep_stops_where_the_shape_would_begin_to_overlap(engine: ModuleType, asset: str, turn: Any, kind: str,
-                                                              start: Any, end: Any) -> None:
+@given(
+    st.sampled_from(["Cube", "Sphere", "Cone", "table", "post", "wedge"]),
+    st.tuples(*[st.floats(-180, 180)] * 3),
+    st.sampled_from(["ball", "box", "capsule"]),
+    st.tuples(*[st.floats(-300, 300)] * 3),
+    st.tuples(*[st.floats(-300, 300)] * 3),
+)
+def test_a_sweep_stops_where_the_shape_would_begin_to_overlap(
+    engine: ModuleType, asset: str, turn: Any, kind: str, start: Any, end: Any
+) -> None:
     engine.EditorLoadingAndSavingUtils.new_blank_map(False)
     scene = Scene(engine)
     scene.put(asset, (0, 0, 0), turn, (1.5, 1.0, 0.7))
-    sweep = {"ball": lambda: scene.ball(start, end, 30), "box": lambda: scene.box(start, end, (20, 40, 10), 25.0),
-             "capsule": lambda: scene.capsule(start, end, 20, 60)}[kind]
+    sweep = {
+        "ball": lambda: scene.ball(start, end, 30),
+        "box": lambda: scene.box(start, end, (20, 40, 10), 25.0),
+        "capsule": lambda: scene.capsule(start, end, 20, 60),
+    }[kind]
 
     def overlaps(place: Any) -> bool:
         library, none = scene.library, (None, [])
         at = scene.vector(place)
-        found = {"ball": lambda: library.sphere_overlap_actors(scene.world, at, 30.0, scene.statics, *none),
-                 "box": lambda: library.box_overlap_actors_with_orientation(
-                     scene.world, at, scene.vector((20, 40, 10)), engine.Rotator(yaw=25.0), scene.statics, *none),
-                 "capsule": lambda: library.capsule_overlap_actors(scene.world, at, 20.0, 60.0, scene.statics, *none)}
+        found = {
+            "ball": lambda: library.sphere_overlap_actors(scene.world, at, 30.0, scene.statics, *none),
+            "box": lambda: library.box_overlap_actors_with_orientation(
+                scene.world, at, scene.vector((20, 40, 10)), engine.Rotator(yaw=25.0), scene.statics, *none
+            ),
+            "capsule": lambda: library.capsule_overlap_actors(scene.world, at, 20.0, 60.0, scene.statics, *none),
+        }
         return found[kind]() is not None
 
     hit, a, step = sweep(), np.array(start), np.array(end) - start
@@ -114,9 +130,11 @@ def test_a_sweep_stops_where_the_shape_would_begin_to_overlap(engine: ModuleType
 
 def test_sweeps_against_triangles_agree_with_those_against_an_equal_body(scene: Scene) -> None:
     scene.put("Cube", (0, 0, 50), (10, 30, 5), (1, 2, 0.5))
-    for moved in (lambda t: scene.ball((-300, 20, 60), (300, 10, 40), 25, triangles=t),
-                  lambda t: scene.box((10, 5, 400), (0, 0, -400), (30, 10, 20), 15.0, triangles=t),
-                  lambda t: scene.capsule((-300, 20, 60), (300, 10, 40), 10, 80, triangles=t)):
+    for moved in (
+        lambda t: scene.ball((-300, 20, 60), (300, 10, 40), 25, triangles=t),
+        lambda t: scene.box((10, 5, 400), (0, 0, -400), (30, 10, 20), 15.0, triangles=t),
+        lambda t: scene.capsule((-300, 20, 60), (300, 10, 40), 10, 80, triangles=t),
+    ):
         simple, full = moved(False).to_dict(), moved(True).to_dict()
         assert full["distance"] == pytest.approx(simple["distance"], abs=2e-3)
         assert np.array(row(full["impact_normal"])) @ row(simple["impact_normal"]) == pytest.approx(1, abs=1e-6)
@@ -138,12 +156,23 @@ def test_starts_inside_lengths_of_zero_and_numbers_that_are_none(scene: Scene, c
     assert scene.ball((0, 0, 500), (0, 0, 0), 0.0).to_tuple()[3] == pytest.approx(400)
     for bad in (math.nan, math.inf, 1e200):
         assert scene.line((0, 0, bad), (0, 0, 0)) is None and scene.ball((0, 0, 500), (0, 0, 0), bad) is None
-        assert scene.library.sphere_overlap_actors(scene.world, scene.vector((bad, 0, 0)), 10.0, scene.statics, None,
-                                                   []) is None
+        assert (
+            scene.library.sphere_overlap_actors(scene.world, scene.vector((bad, 0, 0)), 10.0, scene.statics, None, [])
+            is None
+        )
     assert capsys.readouterr().out.count("not finite") == 9
-    assert scene.library.line_trace_single(None, scene.vector((0, 0, 500)), scene.vector((0, 0, 0)),
-                                           scene.unreal.TraceTypeQuery.TRACE_TYPE_QUERY1, False, [],
-                                           *scene.tail) is None
+    assert (
+        scene.library.line_trace_single(
+            None,
+            scene.vector((0, 0, 500)),
+            scene.vector((0, 0, 0)),
+            scene.unreal.TraceTypeQuery.TRACE_TYPE_QUERY1,
+            False,
+            [],
+            *scene.tail,
+        )
+        is None
+    )
     assert "null object" in capsys.readouterr().out
     cube.set_actor_scale3d(scene.vector((1, 1, 0)))
     assert scene.line((0, 0, 500), (0, 0, -500)).to_tuple()[5].z == pytest.approx(50)

@@ -1,4 +1,5 @@
 """Build a small village street with houses on both sides."""
+
 import unreal
 
 MAP_PATH = "/Game/SavedScenes/s01_village_street"
@@ -15,7 +16,9 @@ def load(path):
 
 
 def spawn_mesh(mesh, label, location, yaw=0.0, scale=(1.0, 1.0, 1.0), folder="Village"):
-    actor = actor_subsystem.spawn_actor_from_object(mesh, unreal.Vector(*location), unreal.Rotator(0.0, 0.0, yaw))
+    actor = actor_subsystem.spawn_actor_from_object(
+        mesh, unreal.Vector(*location), unreal.Rotator(0.0, 0.0, yaw)
+    )
     actor.set_actor_label(label)
     actor.set_actor_scale3d(unreal.Vector(*scale))
     actor.set_folder_path(folder)
@@ -37,7 +40,13 @@ for side in (-1, 1):
         x = -2000 + i * 1000
         y = side * 800
         yaw = 90.0 if side < 0 else -90.0
-        spawn_mesh(house, f"House_{count:02d}", (x, y, 0), yaw, folder=f"Village/{'Left' if side < 0 else 'Right'}")
+        spawn_mesh(
+            house,
+            f"House_{count:02d}",
+            (x, y, 0),
+            yaw,
+            folder=f"Village/{'Left' if side < 0 else 'Right'}",
+        )
         count += 1
 
 print(f"Spawned {count} houses")

@@ -37,8 +37,13 @@ while len(transforms) < 120:
     if p.length() < 600:  # keep a clearing in the middle
         continue
     s = random.uniform(0.8, 1.4)
-    transforms.append(unreal.Transform(location=p, rotation=unreal.Rotator(yaw=random.uniform(0, 360)),
-                                       scale=unreal.Vector(s, s, s)))
+    transforms.append(
+        unreal.Transform(
+            location=p,
+            rotation=unreal.Rotator(yaw=random.uniform(0, 360)),
+            scale=unreal.Vector(s, s, s),
+        )
+    )
 indices = hism.add_instances(transforms, True, world_space=True)
 print("added", len(indices), "of", hism.get_instance_count())
 

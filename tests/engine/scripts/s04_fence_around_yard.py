@@ -35,5 +35,7 @@ with unreal.ScopedSlowTask(len(panels), "Building fence") as task:
 
 les = unreal.get_editor_subsystem(unreal.LevelEditorSubsystem)
 w = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
-ok = unreal.EditorLoadingAndSavingUtils.save_map(w, "/Game/SavedScenes/s04_fence_around_yard")
+ok = unreal.EditorLoadingAndSavingUtils.save_map(
+    w, "/Game/SavedScenes/s04_fence_around_yard"
+)
 unreal.log(f"fence panels: {len(panels)}, saved: {ok}")

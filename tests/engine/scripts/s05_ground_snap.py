@@ -7,9 +7,13 @@ world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_wor
 
 def trace_down(x, y, ignore):
     start, end = unreal.Vector(x, y, 5000), unreal.Vector(x, y, -5000)
-    channel = getattr(unreal.TraceTypeQuery, "TRACE_TYPE_QUERY1", None) or unreal.TraceTypeQuery.ECC_VISIBILITY
-    result = unreal.SystemLibrary.line_trace_single(world, start, end, channel, False, ignore,
-                                                    unreal.DrawDebugTrace.NONE, True)
+    channel = (
+        getattr(unreal.TraceTypeQuery, "TRACE_TYPE_QUERY1", None)
+        or unreal.TraceTypeQuery.ECC_VISIBILITY
+    )
+    result = unreal.SystemLibrary.line_trace_single(
+        world, start, end, channel, False, ignore, unreal.DrawDebugTrace.NONE, True
+    )
     if isinstance(result, tuple):  # newer layout
         result = result[1] if result[0] else None
     if result is None:
@@ -18,8 +22,11 @@ def trace_down(x, y, ignore):
     return values["impact_point"] if values else result.to_tuple()[5]
 
 
-props = [a for a in eas.get_all_level_actors()
-         if isinstance(a, unreal.StaticMeshActor) and a.get_actor_label() != "Ground"]
+props = [
+    a
+    for a in eas.get_all_level_actors()
+    if isinstance(a, unreal.StaticMeshActor) and a.get_actor_label() != "Ground"
+]
 moved = []
 for actor in props:
     origin, extent = actor.get_actor_bounds(False)

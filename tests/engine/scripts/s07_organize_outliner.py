@@ -5,7 +5,12 @@ import unreal
 unreal.get_editor_subsystem(unreal.LevelEditorSubsystem).load_level("/Game/Maps/Start")
 sub = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
 
-RULES = [("SM_Tree", "Nature/Trees"), ("SM_Rock", "Nature/Rocks"), ("SM_House", "Buildings"), ("Light", "Lights")]
+RULES = [
+    ("SM_Tree", "Nature/Trees"),
+    ("SM_Rock", "Nature/Rocks"),
+    ("SM_House", "Buildings"),
+    ("Light", "Lights"),
+]
 groups = defaultdict(list)
 for actor in sub.get_all_level_actors():
     key = actor.get_class().get_name()
@@ -25,4 +30,5 @@ for folder, actors in sorted(groups.items()):
 
 unreal.EditorLoadingAndSavingUtils.save_map(
     unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world(),
-    "/Game/SavedScenes/s07_organize_outliner")
+    "/Game/SavedScenes/s07_organize_outliner",
+)

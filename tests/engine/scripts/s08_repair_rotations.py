@@ -6,7 +6,9 @@ unreal.EditorLoadingAndSavingUtils.load_map("/Game/Maps/Start")
 by_label = {a.get_actor_label(): a for a in ess.get_all_level_actors()}
 house = by_label["House_A"]
 before = house.get_actor_rotation()
-unreal.log(f"House_A before: pitch={before.pitch:.1f} yaw={before.yaw:.1f} roll={before.roll:.1f}")
+unreal.log(
+    f"House_A before: pitch={before.pitch:.1f} yaw={before.yaw:.1f} roll={before.roll:.1f}"
+)
 
 # tipped over: make it upright, keep heading
 house.set_actor_rotation(unreal.Rotator(roll=0.0, pitch=0.0, yaw=before.yaw), False)
@@ -26,5 +28,7 @@ for label in ("Tree_A", "Tree_B"):
 rock = by_label.get("Rock_A")
 if rock is not None:
     ess.destroy_actor(rock)
-unreal.EditorLoadingAndSavingUtils.save_map(unreal.EditorLevelLibrary.get_editor_world(),
-                                            "/Game/SavedScenes/s08_repair_rotations")
+unreal.EditorLoadingAndSavingUtils.save_map(
+    unreal.EditorLevelLibrary.get_editor_world(),
+    "/Game/SavedScenes/s08_repair_rotations",
+)

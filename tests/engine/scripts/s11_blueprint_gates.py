@@ -19,7 +19,9 @@ print("classes equal:", gate_class == same, gate_class.get_path_name())
 
 for i, yaw in enumerate((0.0, 90.0, 180.0, 270.0)):
     direction = unreal.Rotator(0, 0, yaw).get_forward_vector()
-    gate = subsystem.spawn_actor_from_class(gate_class, direction * 1000.0, unreal.Rotator(yaw=yaw + 90))
+    gate = subsystem.spawn_actor_from_class(
+        gate_class, direction * 1000.0, unreal.Rotator(yaw=yaw + 90)
+    )
     gate.set_actor_label(f"Gate_{['North', 'East', 'South', 'West'][i]}")
     for comp in gate.get_components_by_class(unreal.StaticMeshComponent):
         stone = unreal.load_asset("/Game/Props/M_Stone")
@@ -35,5 +37,7 @@ print("gates:", len(found))
 for a in list(found):
     if a.get_actor_label() == "Gate_Extra":
         a.destroy_actor()
-unreal.EditorLoadingAndSavingUtils.save_map(unreal.EditorLevelLibrary.get_editor_world(),
-                                            "/Game/SavedScenes/s11_blueprint_gates")
+unreal.EditorLoadingAndSavingUtils.save_map(
+    unreal.EditorLevelLibrary.get_editor_world(),
+    "/Game/SavedScenes/s11_blueprint_gates",
+)

@@ -3,12 +3,18 @@ import unreal
 unreal.EditorLevelLibrary.load_level("/Game/Maps/Start")
 actors = unreal.EditorLevelLibrary.get_all_level_actors()
 
-TAGS = {"Tree": ["vegetation", "static"], "House": ["building", "static"], "Rock": ["vegetation"]}
+TAGS = {
+    "Tree": ["vegetation", "static"],
+    "House": ["building", "static"],
+    "Rock": ["vegetation"],
+}
 
 
 def set_tags(actor, new_tags):
     current = list(actor.tags)
-    merged = current + [unreal.Name(t) for t in new_tags if unreal.Name(t) not in current]
+    merged = current + [
+        unreal.Name(t) for t in new_tags if unreal.Name(t) not in current
+    ]
     actor.set_editor_property("tags", merged)
 
 
@@ -23,9 +29,13 @@ for actor in actors:
         arr.append("landmark")
         actor.set_editor_property("tags", arr)
 
-static = unreal.GameplayStatics.get_all_actors_with_tag(unreal.EditorLevelLibrary.get_editor_world(), "static")
+static = unreal.GameplayStatics.get_all_actors_with_tag(
+    unreal.EditorLevelLibrary.get_editor_world(), "static"
+)
 print("static:", sorted(a.get_actor_label() for a in static))
-trees = unreal.EditorFilterLibrary.by_actor_label(actors, "tree_b", unreal.EditorScriptingStringMatchType.CONTAINS)
+trees = unreal.EditorFilterLibrary.by_actor_label(
+    actors, "tree_b", unreal.EditorScriptingStringMatchType.CONTAINS
+)
 seen = set()
 for t in trees:
     loc = t.get_actor_location()
@@ -34,5 +44,6 @@ for t in trees:
         unreal.log_warning(f"duplicate {t.get_actor_label()} removed")
         unreal.EditorLevelLibrary.destroy_actor(t)
     seen.add(key)
-unreal.EditorLoadingAndSavingUtils.save_map(unreal.EditorLevelLibrary.get_editor_world(),
-                                            "/Game/SavedScenes/s15_tag_pass")
+unreal.EditorLoadingAndSavingUtils.save_map(
+    unreal.EditorLevelLibrary.get_editor_world(), "/Game/SavedScenes/s15_tag_pass"
+)

@@ -10,7 +10,9 @@ def box(sub, label, x0, y0, z0, x1, y1, z1, folder):
     mesh = unreal.load_asset(CUBE)
     center = unreal.Vector((x0 + x1) / 2.0, (y0 + y1) / 2.0, (z0 + z1) / 2.0)
     actor = sub.spawn_actor_from_object(mesh, center, unreal.Rotator())
-    actor.set_actor_scale3d(unreal.Vector((x1 - x0) / 100.0, (y1 - y0) / 100.0, (z1 - z0) / 100.0))
+    actor.set_actor_scale3d(
+        unreal.Vector((x1 - x0) / 100.0, (y1 - y0) / 100.0, (z1 - z0) / 100.0)
+    )
     actor.set_actor_label(label)
     actor.set_folder_path(unreal.Name(folder))
     return actor
@@ -33,8 +35,9 @@ def main():
     box(sub, "Wall_S_Left", 0, -T, 0, 350, 0, h, "Room/Walls")
     box(sub, "Wall_S_Right", 450, -T, 0, w, 0, h, "Room/Walls")
     box(sub, "Wall_S_Lintel", 350, -T, 210, 450, 0, h, "Room/Walls")
-    light = sub.spawn_actor_from_class(unreal.RectLight, unreal.Vector(w / 2, d / 2, h - 10),
-                                       unreal.Rotator(pitch=-90))
+    light = sub.spawn_actor_from_class(
+        unreal.RectLight, unreal.Vector(w / 2, d / 2, h - 10), unreal.Rotator(pitch=-90)
+    )
     light.set_actor_label("CeilingLight")
     light.rect_light_component.set_source_width(200)
     light.rect_light_component.set_intensity(60)

@@ -4,7 +4,9 @@ eas = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
 bench = unreal.load_asset("/Game/Props/SM_Bench")
 originals = []
 for i in range(4):
-    b = eas.spawn_actor_from_object(bench, unreal.Vector(300 + 200 * i, 100 * i, 0), unreal.Rotator(0, 0, 15 * i))
+    b = eas.spawn_actor_from_object(
+        bench, unreal.Vector(300 + 200 * i, 100 * i, 0), unreal.Rotator(0, 0, 15 * i)
+    )
     b.set_actor_label(f"Bench_R{i}")
     originals.append(b)
 
@@ -24,6 +26,9 @@ print(len(eas.get_selected_level_actors()), "selected")
 for a in eas.get_selected_level_actors():
     a.set_actor_hidden_in_game(False)
     assert a.get_actor_scale3d().y < 0
-eas.select_nothing() if hasattr(eas, "select_nothing") else eas.clear_actor_selection_set()
-unreal.EditorLoadingAndSavingUtils.save_map(unreal.EditorLevelLibrary.get_editor_world(),
-                                            "/Game/SavedScenes/s20_mirror_copies")
+eas.select_nothing() if hasattr(
+    eas, "select_nothing"
+) else eas.clear_actor_selection_set()
+unreal.EditorLoadingAndSavingUtils.save_map(
+    unreal.EditorLevelLibrary.get_editor_world(), "/Game/SavedScenes/s20_mirror_copies"
+)

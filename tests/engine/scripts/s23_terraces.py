@@ -26,9 +26,12 @@ for i in range(N):
         a.set_folder_path("Terrain")
 
 peak = max(heights, key=heights.get)
-flag = sub.spawn_actor_from_object(unreal.load_asset("/Engine/BasicShapes/Cylinder"),
-                                   unreal.Vector(peak[0] * CELL, peak[1] * CELL, heights[peak] + 100))
+flag = sub.spawn_actor_from_object(
+    unreal.load_asset("/Engine/BasicShapes/Cylinder"),
+    unreal.Vector(peak[0] * CELL, peak[1] * CELL, heights[peak] + 100),
+)
 flag.set_actor_scale3d(unreal.Vector(0.1, 0.1, 2))
 flag.set_actor_label("Flag")
-unreal.EditorLoadingAndSavingUtils.save_map(unreal.EditorLevelLibrary.get_editor_world(),
-                                            "/Game/SavedScenes/s23_terraces")
+unreal.EditorLoadingAndSavingUtils.save_map(
+    unreal.EditorLevelLibrary.get_editor_world(), "/Game/SavedScenes/s23_terraces"
+)

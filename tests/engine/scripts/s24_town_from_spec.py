@@ -30,8 +30,12 @@ def place(block, report, sub):
     for r in range(rows):
         for c in range(cols):
             jitter = 40.0 if block.get("jitter") and (r + c) % 2 else 0.0
-            loc = unreal.Vector(ox + r * block["pitch"][0] + jitter, oy + c * block["pitch"][1], oz)
-            actor = sub.spawn_actor_from_object(mesh, loc, unreal.Rotator(yaw=float(block.get("yaw", 0))))
+            loc = unreal.Vector(
+                ox + r * block["pitch"][0] + jitter, oy + c * block["pitch"][1], oz
+            )
+            actor = sub.spawn_actor_from_object(
+                mesh, loc, unreal.Rotator(yaw=float(block.get("yaw", 0)))
+            )
             label = f"{mesh.get_name().replace('SM_', '')}_{r}_{c}"
             actor.set_actor_label(label)
             report.spawned.append(label)
@@ -43,7 +47,9 @@ try:
     for block in SPEC["blocks"]:
         place(block, report, subsystem)
     world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
-    if not unreal.EditorLoadingAndSavingUtils.save_map(world, f"/Game/SavedScenes/{SPEC['name']}"):
+    if not unreal.EditorLoadingAndSavingUtils.save_map(
+        world, f"/Game/SavedScenes/{SPEC['name']}"
+    ):
         report.error = "save_map returned False"
 except Exception as exc:  # report, never crash the editor
     report.error = f"{type(exc).__name__}: {exc}"
@@ -53,4 +59,6 @@ finally:
     os.makedirs(folder, exist_ok=True)
     with open(os.path.join(folder, SPEC["name"] + ".json"), "w") as handle:
         json.dump(report.__dict__, handle)
-    unreal.log(f"missing: {report.missing}, spawned: {len(report.spawned)}, error: {report.error}")
+    unreal.log(
+        f"missing: {report.missing}, spawned: {len(report.spawned)}, error: {report.error}"
+    )

@@ -1,4 +1,5 @@
 """Runs on several engine versions: probes for names, falls back, reports which path was taken."""
+
 import unreal
 
 paths_taken = []
@@ -63,12 +64,21 @@ except TypeError as exc:
     print(exc)
 major = int(unreal.SystemLibrary.get_engine_version().split(".")[0])
 light = api.spawn_actor_from_class(unreal.PointLight, unreal.Vector(0, 0, 200))
-lc = light.get_editor_property("light_component") if major >= 5 else light.light_component
+lc = (
+    light.get_editor_property("light_component")
+    if major >= 5
+    else light.light_component
+)
 lc.set_editor_property("Intensity", 1234.0)
 light.set_actor_label("ProbeLight")
-actor.call_method("SetActorScale3D".lower() if hasattr(actor, "setactorscale3d") else "set_actor_scale3d",
-                  (unreal.Vector(1, 1, 2),))
+actor.call_method(
+    "SetActorScale3D".lower()
+    if hasattr(actor, "setactorscale3d")
+    else "set_actor_scale3d",
+    (unreal.Vector(1, 1, 2),),
+)
 assert paths_taken == ["subsystem", "three-arg"], paths_taken
 unreal.EditorLoadingAndSavingUtils.save_map(
     unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world(),
-    "/Game/SavedScenes/s27_version_tolerant")
+    "/Game/SavedScenes/s27_version_tolerant",
+)

@@ -5,7 +5,9 @@ unreal.get_editor_subsystem(unreal.LevelEditorSubsystem).load_level("/Game/Maps/
 
 for i in range(6):
     cls = unreal.PointLight if i % 2 == 0 else unreal.SpotLight
-    l = sub.spawn_actor_from_class(cls, unreal.Vector(i * 200, 0, 300), unreal.Rotator(pitch=-90))
+    l = sub.spawn_actor_from_class(
+        cls, unreal.Vector(i * 200, 0, 300), unreal.Rotator(pitch=-90)
+    )
     l.set_actor_label(f"Lamp_{i}")
 
 changed = 0
@@ -23,12 +25,16 @@ for comp in sub.get_all_level_actors_components():
             comp.set_use_temperature(True)
             comp.set_temperature(3200)
         else:
-            comp.set_editor_properties({"intensity": 1500.0, "use_temperature": False, "source_radius": 8.0})
+            comp.set_editor_properties(
+                {"intensity": 1500.0, "use_temperature": False, "source_radius": 8.0}
+            )
             comp.set_light_color(unreal.LinearColor(r=1.0, g=0.8, b=0.6), True)
         changed += 1
 unreal.log(f"edited {changed} lights")
 lamp = next(a for a in sub.get_all_level_actors() if a.get_actor_label() == "Lamp_4")
 lamp.set_light_color(unreal.LinearColor(0, 0, 1, 1))
 lamp.set_enabled(False)
-unreal.EditorLoadingAndSavingUtils.save_map(unreal.EditorLevelLibrary.get_editor_world(),
-                                            "/Game/SavedScenes/s28_batch_light_edit")
+unreal.EditorLoadingAndSavingUtils.save_map(
+    unreal.EditorLevelLibrary.get_editor_world(),
+    "/Game/SavedScenes/s28_batch_light_edit",
+)

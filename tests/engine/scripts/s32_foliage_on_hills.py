@@ -1,4 +1,5 @@
 """Scatter foliage over uneven ground: line traces find the surface, HISM components hold the plants."""
+
 import math
 import random
 
@@ -14,7 +15,9 @@ level_sub = unreal.get_editor_subsystem(unreal.LevelEditorSubsystem)
 world = editor_sub.get_editor_world()
 
 
-def spawn_mesh(path, label, loc, scale=(1, 1, 1), rot=unreal.Rotator(0, 0, 0), folder="Terrain"):
+def spawn_mesh(
+    path, label, loc, scale=(1, 1, 1), rot=unreal.Rotator(0, 0, 0), folder="Terrain"
+):
     mesh = unreal.EditorAssetLibrary.load_asset(path)
     if mesh is None:
         raise RuntimeError(f"missing asset {path}")
@@ -26,10 +29,19 @@ def spawn_mesh(path, label, loc, scale=(1, 1, 1), rot=unreal.Rotator(0, 0, 0), f
     return actor
 
 
-ground = spawn_mesh("/Engine/BasicShapes/Plane", "Terrain_Ground", (0, 0, 0), (AREA / 50, AREA / 50, 1))
+ground = spawn_mesh(
+    "/Engine/BasicShapes/Plane", "Terrain_Ground", (0, 0, 0), (AREA / 50, AREA / 50, 1)
+)
 hills = []
-for i, (x, y, r, h) in enumerate([(-900, 500, 900, 260), (1200, -700, 700, 180), (300, 1500, 500, 140)]):
-    hill = spawn_mesh("/Engine/BasicShapes/Sphere", f"Terrain_Hill_{i + 1}", (x, y, 0), (r / 50, r / 50, h / 50))
+for i, (x, y, r, h) in enumerate(
+    [(-900, 500, 900, 260), (1200, -700, 700, 180), (300, 1500, 500, 140)]
+):
+    hill = spawn_mesh(
+        "/Engine/BasicShapes/Sphere",
+        f"Terrain_Hill_{i + 1}",
+        (x, y, 0),
+        (r / 50, r / 50, h / 50),
+    )
     hill.tags = [unreal.Name("terrain"), unreal.Name("hill")]
     hills.append(hill)
 
@@ -40,8 +52,15 @@ def ground_at(x, y, ignore=()):
     """Height, normal and actor of whatever lies below a point."""
     start, end = unreal.Vector(x, y, 5000), unreal.Vector(x, y, -1000)
     hit = unreal.SystemLibrary.line_trace_single(
-        world, start, end, unreal.TraceTypeQuery.TRACE_TYPE_QUERY1, True, list(ignore),
-        unreal.DrawDebugTrace.NONE, True)
+        world,
+        start,
+        end,
+        unreal.TraceTypeQuery.TRACE_TYPE_QUERY1,
+        True,
+        list(ignore),
+        unreal.DrawDebugTrace.NONE,
+        True,
+    )
     if not hit:
         return None
     data = hit.to_tuple()
@@ -55,12 +74,18 @@ def make_foliage_actor(label, mesh_path):
     actor.set_folder_path("Foliage")
     subsystem = unreal.get_engine_subsystem(unreal.SubobjectDataSubsystem)
     root = subsystem.k2_gather_subobject_data_for_instance(actor)[0]
-    handle, reason = subsystem.add_new_subobject(unreal.AddNewSubobjectParams(
-        parent_handle=root, new_class=unreal.HierarchicalInstancedStaticMeshComponent, blueprint_context=None))
+    handle, reason = subsystem.add_new_subobject(
+        unreal.AddNewSubobjectParams(
+            parent_handle=root,
+            new_class=unreal.HierarchicalInstancedStaticMeshComponent,
+            blueprint_context=None,
+        )
+    )
     if not reason.is_empty():
         unreal.log_error(str(reason))
     obj = unreal.SubobjectDataBlueprintFunctionLibrary.get_object(
-        unreal.SubobjectDataBlueprintFunctionLibrary.get_data(handle))
+        unreal.SubobjectDataBlueprintFunctionLibrary.get_data(handle)
+    )
     obj.set_editor_property("static_mesh", unreal.load_asset(mesh_path))
     obj.set_collision_enabled(unreal.CollisionEnabled.QUERY_AND_PHYSICS)
     return actor, obj
@@ -82,7 +107,9 @@ with unreal.ScopedSlowTask(80, "Scattering foliage...") as task:
         location, normal, below = found
         if below == house or not below.get_actor_label().startswith("Terrain_"):
             continue
-        slope = math.degrees(math.acos(max(-1.0, min(1.0, normal.dot(unreal.Vector(0, 0, 1))))))
+        slope = math.degrees(
+            math.acos(max(-1.0, min(1.0, normal.dot(unreal.Vector(0, 0, 1)))))
+        )
         if slope > 35:
             continue
         p = unreal.Vector2D(x, y)
@@ -93,13 +120,21 @@ with unreal.ScopedSlowTask(80, "Scattering foliage...") as task:
         scale = random.uniform(0.85, 1.25)
         rotation = unreal.Rotator(roll=0, pitch=0, yaw=yaw)
         if not is_tree:  # rocks follow the surface
-            rotation = unreal.MathLibrary.make_rot_from_zx(normal, rotation.get_forward_vector())
-        transform = unreal.Transform(location=location, rotation=rotation, scale=unreal.Vector(scale, scale, scale))
+            rotation = unreal.MathLibrary.make_rot_from_zx(
+                normal, rotation.get_forward_vector()
+            )
+        transform = unreal.Transform(
+            location=location,
+            rotation=rotation,
+            scale=unreal.Vector(scale, scale, scale),
+        )
         (trees if is_tree else rocks).add_instance(transform, world_space=True)
         placed.append(location)
         task.enter_progress_frame(1, f"{len(placed)} plants")
 
-unreal.log(f"{trees.get_instance_count()} trees, {rocks.get_instance_count()} rocks in {tries} tries")
+unreal.log(
+    f"{trees.get_instance_count()} trees, {rocks.get_instance_count()} rocks in {tries} tries"
+)
 assert trees.get_instance_count() + rocks.get_instance_count() == len(placed) == 80
 
 # Every tree must stand on something: check by a short trace down from just above its foot.
@@ -107,8 +142,15 @@ floating = 0
 for i in range(trees.get_instance_count()):
     foot = trees.get_instance_transform(i, world_space=True).translation
     hit = unreal.SystemLibrary.line_trace_single(
-        world, foot + unreal.Vector(0, 0, 20), foot - unreal.Vector(0, 0, 20),
-        unreal.TraceTypeQuery.TRACE_TYPE_QUERY1, True, [trees_actor, rocks_actor], unreal.DrawDebugTrace.NONE, True)
+        world,
+        foot + unreal.Vector(0, 0, 20),
+        foot - unreal.Vector(0, 0, 20),
+        unreal.TraceTypeQuery.TRACE_TYPE_QUERY1,
+        True,
+        [trees_actor, rocks_actor],
+        unreal.DrawDebugTrace.NONE,
+        True,
+    )
     floating += hit is None
 print("floating trees:", floating)
 assert floating == 0
@@ -116,4 +158,6 @@ assert floating == 0
 origin, extent = trees_actor.get_actor_bounds(only_colliding_components=False)
 print(f"forest spans {extent.x * 2:.0f} x {extent.y * 2:.0f} cm around {origin}")
 level_sub.save_all_dirty_levels() if False else None
-unreal.EditorLoadingAndSavingUtils.save_map(world, "/Game/SavedScenes/s32_foliage_on_hills")
+unreal.EditorLoadingAndSavingUtils.save_map(
+    world, "/Game/SavedScenes/s32_foliage_on_hills"
+)

@@ -55,10 +55,21 @@ class Advance:
         """Signed distance of ``a`` (moved by a vector) to ``b``, unit normal from a to b, nearest point of b."""
         self._result.clear()
         away = a.translation + moved
-        found = float(coal.distance(a.shape, coal.Transform3s(a.rotation, np.zeros(3)), b.shape,
-                                    coal.Transform3s(b.rotation, b.translation - away), self._request, self._result))
-        return (found, np.asarray(self._result.normal, float).reshape(3),
-                np.asarray(self._result.getNearestPoint2(), float).reshape(3) + away)
+        found = float(
+            coal.distance(
+                a.shape,
+                coal.Transform3s(a.rotation, np.zeros(3)),
+                b.shape,
+                coal.Transform3s(b.rotation, b.translation - away),
+                self._request,
+                self._result,
+            )
+        )
+        return (
+            found,
+            np.asarray(self._result.normal, float).reshape(3),
+            np.asarray(self._result.getNearestPoint2(), float).reshape(3) + away,
+        )
 
     def sweep(self, a: Body, b: Body, direction: Array, length: float) -> SweepHit | None:
         """Where ``a`` meets ``b`` when it moves up to ``length`` cm along a unit direction; None when it does not."""
@@ -105,8 +116,12 @@ class Advance:
     def sweep_triangles(self, a: Body, corners: Array, direction: Array, length: float) -> tuple[SweepHit, int] | None:
         """First of many triangles (n, 3, 3) that a moved body meets, with its row; nearest boxes are tried first."""
         half, middle = (a.high - a.low) / 2, (a.high + a.low) / 2
-        meets, earliest = segment_meets(corners.min(axis=1) - half - TOUCH_CM, corners.max(axis=1) + half + TOUCH_CM,
-                                        middle, direction * max(length, 1e-9))
+        meets, earliest = segment_meets(
+            corners.min(axis=1) - half - TOUCH_CM,
+            corners.max(axis=1) + half + TOUCH_CM,
+            middle,
+            direction * max(length, 1e-9),
+        )
         best: tuple[SweepHit, int] | None = None
         for row in sorted(np.flatnonzero(meets).tolist(), key=lambda i: float(earliest[i])):
             if best is not None and earliest[row] * length > best[0].distance:

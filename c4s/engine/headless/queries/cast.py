@@ -63,8 +63,15 @@ def ray(start: Array, end: Array, wanted: Wanted, *, many: bool = False, all_hit
     return _kept(_answered(near, wanted, meet, length, many), many, all_hits)
 
 
-def sweep(moving: Body, end_offset: Array, wanted: Wanted, *, many: bool = False, all_hits: bool = False,
-          skipped: frozenset[object] = frozenset()) -> list[Hit]:
+def sweep(
+    moving: Body,
+    end_offset: Array,
+    wanted: Wanted,
+    *,
+    many: bool = False,
+    all_hits: bool = False,
+    skipped: frozenset[object] = frozenset(),
+) -> list[Hit]:
     """Hits of a convex body that moves by a vector (cm), as ``ray``. A move of no length finds overlaps only.
 
     ``skipped``: components that are not met.
@@ -84,8 +91,9 @@ def sweep(moving: Body, end_offset: Array, wanted: Wanted, *, many: bool = False
     return _kept(_answered(near, wanted, meet, length, many), many, all_hits)
 
 
-def _answered(near: list[tuple[float, Target]], wanted: Wanted, meet: Callable[[Target], Hit | None], length: float,
-              many: bool) -> Iterator[Hit]:
+def _answered(
+    near: list[tuple[float, Target]], wanted: Wanted, meet: Callable[[Target], Hit | None], length: float, many: bool
+) -> Iterator[Hit]:
     """Hits on targets that answer; for a single hit nothing behind the nearest block is looked at."""
     best = np.inf
     for fraction, target in near:
@@ -111,8 +119,9 @@ def _kept(hits: Iterator[Hit], many: bool, all_hits: bool) -> list[Hit]:
     if not many:
         return sorted(ordered, key=lambda hit: hit.rank)[:1]
     first = next((i for i, hit in enumerate(ordered) if hit.blocking), None)
-    return ordered if first is None else [hit for hit in ordered[:first + 1]
-                                          if not hit.blocking or hit is ordered[first]]
+    return (
+        ordered if first is None else [hit for hit in ordered[: first + 1] if not hit.blocking or hit is ordered[first]]
+    )
 
 
 def _ray_bodies(index: SpatialIndex, target: Target, start: Array, direction: Array, length: float) -> Hit | None:
@@ -147,13 +156,23 @@ def _ray_triangles(index: SpatialIndex, target: Target, start: Array, direction:
         return None
     fraction, row = found
     place = start + fraction * step
-    normal = facing(_world_corners(triangles, rows[row:row + 1], matrix)[0], direction)
+    normal = facing(_world_corners(triangles, rows[row : row + 1], matrix)[0], direction)
     return Hit(target, fraction * length, place, place, normal, normal, face=int(triangles.faces[rows[row]]))
 
 
 def _swept(target: Target, moving: Body, direction: Array, hit: SweepHit, element: int, face: int) -> Hit:
-    return Hit(target, hit.distance, moving.translation + hit.distance * direction, hit.point, hit.normal,
-               hit.face_normal, hit.depth > 0, hit.depth, element, face)
+    return Hit(
+        target,
+        hit.distance,
+        moving.translation + hit.distance * direction,
+        hit.point,
+        hit.normal,
+        hit.face_normal,
+        hit.depth > 0,
+        hit.depth,
+        element,
+        face,
+    )
 
 
 def _sweep_bodies(index: SpatialIndex, target: Target, moving: Body, direction: Array, length: float) -> Hit | None:
@@ -166,22 +185,25 @@ def _sweep_bodies(index: SpatialIndex, target: Target, moving: Body, direction: 
     return best
 
 
-def _sweep_triangles(index: SpatialIndex, target: Target, moving: Body, direction: Array,
-                     length: float) -> Hit | None:
+def _sweep_triangles(index: SpatialIndex, target: Target, moving: Body, direction: Array, length: float) -> Hit | None:
     triangles = index.triangles(target)
     if triangles is None:
         return None
     (matrix, inverse), reach = target.matrices(), direction * length
     low, high = np.minimum(moving.low, moving.low + reach), np.maximum(moving.high, moving.high + reach)
-    rows = np.arange(len(triangles.faces)) if inverse is None else triangles.within(
-        *_local_box(matrix, inverse, low, high))
+    rows = (
+        np.arange(len(triangles.faces))
+        if inverse is None
+        else triangles.within(*_local_box(matrix, inverse, low, high))
+    )
     if not len(rows):
         return None
     corners = _world_corners(triangles, rows, matrix)
     corners, rows = _not_flattened(corners, rows)
     found = _advance.sweep_triangles(moving, corners, direction, length)
-    return None if found is None else _swept(target, moving, direction, found[0], -1,
-                                             int(triangles.faces[rows[found[1]]]))
+    return (
+        None if found is None else _swept(target, moving, direction, found[0], -1, int(triangles.faces[rows[found[1]]]))
+    )
 
 
 def _not_flattened(corners: Array, rows: Rows) -> tuple[Array, Rows]:
@@ -205,8 +227,12 @@ def overlaps(bodies: list[Body], wanted: Wanted) -> list[Target]:
     index = current()
     low = np.min([body.low for body in bodies], axis=0)
     high = np.max([body.high for body in bodies], axis=0)
-    return [target for target in index.meeting(low, high) if wanted.sees(target) is not Response.IGNORE and any(
-        _advance.overlap(mine, other) > SHORTEST_CM for mine in bodies for other in index.bodies(target))]
+    return [
+        target
+        for target in index.meeting(low, high)
+        if wanted.sees(target) is not Response.IGNORE
+        and any(_advance.overlap(mine, other) > SHORTEST_CM for mine in bodies for other in index.bodies(target))
+    ]
 
 
 def gap(a: Body, b: Body) -> tuple[float, Array]:

@@ -29,8 +29,14 @@ class Response(IntEnum):
     BLOCK = 2
 
 
-OBJECT_TYPES = (Channel.WORLD_STATIC, Channel.WORLD_DYNAMIC, Channel.PAWN, Channel.PHYSICS_BODY, Channel.VEHICLE,
-                Channel.DESTRUCTIBLE)
+OBJECT_TYPES = (
+    Channel.WORLD_STATIC,
+    Channel.WORLD_DYNAMIC,
+    Channel.PAWN,
+    Channel.PHYSICS_BODY,
+    Channel.VEHICLE,
+    Channel.DESTRUCTIBLE,
+)
 """Channels of ``ObjectTypeQuery`` 1 to 6."""
 TRACE_TYPES = (Channel.VISIBILITY, Channel.CAMERA)
 """Channels of ``TraceTypeQuery`` 1 and 2."""
@@ -63,11 +69,17 @@ PROFILES: dict[str, Profile] = {
     "blockalldynamic": Profile(Channel.WORLD_DYNAMIC),
     "overlapalldynamic": Profile(Channel.WORLD_DYNAMIC, "QUERY_ONLY", _ALL),
     "ignoreonlypawn": Profile(Channel.WORLD_DYNAMIC, "QUERY_ONLY", _NO_PAWNS),
-    "overlaponlypawn": Profile(Channel.WORLD_DYNAMIC, "QUERY_ONLY", {
-        Channel.PAWN: Response.OVERLAP, Channel.VEHICLE: Response.OVERLAP, Channel.CAMERA: Response.IGNORE}),
+    "overlaponlypawn": Profile(
+        Channel.WORLD_DYNAMIC,
+        "QUERY_ONLY",
+        {Channel.PAWN: Response.OVERLAP, Channel.VEHICLE: Response.OVERLAP, Channel.CAMERA: Response.IGNORE},
+    ),
     "pawn": Profile(Channel.PAWN, responses=_UNSEEN),
-    "spectator": Profile(Channel.PAWN, "QUERY_ONLY", {
-        channel: Response.IGNORE for channel in Channel if channel is not Channel.WORLD_STATIC}),
+    "spectator": Profile(
+        Channel.PAWN,
+        "QUERY_ONLY",
+        {channel: Response.IGNORE for channel in Channel if channel is not Channel.WORLD_STATIC},
+    ),
     "charactermesh": Profile(Channel.PAWN, "QUERY_ONLY", {**_NO_PAWNS, **_UNSEEN}),
     "physicsactor": Profile(Channel.PHYSICS_BODY),
     "destructible": Profile(Channel.DESTRUCTIBLE),

@@ -88,16 +88,22 @@ class SpatialIndex:
                     self._rows[actor] = found
 
     def _of(self, actor: Any) -> list[Target]:
-        return [target for component in actor._components if hasattr(type(component), "_queries")
-                and component._queries() for target in self._of_component(component, component._world_pose())]
+        return [
+            target
+            for component in actor._components
+            if hasattr(type(component), "_queries") and component._queries()
+            for target in self._of_component(component, component._world_pose())
+        ]
 
     @staticmethod
     def _of_component(component: Any, pose: Pose) -> list[Target]:
         mesh, instances = getattr(component, "_mesh", None), getattr(component, "_instances", None)
         if mesh is not None:
             poses = [pose] if instances is None else [compose(each, pose) for each in instances]
-            return [Target(component._outer, component, -1 if instances is None else i, each, mesh._asset, mesh)
-                    for i, each in enumerate(poses)]
+            return [
+                Target(component._outer, component, -1 if instances is None else i, each, mesh._asset, mesh)
+                for i, each in enumerate(poses)
+            ]
         if type(component).__name__ == "BrushComponent":
             return [Target(component._outer, component, -1, pose, None, None)]
         return []
@@ -123,12 +129,17 @@ class SpatialIndex:
         if not max(np.abs(corners[0]).max(), np.abs(corners[1]).max()) < WORLD_CM:
             return None
         sides = [abs(side) for side in target.pose.scale]
-        if min(sides) == max(sides) or target.asset is None or not any(
-                isinstance(body, CapsuleBody) for body in target.asset.collision):
+        if (
+            min(sides) == max(sides)
+            or target.asset is None
+            or not any(isinstance(body, CapsuleBody) for body in target.asset.collision)
+        ):
             return corners
         bodies = self.bodies(target)  # a capsule stays round and can leave its scaled box
-        return (np.min([corners[0], *(body.low for body in bodies)], axis=0),
-                np.max([corners[1], *(body.high for body in bodies)], axis=0))
+        return (
+            np.min([corners[0], *(body.low for body in bodies)], axis=0),
+            np.max([corners[1], *(body.high for body in bodies)], axis=0),
+        )
 
     def _corners(self, asset: Asset) -> _Corners:
         """Local box that holds the mesh and its bodies."""

@@ -67,8 +67,11 @@ def ray_body(body: Body, start: Array, direction: Array, length: float) -> RayHi
         return _ray_round(body, local, way, direction, length)
     heights, speeds = faces[:, :3] @ local + faces[:, 3], faces[:, :3] @ way
     if (heights <= 0).all():
-        return RayHit(0.0, -direction, True) if (heights < 0).all() or _thick(body.form) else _flat_start(
-            body, faces, speeds, direction)
+        return (
+            RayHit(0.0, -direction, True)
+            if (heights < 0).all() or _thick(body.form)
+            else _flat_start(body, faces, speeds, direction)
+        )
     still = np.abs(speeds) < PARALLEL
     if (still & (heights > 0)).any():
         return None

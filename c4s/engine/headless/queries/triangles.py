@@ -80,8 +80,14 @@ def segment_meets(low: Array, high: Array, start: Array, step: Array) -> tuple[N
 
 def cross(a: Array, b: Array) -> Array:
     """Vector products of rows: ``numpy.cross`` without what it does to small arrays first."""
-    return np.stack([a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1], a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2],
-                     a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]], axis=1)
+    return np.stack(
+        [
+            a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1],
+            a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2],
+            a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0],
+        ],
+        axis=1,
+    )
 
 
 def first_on_segment(corners: Array, start: Array, step: Array) -> tuple[float, int] | None:

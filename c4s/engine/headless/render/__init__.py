@@ -14,5 +14,16 @@ from c4s.engine.headless.render.types import (
     SurfaceMaterial,
 )
 
-__all__ = ["Camera", "Fog", "Grade", "Instance", "Lights", "LocalLight", "Picture", "Renderer", "Sky", "Sun",
-           "SurfaceMaterial"]
+__all__ = [
+    "Camera",
+    "Fog",
+    "Grade",
+    "Instance",
+    "Lights",
+    "LocalLight",
+    "Picture",
+    "Renderer",
+    "Sky",
+    "Sun",
+    "SurfaceMaterial",
+]

@@ -41,16 +41,22 @@ def mark_edges(first: int, last: int, width: int, height: int, buffers: Buffers,
                         other, point = buffers.normal, buffers.point
                         if n0 * other[there, 0] + n1 * other[there, 1] + n2 * other[there, 2] < 0.97:
                             found = True
-                        away = (n0 * (point[there, 0] - p0) + n1 * (point[there, 1] - p1)
-                                + n2 * (point[there, 2] - p2))
+                        away = n0 * (point[there, 0] - p0) + n1 * (point[there, 1] - p1) + n2 * (point[there, 2] - p2)
                         if abs(away) > near:
                             found = True
             edge[here] = found
 
 
 @kernel
-def combine_rows(first: int, last: int, width: int, height: int, buffers: Buffers, light: NDArray[np.float32],
-                 histogram: NDArray[np.int64]) -> None:
+def combine_rows(
+    first: int,
+    last: int,
+    width: int,
+    height: int,
+    buffers: Buffers,
+    light: NDArray[np.float32],
+    histogram: NDArray[np.int64],
+) -> None:
     """Write direct plus occluded ambient light of some rows, and count the luminance of their surfaces.
 
     Occlusion is averaged over 4x4 neighbours on the same plane, one full period of the sample pattern.
@@ -71,8 +77,10 @@ def combine_rows(first: int, last: int, width: int, height: int, buffers: Buffer
                         there = j * width + i
                         if n0 * normal[there, 0] + n1 * normal[there, 1] + n2 * normal[there, 2] < 0.85:
                             continue
-                        if abs(n0 * (point[there, 0] - p0) + n1 * (point[there, 1] - p1)
-                               + n2 * (point[there, 2] - p2)) < near:
+                        if (
+                            abs(n0 * (point[there, 0] - p0) + n1 * (point[there, 1] - p1) + n2 * (point[there, 2] - p2))
+                            < near
+                        ):
                             away += buffers.open[there, 0]
                             rays += buffers.open[there, 1]
             share = (_OCCLUSION_FLOOR + (1.0 - _OCCLUSION_FLOOR) * away / rays) / buffers.samples[here]
@@ -117,8 +125,10 @@ def grade_table(grade: Grade) -> NDArray[np.float64]:
     Raises:
         BadInput: a number that is not finite.
     """
-    table = np.array([*grade.white_balance, grade.saturation, grade.contrast, grade.gamma, grade.gain, grade.offset],
-                     dtype=np.float64)
+    table = np.array(
+        [*grade.white_balance, grade.saturation, grade.contrast, grade.gamma, grade.gain, grade.offset],
+        dtype=np.float64,
+    )
     if not np.isfinite(table).all():
         raise BadInput("the grade has a value that is not finite", where="renderer")
     plain = Grade()
@@ -138,9 +148,18 @@ def _graded(color: NDArray[np.float64], grade: NDArray[np.float64]) -> None:
         value = value ** (1.0 / max(grade[GAMMA, channel], 0.01))
         color[channel] = value * grade[GAIN, channel] + grade[OFFSET, channel]
 
+
 @kernel
-def develop_pixels(first: int, last: int, light: NDArray[np.float32], gain: float, curve: bool,
-                   grade: NDArray[np.float64], encode: NDArray[np.uint8], rgb: NDArray[np.uint8]) -> None:
+def develop_pixels(
+    first: int,
+    last: int,
+    light: NDArray[np.float32],
+    gain: float,
+    curve: bool,
+    grade: NDArray[np.float64],
+    encode: NDArray[np.uint8],
+    rgb: NDArray[np.uint8],
+) -> None:
     """sRGB bytes of some pixels; ``curve`` grades and applies the filmic tone curve (Narkowicz 2015), else values are
     clamped."""
     color = np.zeros(3)

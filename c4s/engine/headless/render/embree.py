@@ -104,9 +104,16 @@ class RayScene:
         threads: threads that build.
     """
 
-    def __init__(self, vertices: Sequence[NDArray[np.float32]], faces: Sequence[NDArray[np.int32]],
-                 mesh_of: NDArray[np.int32], matrices: NDArray[np.float32], masks: NDArray[np.int32],
-                 holes: Sequence[Holes | None], threads: int) -> None:
+    def __init__(
+        self,
+        vertices: Sequence[NDArray[np.float32]],
+        faces: Sequence[NDArray[np.int32]],
+        mesh_of: NDArray[np.int32],
+        matrices: NDArray[np.float32],
+        masks: NDArray[np.int32],
+        holes: Sequence[Holes | None],
+        threads: int,
+    ) -> None:
         lib = library()
         self._device = lib.rtcNewDevice(_INSTRUCTION_SET + b",threads=%d" % max(1, threads))
         if not self._device:
@@ -178,7 +185,7 @@ def aligned_words(count: int) -> NDArray[np.float32]:
     """A float32 array whose first word lies on a 64-byte boundary, as packet queries need."""
     raw = np.zeros(count + 16, dtype=np.float32)
     start = (-raw.ctypes.data % 64) // 4
-    return raw[start:start + count]
+    return raw[start : start + count]
 
 
 def _prove_layout() -> None:
@@ -188,10 +195,15 @@ def _prove_layout() -> None:
     matrices = np.zeros((3, 3, 4), dtype=np.float32)
     matrices[:, [0, 1, 2], [0, 1, 2]] = (1, -1, 1)
     matrices[:, 0, 3] = (50, 5, 3)
-    scene = RayScene([other, triangle], [np.array([[0, 1, 2]], dtype=np.int32)] * 2,
-                     np.array([0, 1, 1], dtype=np.int32), matrices,
-                     np.array([layout.OPAQUE_MASK, layout.OPAQUE_MASK, layout.TRANSLUCENT_MASK], dtype=np.int32),
-                     [None, None], 1)
+    scene = RayScene(
+        [other, triangle],
+        [np.array([[0, 1, 2]], dtype=np.int32)] * 2,
+        np.array([0, 1, 1], dtype=np.int32),
+        matrices,
+        np.array([layout.OPAQUE_MASK, layout.OPAQUE_MASK, layout.TRANSLUCENT_MASK], dtype=np.int32),
+        [None, None],
+        1,
+    )
     try:
         rays, valid = aligned_words(layout.RAYHIT_WORDS), aligned_words(layout.LANES).view(np.int32)
         numbers = rays.view(np.int32)
@@ -199,16 +211,22 @@ def _prove_layout() -> None:
         rays[layout.DIRECTION + 3], rays[layout.TFAR + 3] = 1.0, 1e30
         numbers[layout.RAY_MASK + 3] = layout.OPAQUE_MASK
         for start in (layout.PRIMITIVE, layout.GEOMETRY, layout.INSTANCE):
-            numbers[start:start + layout.LANES] = -1
+            numbers[start : start + layout.LANES] = -1
         lib = library()
         lib.rtcIntersect8(valid.ctypes.data, scene.handle, rays.ctypes.data, None)
-        normal = rays[layout.NORMAL + 3:layout.PRIMITIVE - 2 * layout.LANES:layout.LANES]
-        found = (round(float(rays[layout.TFAR + 3]), 4), int(numbers[layout.INSTANCE + 3]),
-                 int(numbers[layout.PRIMITIVE + 3]), int(numbers[layout.GEOMETRY + 3]),
-                 round(float(rays[layout.HIT_U + 3]), 4), round(float(rays[layout.HIT_V + 3]), 4),
-                 np.flatnonzero(normal).tolist(), int(numbers[layout.INSTANCE + 2]))
+        normal = rays[layout.NORMAL + 3 : layout.PRIMITIVE - 2 * layout.LANES : layout.LANES]
+        found = (
+            round(float(rays[layout.TFAR + 3]), 4),
+            int(numbers[layout.INSTANCE + 3]),
+            int(numbers[layout.PRIMITIVE + 3]),
+            int(numbers[layout.GEOMETRY + 3]),
+            round(float(rays[layout.HIT_U + 3]), 4),
+            round(float(rays[layout.HIT_V + 3]), 4),
+            np.flatnonzero(normal).tolist(),
+            int(numbers[layout.INSTANCE + 2]),
+        )
         shadow = aligned_words(layout.RAY_WORDS)
-        shadow[:] = rays[:layout.RAY_WORDS]
+        shadow[:] = rays[: layout.RAY_WORDS]
         shadow[layout.TFAR + 3] = 1e30
         lib.rtcOccluded8(valid.ctypes.data, scene.handle, shadow.ctypes.data, None)
         hidden = bool(shadow[layout.TFAR + 3] < 0)
@@ -217,5 +235,6 @@ def _prove_layout() -> None:
         scene.close()
     expected = (5.0, 1, 0, 0, 0.25, 0.25, [0], -1)
     if found != expected or not hidden or not masks_work:
-        raise MachineryFault(f"the Embree library answers {found}, not {expected}", where="renderer",
-                             todo="install embreex 4.4.0.post1")
+        raise MachineryFault(
+            f"the Embree library answers {found}, not {expected}", where="renderer", todo="install embreex 4.4.0.post1"
+        )

@@ -27,8 +27,17 @@ MAX_LAYERS = 6
 
 
 @inner
-def _start_rays(scratch: Scratch, count: int, pixels: NDArray[np.int64], first: int, view: View, width: int,
-                height: int, offset_x: float, offset_y: float) -> None:
+def _start_rays(
+    scratch: Scratch,
+    count: int,
+    pixels: NDArray[np.int64],
+    first: int,
+    view: View,
+    width: int,
+    height: int,
+    offset_x: float,
+    offset_y: float,
+) -> None:
     """Aim the primary packet at an offset within each of ``count`` pixels."""
     primary, lanes, axes = scratch.primary, scratch.lanes, view.axes
     for k in range(LANES):
@@ -51,8 +60,18 @@ def _start_rays(scratch: Scratch, count: int, pixels: NDArray[np.int64], first: 
 
 
 @inner
-def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Textures, lights: LightTables,
-                out: Buffers, pixel_size: float, blend: float, first_sample: bool, last_layer: bool) -> bool:
+def _next_layer(
+    scratch: Scratch,
+    view: View,
+    scene: SceneTables,
+    textures: Textures,
+    lights: LightTables,
+    out: Buffers,
+    pixel_size: float,
+    blend: float,
+    first_sample: bool,
+    last_layer: bool,
+) -> bool:
     """Find the next surface of every lane that is still going; whether any goes on behind it is returned."""
     primary, lanes, through = scratch.primary, scratch.lanes, scratch.through
     for k in range(LANES):
@@ -71,7 +90,8 @@ def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Text
                 for channel in range(3):
                     lanes.direct[k, channel] += through[k] * (
                         clear * sky_radiance(lights.sky, lanes.ray[k, 2], channel)
-                        + (1.0 - clear) * fog_radiance(lights, lanes.ray[k], channel))
+                        + (1.0 - clear) * fog_radiance(lights, lanes.ray[k], channel)
+                    )
             primary.valid[k] = 0
             continue
         opacity = read_hit(primary, k, lanes, scene, textures, pixel_size, blend)
@@ -85,8 +105,11 @@ def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Text
             out.identity[pixel] = out.identity[pixel] * 31 + lanes.surface[k] + 1
             if out.actor[pixel] == -1 and opacity >= 0.5:
                 out.actor[pixel] = scene.actor[primary.numbers[INSTANCE + k]]
-                out.depth[pixel] = distance * (lanes.ray[k, 0] * view.axes[1, 0] + lanes.ray[k, 1] * view.axes[1, 1]
-                                               + lanes.ray[k, 2] * view.axes[1, 2])
+                out.depth[pixel] = distance * (
+                    lanes.ray[k, 0] * view.axes[1, 0]
+                    + lanes.ray[k, 1] * view.axes[1, 1]
+                    + lanes.ray[k, 2] * view.axes[1, 2]
+                )
                 for axis in range(3):
                     out.normal[pixel, axis] = lanes.facing[k, axis]
                     out.point[pixel, axis] = lanes.point[k, axis]
@@ -97,8 +120,9 @@ def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Text
             clear = fog_passes(lights, view.axes[0], lanes.ray[k], distance)
             if clear < 1.0:
                 for channel in range(3):
-                    lanes.direct[k, channel] += (lanes.weight[k] * (1.0 - clear)
-                                                 * fog_radiance(lights, lanes.ray[k], channel))
+                    lanes.direct[k, channel] += (
+                        lanes.weight[k] * (1.0 - clear) * fog_radiance(lights, lanes.ray[k], channel)
+                    )
                 lanes.weight[k] *= clear
         through[k] *= 1.0 - opacity
         if through[k] < 0.004:
@@ -111,9 +135,20 @@ def _next_layer(scratch: Scratch, view: View, scene: SceneTables, textures: Text
 
 
 @inner
-def _trace_pixels(pixels: NDArray[np.int64], width: int, height: int, first_sample: int, last_sample: int, view: View,
-                  scene: SceneTables, textures: Textures, lights: LightTables, patterns: Patterns, out: Buffers,
-                  scratch: Scratch) -> None:
+def _trace_pixels(
+    pixels: NDArray[np.int64],
+    width: int,
+    height: int,
+    first_sample: int,
+    last_sample: int,
+    view: View,
+    scene: SceneTables,
+    textures: Textures,
+    lights: LightTables,
+    patterns: Patterns,
+    out: Buffers,
+    scratch: Scratch,
+) -> None:
     lanes, axes = scratch.lanes, view.axes
     pixel_size = 2.0 * math.sqrt(axes[2, 0] * axes[2, 0] + axes[2, 1] * axes[2, 1] + axes[2, 2] * axes[2, 2]) / width
     for first in range(0, len(pixels), LANES):
@@ -123,11 +158,22 @@ def _trace_pixels(pixels: NDArray[np.int64], width: int, height: int, first_samp
             for channel in range(3):
                 lanes.direct[k, channel], lanes.ambient[k, channel] = 0.0, 0.0
         for sample in range(first_sample, last_sample):
-            _start_rays(scratch, count, pixels, first, view, width, height, patterns.pixel[sample, 0],
-                        patterns.pixel[sample, 1])
+            _start_rays(
+                scratch, count, pixels, first, view, width, height, patterns.pixel[sample, 0], patterns.pixel[sample, 1]
+            )
             for layer in range(MAX_LAYERS):
-                going = _next_layer(scratch, view, scene, textures, lights, out, pixel_size, patterns.blend[sample],
-                                    sample == 0, layer == MAX_LAYERS - 1)
+                going = _next_layer(
+                    scratch,
+                    view,
+                    scene,
+                    textures,
+                    lights,
+                    out,
+                    pixel_size,
+                    patterns.blend[sample],
+                    sample == 0,
+                    layer == MAX_LAYERS - 1,
+                )
                 if view.lit:
                     shade(scratch, view, lights, patterns, sample)
                 if not going:
@@ -145,9 +191,21 @@ def _trace_pixels(pixels: NDArray[np.int64], width: int, height: int, first_samp
 
 
 @kernel
-def trace_pixels(pixels: NDArray[np.int64], width: int, height: int, first_sample: int, last_sample: int, view: View,
-                 scene: SceneTables, textures: Textures, lights: LightTables, patterns: Patterns, out: Buffers,
-                 scratch: Scratch) -> None:
+def trace_pixels(
+    pixels: NDArray[np.int64],
+    width: int,
+    height: int,
+    first_sample: int,
+    last_sample: int,
+    view: View,
+    scene: SceneTables,
+    textures: Textures,
+    lights: LightTables,
+    patterns: Patterns,
+    out: Buffers,
+    scratch: Scratch,
+) -> None:
     """Add samples ``first_sample`` to ``last_sample - 1`` of some pixels to ``out``."""
-    _trace_pixels(pixels, width, height, first_sample, last_sample, view, scene, textures, lights, patterns, out,
-                  scratch)
+    _trace_pixels(
+        pixels, width, height, first_sample, last_sample, view, scene, textures, lights, patterns, out, scratch
+    )

@@ -18,7 +18,19 @@ from c4s.engine.headless.render.types import Fog, Lights, LocalLight, Rgb
 from c4s.errors import BadInput
 
 POSITION, POWER, RADIUS, AXIS, INNER_COS, OUTER_COS, SOURCE, ACROSS, UPWARDS, FALLOFF, SHADOWS, LOCAL_COLUMNS = (
-    0, 3, 6, 7, 10, 11, 12, 13, 16, 19, 20, 21)
+    0,
+    3,
+    6,
+    7,
+    10,
+    11,
+    12,
+    13,
+    16,
+    19,
+    20,
+    21,
+)
 DENSITY, HALVING, START, CUTOFF, LEAST, FOG_COLOR, GLOW, GLOW_EXPONENT, FOG_COLUMNS = 0, 1, 2, 3, 4, 5, 8, 11, 12
 """Columns of ``LightTables.fog``: exponents of 2 per cm, the least share of light that passes, radiances."""
 _FOG_CM = 1000.0
@@ -87,11 +99,25 @@ class Lanes(NamedTuple):
 
 def new_lanes() -> Lanes:
     """State of a packet, all zero."""
-    return Lanes(np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros((LANES, 3)),
-                 np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES), np.zeros(LANES),
-                 np.zeros((LANES, 3)), np.zeros((LANES, 3)), np.zeros(LANES), np.zeros(LANES),
-                 np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64), np.zeros((LANES, 4)),
-                 np.zeros(LANES, dtype=np.int64))
+    return Lanes(
+        np.zeros((LANES, 3)),
+        np.zeros((LANES, 3)),
+        np.zeros((LANES, 3)),
+        np.zeros((LANES, 3)),
+        np.zeros((LANES, 3)),
+        np.zeros((LANES, 3)),
+        np.zeros(LANES),
+        np.zeros(LANES),
+        np.zeros(LANES),
+        np.zeros((LANES, 3)),
+        np.zeros((LANES, 3)),
+        np.zeros(LANES),
+        np.zeros(LANES),
+        np.zeros(LANES, dtype=np.int64),
+        np.zeros(LANES, dtype=np.int64),
+        np.zeros((LANES, 4)),
+        np.zeros(LANES, dtype=np.int64),
+    )
 
 
 def _unit(vector: tuple[float, float, float]) -> NDArray[np.float64]:
@@ -111,18 +137,34 @@ def _local_row(light: LocalLight, origin: NDArray[np.float64]) -> list[float]:
     outer = min(max(light.outer_cone_deg, 0.5), 180.0)
     inner_cone = min(max(light.inner_cone_deg, 0.0), outer)
     unit = 1.0 if light.falloff_exponent > 0 else _CM2_PER_M2
-    return [*(np.asarray(light.position) - origin), *(c * light.intensity_cd * unit for c in light.color),
-            max(light.attenuation_radius, 1.0), *_unit(light.direction), math.cos(math.radians(inner_cone)),
-            math.cos(math.radians(outer)), max(light.source_radius, 0.0), *light.across, *light.upwards,
-            max(light.falloff_exponent, 0.0), float(light.casts_shadows)]
+    return [
+        *(np.asarray(light.position) - origin),
+        *(c * light.intensity_cd * unit for c in light.color),
+        max(light.attenuation_radius, 1.0),
+        *_unit(light.direction),
+        math.cos(math.radians(inner_cone)),
+        math.cos(math.radians(outer)),
+        max(light.source_radius, 0.0),
+        *light.across,
+        *light.upwards,
+        max(light.falloff_exponent, 0.0),
+        float(light.casts_shadows),
+    ]
 
 
 def _fog_row(fog: Fog | None) -> list[float]:
     if fog is None:
         return [0.0] * FOG_COLUMNS
-    return [max(fog.density, 0.0) / _FOG_CM, max(fog.falloff, 0.0) / _FOG_CM, max(fog.start_cm, 0.0),
-            max(fog.cutoff_cm, 0.0), 1.0 - min(max(fog.max_opacity, 0.0), 1.0), *fog.color, *fog.glow,
-            max(fog.glow_exponent, 0.0)]
+    return [
+        max(fog.density, 0.0) / _FOG_CM,
+        max(fog.falloff, 0.0) / _FOG_CM,
+        max(fog.start_cm, 0.0),
+        max(fog.cutoff_cm, 0.0),
+        1.0 - min(max(fog.max_opacity, 0.0), 1.0),
+        *fog.color,
+        *fog.glow,
+        max(fog.glow_exponent, 0.0),
+    ]
 
 
 def light_tables(lights: Lights, origin: NDArray[np.float64]) -> LightTables:
@@ -133,8 +175,10 @@ def light_tables(lights: Lights, origin: NDArray[np.float64]) -> LightTables:
     """
     suns = [*([lights.sun] if lights.sun is not None else []), *lights.other_suns]
     to_sun = [-_unit(sun.direction) for sun in suns]
-    disks = [_tangents(towards) * math.tan(math.radians(min(max(sun.angle_deg, 0.0), 90.0) / 2))
-             for towards, sun in zip(to_sun, suns, strict=True)]
+    disks = [
+        _tangents(towards) * math.tan(math.radians(min(max(sun.angle_deg, 0.0), 90.0) / 2))
+        for towards, sun in zip(to_sun, suns, strict=True)
+    ]
     sky = lights.sky
 
     def radiance(color: Rgb) -> list[float]:
@@ -151,8 +195,10 @@ def light_tables(lights: Lights, origin: NDArray[np.float64]) -> LightTables:
         fog=np.array(_fog_row(lights.fog), dtype=np.float64),
         fog_height=float((lights.fog.height_cm if lights.fog is not None else 0.0) - origin[2]),
         ambient=np.array(lights.ambient, dtype=np.float64),
-        fill=float(lights.camera_fill), local=rows.reshape(-1, LOCAL_COLUMNS),
-        occlusion_cm=max(float(lights.ambient_occlusion_cm), 1.0))
+        fill=float(lights.camera_fill),
+        local=rows.reshape(-1, LOCAL_COLUMNS),
+        occlusion_cm=max(float(lights.ambient_occlusion_cm), 1.0),
+    )
     if not all(np.isfinite(part).all() for part in tables):
         raise BadInput("a light has a value that is not finite", where="renderer")
     return tables
@@ -179,7 +225,7 @@ def fog_passes(lights: LightTables, eye: NDArray[np.float64], ray: NDArray[np.fl
     low = eye[2] + ray[2] * fog[START] - lights.fog_height
     at_eye = fog[DENSITY] * 2.0 ** min(max(-fog[HALVING] * low, -60.0), 60.0)
     fall = min(max(fog[HALVING] * ray[2] * length, -60.0), 60.0)
-    mean = (1.0 - 2.0 ** -fall) / fall if abs(fall) > 1e-4 else math.log(2.0)
+    mean = (1.0 - 2.0**-fall) / fall if abs(fall) > 1e-4 else math.log(2.0)
     return float(max(2.0 ** max(-at_eye * length * mean, -60.0), fog[LEAST]))
 
 
@@ -211,8 +257,9 @@ def add_light(lanes: Lanes, k: int, x: float, y: float, z: float, red: float, gr
     a2 = rough * rough * rough * rough
     spread = normal_half * normal_half * (a2 - 1.0) + 1.0
     mask = (rough + 1.0) * (rough + 1.0) / 8.0
-    lobe = a2 / (math.pi * spread * spread) / (
-        4.0 * (normal_view * (1.0 - mask) + mask) * (towards * (1.0 - mask) + mask))
+    lobe = (
+        a2 / (math.pi * spread * spread) / (4.0 * (normal_view * (1.0 - mask) + mask) * (towards * (1.0 - mask) + mask))
+    )
     fresnel = (1.0 - view_half) * (1.0 - view_half)
     fresnel = fresnel * fresnel * (1.0 - view_half)
     metal, strength = lanes.metallic[k], towards * lanes.weight[k]
@@ -244,5 +291,6 @@ def add_surroundings(lanes: Lanes, k: int, lights: LightTables) -> None:
         base = 0.04 + (albedo - 0.04) * metal
         mirror = base + (max(1.0 - rough, base) - base) * grazing
         lanes.ambient[k, channel] += weight * (albedo * (1.0 - metal) * diffuse + mirror * seen * (1.0 - 0.5 * rough))
-        lanes.direct[k, channel] += weight * (lanes.emissive[k, channel]
-                                              + albedo * max(0.0, -along) * lights.fill / math.pi)
+        lanes.direct[k, channel] += weight * (
+            lanes.emissive[k, channel] + albedo * max(0.0, -along) * lights.fill / math.pi
+        )

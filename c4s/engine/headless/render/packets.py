@@ -93,9 +93,15 @@ def new_packet(words: int) -> Packet:
 
 def new_scratch() -> Scratch:
     """Scratch for one band."""
-    return Scratch(new_packet(RAYHIT_WORDS), new_packet(RAYHIT_WORDS), new_lanes(),
-                   np.zeros(LANES, dtype=np.int64), np.zeros(LANES, dtype=np.int64), np.zeros(LANES),
-                   np.zeros((LANES, 4)))
+    return Scratch(
+        new_packet(RAYHIT_WORDS),
+        new_packet(RAYHIT_WORDS),
+        new_lanes(),
+        np.zeros(LANES, dtype=np.int64),
+        np.zeros(LANES, dtype=np.int64),
+        np.zeros(LANES),
+        np.zeros((LANES, 4)),
+    )
 
 
 def _query(typing_context: Any, function: Any, valid: Any, scene: Any, rays: Any) -> Any:
@@ -114,8 +120,9 @@ query: Any = intrinsic(_query)
 
 
 @inner
-def aim(packet: Packet, k: int, point: NDArray[np.float64], near: float, x: float, y: float, z: float,
-        far: float, mask: int) -> None:
+def aim(
+    packet: Packet, k: int, point: NDArray[np.float64], near: float, x: float, y: float, z: float, far: float, mask: int
+) -> None:
     words, numbers = packet.words, packet.numbers
     words[ORIGIN + k], words[ORIGIN + LANES + k], words[ORIGIN + 2 * LANES + k] = point[0], point[1], point[2]
     words[TNEAR + k], words[TIME + k], words[TFAR + k] = near, 0.0, far

@@ -89,5 +89,9 @@ class Patterns(NamedTuple):
 
 def patterns_for(samples: int) -> Patterns:
     """Patterns for a picture with so many samples a pixel; the first sample sends more occlusion rays."""
-    return Patterns(pixel_offsets(samples), texture_blends(samples), disk_points(samples),
-                    hemisphere_directions(samples, _FIRST_RAYS if samples > 1 else 1))
+    return Patterns(
+        pixel_offsets(samples),
+        texture_blends(samples),
+        disk_points(samples),
+        hemisphere_directions(samples, _FIRST_RAYS if samples > 1 else 1),
+    )

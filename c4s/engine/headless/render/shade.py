@@ -16,8 +16,15 @@ from c4s.engine.headless.render.sampling import Patterns
 
 
 @inner
-def _add_sun(shadow: Packet, lanes: Lanes, lights: LightTables, view: View, disk: NDArray[np.float64],
-             cell: NDArray[np.int64], number: int) -> None:
+def _add_sun(
+    shadow: Packet,
+    lanes: Lanes,
+    lights: LightTables,
+    view: View,
+    disk: NDArray[np.float64],
+    cell: NDArray[np.int64],
+    number: int,
+) -> None:
     sun, tangents, power, any_lane = lights.to_sun[number], lights.sun_disk[number], lights.sun[number], False
     for k in range(LANES):
         shadow.valid[k] = 0
@@ -41,8 +48,16 @@ def _add_sun(shadow: Packet, lanes: Lanes, lights: LightTables, view: View, disk
 
 
 @inner
-def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], view: View,
-               disk: NDArray[np.float64], cell: NDArray[np.int64], arriving: NDArray[np.float64], bit: int) -> None:
+def _add_local(
+    shadow: Packet,
+    lanes: Lanes,
+    light: NDArray[np.float64],
+    view: View,
+    disk: NDArray[np.float64],
+    cell: NDArray[np.int64],
+    arriving: NDArray[np.float64],
+    bit: int,
+) -> None:
     """Add one point or spot light; ``arriving`` is scratch of (LANES, 4): direction and irradiance factor."""
     any_lane = False
     radius, source = light[li.RADIUS], light[li.SOURCE]
@@ -68,7 +83,7 @@ def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], view: V
             edge = (along - light[li.OUTER_COS]) / max(light[li.INNER_COS] - light[li.OUTER_COS], 1e-4)
             edge = min(max(edge, 0.0), 1.0)
             strength *= edge * edge
-        wide = (light[li.ACROSS] != 0.0 or light[li.ACROSS + 1] != 0.0 or light[li.ACROSS + 2] != 0.0)
+        wide = light[li.ACROSS] != 0.0 or light[li.ACROSS + 1] != 0.0 or light[li.ACROSS + 2] != 0.0
         if wide:
             strength *= max(0.0, -(x * light[li.AXIS] + y * light[li.AXIS + 1] + z * light[li.AXIS + 2]))
         if strength <= 0.0:
@@ -90,13 +105,22 @@ def _add_local(shadow: Packet, lanes: Lanes, light: NDArray[np.float64], view: V
             if shadow.valid[k] != 0 and shadow.words[TFAR + k] >= 0.0:
                 lanes.reached[k] += bit
                 power = arriving[k, 3]
-                add_light(lanes, k, arriving[k, 0], arriving[k, 1], arriving[k, 2], light[li.POWER] * power,
-                          light[li.POWER + 1] * power, light[li.POWER + 2] * power)
+                add_light(
+                    lanes,
+                    k,
+                    arriving[k, 0],
+                    arriving[k, 1],
+                    arriving[k, 2],
+                    light[li.POWER] * power,
+                    light[li.POWER + 1] * power,
+                    light[li.POWER + 2] * power,
+                )
 
 
 @inner
-def _add_occlusion(shadow: Packet, lanes: Lanes, view: View, directions: NDArray[np.float64], cell: NDArray[np.int64],
-                   reach: float) -> None:
+def _add_occlusion(
+    shadow: Packet, lanes: Lanes, view: View, directions: NDArray[np.float64], cell: NDArray[np.int64], reach: float
+) -> None:
     for k in range(LANES):
         shadow.valid[k] = 0
         if lanes.weight[k] == 0.0:
@@ -134,8 +158,9 @@ def shade(scratch: Scratch, view: View, lights: LightTables, patterns: Patterns,
         if lights.sun[number, 0] + lights.sun[number, 1] + lights.sun[number, 2] > 0.0:
             _add_sun(shadow, lanes, lights, view, patterns.disk[sample], cell, number)
     for number in range(len(lights.local)):
-        _add_local(shadow, lanes, lights.local[number], view, patterns.disk[sample], cell, scratch.arriving,
-                   2 << (number % 20))
+        _add_local(
+            shadow, lanes, lights.local[number], view, patterns.disk[sample], cell, scratch.arriving, 2 << (number % 20)
+        )
     rays = patterns.hemisphere.shape[1] if sample == 0 else 1
     for number in range(rays):
         _add_occlusion(shadow, lanes, view, patterns.hemisphere[sample, number], cell, lights.occlusion_cm)

@@ -28,8 +28,9 @@ from c4s.engine.headless.render.textures import Textures
 
 
 @inner
-def texel(textures: Textures, texture: int, u: float, v: float, spread: float, blend: float,
-          found: NDArray[np.float64]) -> None:
+def texel(
+    textures: Textures, texture: int, u: float, v: float, spread: float, blend: float, found: NDArray[np.float64]
+) -> None:
     """Write the bilinear value of a texture, colour and alpha, to ``found``.
 
     ``spread`` is the share of the texture that a pixel covers; the level rounds by ``blend``, which differs by sample.
@@ -55,8 +56,9 @@ def texel(textures: Textures, texture: int, u: float, v: float, spread: float, b
 
 
 @inner
-def _bend(scene: SceneTables, hit: int, a: int, b: int, c: int, bump: NDArray[np.float64],
-          normal: NDArray[np.float64]) -> None:
+def _bend(
+    scene: SceneTables, hit: int, a: int, b: int, c: int, bump: NDArray[np.float64], normal: NDArray[np.float64]
+) -> None:
     """Turn ``normal`` as a normal texture's value ``bump`` (0 to 1) says; a face without coordinates stays flat."""
     u1, v1 = scene.uvs[b, 0] - scene.uvs[a, 0], scene.uvs[b, 1] - scene.uvs[a, 1]
     u2, v2 = scene.uvs[c, 0] - scene.uvs[a, 0], scene.uvs[c, 1] - scene.uvs[a, 1]
@@ -88,8 +90,21 @@ def _bend(scene: SceneTables, hit: int, a: int, b: int, c: int, bump: NDArray[np
 
 
 @inner
-def _paint(scene: SceneTables, textures: Textures, lanes: Lanes, k: int, hit: int, material: int, a: int, b: int,
-           c: int, u: float, v: float, spread: float, blend: float) -> float:
+def _paint(
+    scene: SceneTables,
+    textures: Textures,
+    lanes: Lanes,
+    k: int,
+    hit: int,
+    material: int,
+    a: int,
+    b: int,
+    c: int,
+    u: float,
+    v: float,
+    spread: float,
+    blend: float,
+) -> float:
     """Apply the textures of a material to lane ``k``; the factor of its opacity is returned."""
     maps, w, found = scene.surface_maps[material], 1.0 - u - v, lanes.texel[k]
     tu = scene.uvs[a, 0] * w + scene.uvs[b, 0] * u + scene.uvs[c, 0] * v
@@ -116,8 +131,9 @@ def _paint(scene: SceneTables, textures: Textures, lanes: Lanes, k: int, hit: in
 
 
 @inner
-def read_hit(packet: Packet, k: int, lanes: Lanes, scene: SceneTables, textures: Textures, pixel_size: float,
-             blend: float) -> float:
+def read_hit(
+    packet: Packet, k: int, lanes: Lanes, scene: SceneTables, textures: Textures, pixel_size: float, blend: float
+) -> float:
     """Fill lane ``k`` with the surface that its ray hit; its opacity is returned."""
     words = packet.words
     hit = packet.numbers[INSTANCE + k]
@@ -155,8 +171,9 @@ def read_hit(packet: Packet, k: int, lanes: Lanes, scene: SceneTables, textures:
         lanes.emissive[k, channel] = surface[EMISSIVE + channel]
     if len(scene.colors):
         for channel in range(3):
-            albedo[channel] *= (scene.colors[a, channel] * w + scene.colors[b, channel] * u
-                                + scene.colors[c, channel] * v)
+            albedo[channel] *= (
+                scene.colors[a, channel] * w + scene.colors[b, channel] * u + scene.colors[c, channel] * v
+            )
     lanes.roughness[k], lanes.metallic[k] = surface[ROUGHNESS], surface[METALLIC]
     slope = max(-(facing[0] * view[0] + facing[1] * view[1] + facing[2] * view[2]), 0.06)
     spread = t * pixel_size * scene.texel_rate[hit] / math.sqrt(slope)

@@ -96,9 +96,14 @@ class _Materials:
         if found is None:
             found = self._rows[id(material)] = len(self.items)
             self.items.append(material)
-            self.maps.append([self._texture(material.texture, True), self._texture(material.normal_texture, False),
-                              self._texture(material.roughness_metal_texture, False),
-                              self._texture(material.emissive_texture, True)])
+            self.maps.append(
+                [
+                    self._texture(material.texture, True),
+                    self._texture(material.normal_texture, False),
+                    self._texture(material.roughness_metal_texture, False),
+                    self._texture(material.emissive_texture, True),
+                ]
+            )
         return found
 
     def _texture(self, texture: NDArray[np.uint8] | None, colors: bool) -> int:
@@ -114,7 +119,7 @@ class _Materials:
         """The numbers of all materials, with values that no surface can have brought into range."""
         rows = np.zeros((len(self.items), SURFACE_COLUMNS), dtype=np.float32)
         for row, item in zip(rows, self.items, strict=True):
-            row[BASE:BASE + 3], row[EMISSIVE:EMISSIVE + 3] = item.base_color, item.emissive
+            row[BASE : BASE + 3], row[EMISSIVE : EMISSIVE + 3] = item.base_color, item.emissive
             row[ROUGHNESS], row[METALLIC], row[OPACITY] = item.roughness, item.metallic, item.opacity
             row[BLENDS] = blends(item)
         if not np.isfinite(rows).all():
@@ -165,8 +170,11 @@ def _texture_density(mesh: Mesh) -> float:
 def _holes(mesh: Mesh, material: SurfaceMaterial) -> Holes:
     assert material.texture is not None
     cutoff = min(max(material.alpha_cutoff, 0.0), 1.0)
-    return Holes(np.ascontiguousarray(mesh.uvs, dtype=np.float32), np.ascontiguousarray(material.texture[..., 3]),
-                 int(np.ceil(cutoff * 255)))
+    return Holes(
+        np.ascontiguousarray(mesh.uvs, dtype=np.float32),
+        np.ascontiguousarray(material.texture[..., 3]),
+        int(np.ceil(cutoff * 255)),
+    )
 
 
 def _cofactors(linear: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -184,8 +192,9 @@ def _matrices(instances: Sequence[Instance]) -> NDArray[np.float64]:
     return stack
 
 
-def build_tables(meshes: Sequence[Mesh], instances: Sequence[Instance]
-                 ) -> tuple[SceneTables, Geometry, Textures, NDArray[np.float64]]:
+def build_tables(
+    meshes: Sequence[Mesh], instances: Sequence[Instance]
+) -> tuple[SceneTables, Geometry, Textures, NDArray[np.float64]]:
     """Tables of a scene, Embree's input, the textures, and the world point (cm) that Embree's origin stands for.
 
     Instances with a determinant of zero are left out, as nothing of them can be hit reliably.
@@ -218,8 +227,7 @@ def build_tables(meshes: Sequence[Mesh], instances: Sequence[Instance]
     return _assemble(meshes, instances, world, origin, pieces, rows, materials, material_rows)
 
 
-def _parts(given: tuple[SurfaceMaterial, ...], count: int
-           ) -> list[tuple[tuple[int, ...], int, SurfaceMaterial | None]]:
+def _parts(given: tuple[SurfaceMaterial, ...], count: int) -> list[tuple[tuple[int, ...], int, SurfaceMaterial | None]]:
     """Slots of an instance that lie in one piece, its ray mask, and the material that cuts holes into it."""
     clear = tuple(slot for slot, material in enumerate(given) if material.opacity < 1 or blends(material))
     holed = tuple(slot for slot, material in enumerate(given) if cuts(material) and slot not in clear)
@@ -233,10 +241,16 @@ def _parts(given: tuple[SurfaceMaterial, ...], count: int
     return found
 
 
-def _assemble(meshes: Sequence[Mesh], instances: Sequence[Instance], world: NDArray[np.float64],
-              origin: NDArray[np.float64], pieces: dict[_Piece, int],
-              rows: list[tuple[int, int, int, int]], materials: _Materials, material_rows: list[int]
-              ) -> tuple[SceneTables, Geometry, Textures, NDArray[np.float64]]:
+def _assemble(
+    meshes: Sequence[Mesh],
+    instances: Sequence[Instance],
+    world: NDArray[np.float64],
+    origin: NDArray[np.float64],
+    pieces: dict[_Piece, int],
+    rows: list[tuple[int, int, int, int]],
+    materials: _Materials,
+    material_rows: list[int],
+) -> tuple[SceneTables, Geometry, Textures, NDArray[np.float64]]:
     first_vertex = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
     piece_faces: list[NDArray[np.int32]] = []
     shading_faces = [np.zeros((0, 3), dtype=np.int64)]
@@ -281,12 +295,19 @@ def _assemble(meshes: Sequence[Mesh], instances: Sequence[Instance], world: NDAr
         normals=stacked([mesh.normals for mesh in meshes], 3),
         uvs=stacked([mesh.uvs for mesh in meshes], 2),
         colors=stacked([np.ones_like(mesh.vertices) if mesh.colors is None else mesh.colors for mesh in meshes], 3)
-        if colored else np.zeros((0, 3), dtype=np.float32),
+        if colored
+        else np.zeros((0, 3), dtype=np.float32),
         materials=np.array(material_rows, dtype=np.int32),
         surfaces=materials.surfaces(),
-        surface_maps=np.array(materials.maps, dtype=np.int32))
+        surface_maps=np.array(materials.maps, dtype=np.int32),
+    )
     order = [key[0] for key in pieces]
-    geometry = Geometry([np.asarray(meshes[number].vertices, dtype=np.float32) for number in order], piece_faces,
-                        piece_of.astype(np.int32), np.ascontiguousarray(local, dtype=np.float32),
-                        mask.astype(np.int32), holes)
+    geometry = Geometry(
+        [np.asarray(meshes[number].vertices, dtype=np.float32) for number in order],
+        piece_faces,
+        piece_of.astype(np.int32),
+        np.ascontiguousarray(local, dtype=np.float32),
+        mask.astype(np.int32),
+        holes,
+    )
     return scene, geometry, build_textures(materials.textures), origin

@@ -62,9 +62,9 @@ def srgb_bytes(linear: NDArray[np.float32]) -> NDArray[np.uint8]:
 def _halved(picture: NDArray[np.float32]) -> NDArray[np.float32]:
     height, width = picture.shape[:2]
     if height > 1:
-        picture = (picture[0:height // 2 * 2:2] + picture[1:height // 2 * 2:2]) * np.float32(0.5)
+        picture = (picture[0 : height // 2 * 2 : 2] + picture[1 : height // 2 * 2 : 2]) * np.float32(0.5)
     if width > 1:
-        picture = (picture[:, 0:width // 2 * 2:2] + picture[:, 1:width // 2 * 2:2]) * np.float32(0.5)
+        picture = (picture[:, 0 : width // 2 * 2 : 2] + picture[:, 1 : width // 2 * 2 : 2]) * np.float32(0.5)
     return picture
 
 

@@ -30,28 +30,41 @@ class CameraFocusMethod(EnumBase):
 class CameraFilmbackSettings(StructBase):
     """Size of the sensor in mm."""
 
-    _fields = {"sensor_width": Prop("float", 0.0), "sensor_height": Prop("float", 0.0),
-               "sensor_horizontal_offset": Prop("float", 0.0), "sensor_vertical_offset": Prop("float", 0.0),
-               "sensor_aspect_ratio": Prop("float", 0.0)}
+    _fields = {
+        "sensor_width": Prop("float", 0.0),
+        "sensor_height": Prop("float", 0.0),
+        "sensor_horizontal_offset": Prop("float", 0.0),
+        "sensor_vertical_offset": Prop("float", 0.0),
+        "sensor_aspect_ratio": Prop("float", 0.0),
+    }
 
 
 @public
 class CameraLensSettings(StructBase):
     """Limits of a lens (mm, and f-stops)."""
 
-    _fields = {"min_focal_length": Prop("float", 0.0), "max_focal_length": Prop("float", 0.0),
-               "min_f_stop": Prop("float", 0.0), "max_f_stop": Prop("float", 0.0),
-               "minimum_focus_distance": Prop("float", 0.0), "squeeze_factor": Prop("float", 0.0),
-               "diaphragm_blade_count": Prop("int", 0)}
+    _fields = {
+        "min_focal_length": Prop("float", 0.0),
+        "max_focal_length": Prop("float", 0.0),
+        "min_f_stop": Prop("float", 0.0),
+        "max_f_stop": Prop("float", 0.0),
+        "minimum_focus_distance": Prop("float", 0.0),
+        "squeeze_factor": Prop("float", 0.0),
+        "diaphragm_blade_count": Prop("int", 0),
+    }
 
 
 @public
 class CameraFocusSettings(StructBase):
     """Where the camera focuses (cm)."""
 
-    _fields = {"focus_method": Prop("CameraFocusMethod", CameraFocusMethod.DO_NOT_OVERRIDE),
-               "manual_focus_distance": Prop("float", 0.0), "smooth_focus_changes": Prop("bool", False),
-               "focus_smoothing_interp_speed": Prop("float", 0.0), "focus_offset": Prop("float", 0.0)}
+    _fields = {
+        "focus_method": Prop("CameraFocusMethod", CameraFocusMethod.DO_NOT_OVERRIDE),
+        "manual_focus_distance": Prop("float", 0.0),
+        "smooth_focus_changes": Prop("bool", False),
+        "focus_smoothing_interp_speed": Prop("float", 0.0),
+        "focus_offset": Prop("float", 0.0),
+    }
 
     def __init__(self, **kwargs: object) -> None:
         super().__init__(**kwargs)
@@ -66,16 +79,21 @@ class CineCameraComponent(CameraComponent):
     """A film camera; writing its field of view changes the focal length, as in Unreal."""
 
     _class_module = "CinematicCamera"
-    _declares = {"filmback": Prop("CameraFilmbackSettings", _filmback),
-                 "lens_settings": Prop("CameraLensSettings", lambda: CameraLensSettings(4, 1000, 1.2, 22, 15, 1, 7)),
-                 "focus_settings": Prop("CameraFocusSettings", lambda: CameraFocusSettings(
-                     focus_method=CameraFocusMethod.MANUAL, manual_focus_distance=100000.0,
-                     focus_smoothing_interp_speed=8.0)),
-                 "current_focal_length": Prop("float", 35.0, set="_set_focal_length"),
-                 "current_aperture": Prop("float", 2.8),
-                 "current_focus_distance": Prop("float", get="_focus_distance", writable=False, saved=False),
-                 "field_of_view": Prop("float", get="_wide_deg", set="_set_wide_deg", saved=False),
-                 "aspect_ratio": Prop("float", get="_aspect", writable=False, saved=False)}
+    _declares = {
+        "filmback": Prop("CameraFilmbackSettings", _filmback),
+        "lens_settings": Prop("CameraLensSettings", lambda: CameraLensSettings(4, 1000, 1.2, 22, 15, 1, 7)),
+        "focus_settings": Prop(
+            "CameraFocusSettings",
+            lambda: CameraFocusSettings(
+                focus_method=CameraFocusMethod.MANUAL, manual_focus_distance=100000.0, focus_smoothing_interp_speed=8.0
+            ),
+        ),
+        "current_focal_length": Prop("float", 35.0, set="_set_focal_length"),
+        "current_aperture": Prop("float", 2.8),
+        "current_focus_distance": Prop("float", get="_focus_distance", writable=False, saved=False),
+        "field_of_view": Prop("float", get="_wide_deg", set="_set_wide_deg", saved=False),
+        "aspect_ratio": Prop("float", get="_aspect", writable=False, saved=False),
+    }
 
     def _set_focal_length(self, value: float) -> None:
         lens = self.get_editor_property("lens_settings")

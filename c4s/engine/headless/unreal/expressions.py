@@ -12,8 +12,13 @@ from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Object, Prop, public
 from c4s.engine.headless.unreal.structs import LinearColor
 
-SURFACE_FIELDS = {"MP_BASE_COLOR": "base_color", "MP_EMISSIVE_COLOR": "emissive", "MP_ROUGHNESS": "roughness",
-                  "MP_METALLIC": "metallic", "MP_OPACITY": "opacity"}
+SURFACE_FIELDS = {
+    "MP_BASE_COLOR": "base_color",
+    "MP_EMISSIVE_COLOR": "emissive",
+    "MP_ROUGHNESS": "roughness",
+    "MP_METALLIC": "metallic",
+    "MP_OPACITY": "opacity",
+}
 """Inputs of a material and the field of the surface that each one drives."""
 
 
@@ -147,8 +152,11 @@ class MaterialExpressionLinearInterpolate(MaterialExpression):
     """A mix of two values."""
 
     _inputs = ("A", "B", "Alpha")
-    _declares = {"const_a": Prop("float", 0.0, attribute=False), "const_b": Prop("float", 1.0, attribute=False),
-                 "const_alpha": Prop("float", 0.5, attribute=False)}
+    _declares = {
+        "const_a": Prop("float", 0.0, attribute=False),
+        "const_b": Prop("float", 1.0, attribute=False),
+        "const_alpha": Prop("float", 0.5, attribute=False),
+    }
 
     def _value(self) -> Value:
         share = self._given("Alpha", "const_alpha")
@@ -176,8 +184,10 @@ def _each(of: Callable[[float, float], float], a: Value, b: Value) -> Value:
 class MaterialExpressionScalarParameter(MaterialExpression):
     """A named number."""
 
-    _declares = {"parameter_name": Prop("Name", Name, attribute=False),
-                 "default_value": Prop("float", 0.0, attribute=False)}
+    _declares = {
+        "parameter_name": Prop("Name", Name, attribute=False),
+        "default_value": Prop("float", 0.0, attribute=False),
+    }
 
     def _value(self) -> Value:
         r = self.get_editor_property("default_value")
@@ -188,8 +198,10 @@ class MaterialExpressionScalarParameter(MaterialExpression):
 class MaterialExpressionVectorParameter(MaterialExpression):
     """A named colour."""
 
-    _declares = {"parameter_name": Prop("Name", Name, attribute=False),
-                 "default_value": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1), attribute=False)}
+    _declares = {
+        "parameter_name": Prop("Name", Name, attribute=False),
+        "default_value": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1), attribute=False),
+    }
 
     def _value(self) -> Value:
         c = self.get_editor_property("default_value")
@@ -216,8 +228,11 @@ def recompile(material: Material) -> None:
     for field, (expression, name) in links(material).items():
         value = output(expression, name)
         update[field] = value if field in VECTOR_FIELDS else value[0]
-        named |= {str(each.get_editor_property("parameter_name")): field for each in expression._sources()
-                  if isinstance(each, _PARAMETERS[field in VECTOR_FIELDS])}
+        named |= {
+            str(each.get_editor_property("parameter_name")): field
+            for each in expression._sources()
+            if isinstance(each, _PARAMETERS[field in VECTOR_FIELDS])
+        }
     material._material = material._material.model_copy(update=update)
     material._parameters = {name: field for name, field in named.items() if name != "None"}
     material._dirty = True

@@ -17,11 +17,16 @@ from c4s.engine.headless.unreal.structs import Color, LinearColor, StructBase, V
 class LightComponentBase(SceneComponent):
     """What all lights have."""
 
-    _declares = {**KEPT["LightComponentBase"],
-                 "intensity": Prop("float", 3.1415927), "light_color": Prop("Color", lambda: Color(255, 255, 255, 255)),
-        "affects_world": Prop("bool", True), "cast_shadows": Prop("bool", True),
-        "cast_static_shadows": Prop("bool", True), "cast_dynamic_shadows": Prop("bool", True),
-        "indirect_lighting_intensity": Prop("float", 1.0), "volumetric_scattering_intensity": Prop("float", 1.0),
+    _declares = {
+        **KEPT["LightComponentBase"],
+        "intensity": Prop("float", 3.1415927),
+        "light_color": Prop("Color", lambda: Color(255, 255, 255, 255)),
+        "affects_world": Prop("bool", True),
+        "cast_shadows": Prop("bool", True),
+        "cast_static_shadows": Prop("bool", True),
+        "cast_dynamic_shadows": Prop("bool", True),
+        "indirect_lighting_intensity": Prop("float", 1.0),
+        "volumetric_scattering_intensity": Prop("float", 1.0),
         "mobility": Prop("ComponentMobility", ComponentMobility.STATIONARY),
     }
 
@@ -47,9 +52,13 @@ class LightComponentBase(SceneComponent):
 class LightComponent(LightComponentBase):
     """Directional and local lights."""
 
-    _declares = {**KEPT["LightComponent"],
-                 "temperature": Prop("float", 6500.0), "use_temperature": Prop("bool", False),
-                 "specular_scale": Prop("float", 1.0), "cast_volumetric_shadow": Prop("bool", True)}
+    _declares = {
+        **KEPT["LightComponent"],
+        "temperature": Prop("float", 6500.0),
+        "use_temperature": Prop("bool", False),
+        "specular_scale": Prop("float", 1.0),
+        "cast_volumetric_shadow": Prop("bool", True),
+    }
 
     @api
     def set_intensity(self, new_intensity: float) -> None:
@@ -92,9 +101,12 @@ class LightComponent(LightComponentBase):
 class DirectionalLightComponent(LightComponent):
     """A sun; it shines along its +X; intensity in lux."""
 
-    _declares = {**KEPT["DirectionalLightComponent"],
-                 "intensity": Prop("float", 10.0), "light_source_angle": Prop("float", 0.5357),
-                 "atmosphere_sun_light": Prop("bool", True)}
+    _declares = {
+        **KEPT["DirectionalLightComponent"],
+        "intensity": Prop("float", 10.0),
+        "light_source_angle": Prop("float", 0.5357),
+        "atmosphere_sun_light": Prop("bool", True),
+    }
 
     @api
     def set_atmosphere_sun_light(self, new_value: bool) -> None:
@@ -111,9 +123,12 @@ class DirectionalLightComponent(LightComponent):
 class LocalLightComponent(LightComponent):
     """A light with a place and a reach."""
 
-    _declares = {**KEPT["LocalLightComponent"],
-                 "intensity": Prop("float", 5000.0), "intensity_units": Prop("LightUnits", LightUnits.UNITLESS),
-                 "attenuation_radius": Prop("float", 1000.0)}
+    _declares = {
+        **KEPT["LocalLightComponent"],
+        "intensity": Prop("float", 5000.0),
+        "intensity_units": Prop("LightUnits", LightUnits.UNITLESS),
+        "attenuation_radius": Prop("float", 1000.0),
+    }
 
     @api
     def set_attenuation_radius(self, new_radius: float) -> None:
@@ -131,9 +146,13 @@ class LocalLightComponent(LightComponent):
 class PointLightComponent(LocalLightComponent):
     """A light in all directions."""
 
-    _declares = {"source_radius": Prop("float", 0.0), "soft_source_radius": Prop("float", 0.0),
-                 "source_length": Prop("float", 0.0), "use_inverse_squared_falloff": Prop("bool", True),
-                 "light_falloff_exponent": Prop("float", 8.0)}
+    _declares = {
+        "source_radius": Prop("float", 0.0),
+        "soft_source_radius": Prop("float", 0.0),
+        "source_length": Prop("float", 0.0),
+        "use_inverse_squared_falloff": Prop("bool", True),
+        "light_falloff_exponent": Prop("float", 8.0),
+    }
 
     @api
     def set_source_radius(self, new_value: float) -> None:
@@ -163,8 +182,12 @@ class SpotLightComponent(PointLightComponent):
 class RectLightComponent(LocalLightComponent):
     """A shining rectangle that faces +X."""
 
-    _declares = {"source_width": Prop("float", 64.0), "source_height": Prop("float", 64.0),
-                 "barn_door_angle": Prop("float", 88.0), "barn_door_length": Prop("float", 20.0)}
+    _declares = {
+        "source_width": Prop("float", 64.0),
+        "source_height": Prop("float", 64.0),
+        "barn_door_angle": Prop("float", 88.0),
+        "barn_door_length": Prop("float", 20.0),
+    }
 
     @api
     def set_source_width(self, new_value: float) -> None:
@@ -182,10 +205,13 @@ class RectLightComponent(LocalLightComponent):
 class SkyLightComponent(LightComponentBase):
     """Light of the sky."""
 
-    _declares = {**KEPT["SkyLightComponent"],
-                 "intensity": Prop("float", 1.0), "real_time_capture": Prop("bool", False),
-                 "lower_hemisphere_is_black": Prop("bool", True),
-                 "lower_hemisphere_color": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1))}
+    _declares = {
+        **KEPT["SkyLightComponent"],
+        "intensity": Prop("float", 1.0),
+        "real_time_capture": Prop("bool", False),
+        "lower_hemisphere_is_black": Prop("bool", True),
+        "lower_hemisphere_color": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1)),
+    }
 
     @api
     def set_intensity(self, new_intensity: float) -> None:
@@ -207,10 +233,14 @@ class SkyLightComponent(LightComponentBase):
 class ExponentialHeightFogComponent(SceneComponent):
     """Fog that thins out with height."""
 
-    _declares = {**KEPT["ExponentialHeightFogComponent"],
-                 "fog_density": Prop("float", 0.02), "fog_height_falloff": Prop("float", 0.2),
-        "start_distance": Prop("float", 0.0), "fog_max_opacity": Prop("float", 1.0),
-        "fog_cutoff_distance": Prop("float", 0.0), "enable_volumetric_fog": Prop("bool", False),
+    _declares = {
+        **KEPT["ExponentialHeightFogComponent"],
+        "fog_density": Prop("float", 0.02),
+        "fog_height_falloff": Prop("float", 0.2),
+        "start_distance": Prop("float", 0.0),
+        "fog_max_opacity": Prop("float", 1.0),
+        "fog_cutoff_distance": Prop("float", 0.0),
+        "enable_volumetric_fog": Prop("bool", False),
         "fog_inscattering_luminance": Prop("LinearColor", lambda: LinearColor(0, 0, 0, 1)),
         "directional_inscattering_exponent": Prop("float", 4.0),
     }
@@ -251,11 +281,15 @@ class ExponentialHeightFogComponent(SceneComponent):
 class SkyAtmosphereComponent(SceneComponent):
     """The air."""
 
-    _declares = {**KEPT["SkyAtmosphereComponent"],
-                 "rayleigh_scattering_scale": Prop("float", 0.0331), "mie_scattering_scale": Prop("float", 0.003996),
-                 "atmosphere_height": Prop("float", 60.0), "bottom_radius": Prop("float", 6360.0),
-                 "multi_scattering_factor": Prop("float", 1.0),
-                 "sky_luminance_factor": Prop("LinearColor", lambda: LinearColor(1, 1, 1, 1))}
+    _declares = {
+        **KEPT["SkyAtmosphereComponent"],
+        "rayleigh_scattering_scale": Prop("float", 0.0331),
+        "mie_scattering_scale": Prop("float", 0.003996),
+        "atmosphere_height": Prop("float", 60.0),
+        "bottom_radius": Prop("float", 6360.0),
+        "multi_scattering_factor": Prop("float", 1.0),
+        "sky_luminance_factor": Prop("LinearColor", lambda: LinearColor(1, 1, 1, 1)),
+    }
 
 
 def _grade(default: float) -> Prop:
@@ -264,15 +298,23 @@ def _grade(default: float) -> Prop:
 
 _POST: dict[str, Prop] = {
     "auto_exposure_method": Prop("AutoExposureMethod", AutoExposureMethod.AEM_HISTOGRAM),
-    "auto_exposure_bias": Prop("float", 1.0), "auto_exposure_min_brightness": Prop("float", -10.0),
+    "auto_exposure_bias": Prop("float", 1.0),
+    "auto_exposure_min_brightness": Prop("float", -10.0),
     "auto_exposure_max_brightness": Prop("float", 20.0),
     "auto_exposure_apply_physical_camera_exposure": Prop("bool", True),
-    "bloom_intensity": Prop("float", 0.675), "vignette_intensity": Prop("float", 0.4),
-    "white_temp": Prop("float", 6500.0), "white_tint": Prop("float", 0.0),
-    "color_saturation": _grade(1.0), "color_contrast": _grade(1.0), "color_gamma": _grade(1.0),
-    "color_gain": _grade(1.0), "color_offset": _grade(0.0),
-    "ambient_occlusion_intensity": Prop("float", 0.5), "motion_blur_amount": Prop("float", 0.5),
-    "film_grain_intensity": Prop("float", 0.0), "lens_flare_intensity": Prop("float", 1.0),
+    "bloom_intensity": Prop("float", 0.675),
+    "vignette_intensity": Prop("float", 0.4),
+    "white_temp": Prop("float", 6500.0),
+    "white_tint": Prop("float", 0.0),
+    "color_saturation": _grade(1.0),
+    "color_contrast": _grade(1.0),
+    "color_gamma": _grade(1.0),
+    "color_gain": _grade(1.0),
+    "color_offset": _grade(0.0),
+    "ambient_occlusion_intensity": Prop("float", 0.5),
+    "motion_blur_amount": Prop("float", 0.5),
+    "film_grain_intensity": Prop("float", 0.0),
+    "lens_flare_intensity": Prop("float", 1.0),
 }
 
 
@@ -291,11 +333,14 @@ class PostProcessSettings(StructBase):
 class CameraComponent(SceneComponent):
     """A camera; ``field_of_view`` is horizontal, in degrees."""
 
-    _declares = {"field_of_view": Prop("float", 90.0), "aspect_ratio": Prop("float", 16 / 9),
-                 "constrain_aspect_ratio": Prop("bool", True),
-                 "post_process_settings": Prop("PostProcessSettings", PostProcessSettings),
-                 "post_process_blend_weight": Prop("float", 1.0),
-                 "mobility": Prop("ComponentMobility", ComponentMobility.MOVABLE)}
+    _declares = {
+        "field_of_view": Prop("float", 90.0),
+        "aspect_ratio": Prop("float", 16 / 9),
+        "constrain_aspect_ratio": Prop("bool", True),
+        "post_process_settings": Prop("PostProcessSettings", PostProcessSettings),
+        "post_process_blend_weight": Prop("float", 1.0),
+        "mobility": Prop("ComponentMobility", ComponentMobility.MOVABLE),
+    }
 
     @api
     def set_field_of_view(self, field_of_view: float) -> None:
@@ -307,8 +352,9 @@ class CameraComponent(SceneComponent):
 class ShapeComponent(PrimitiveComponent):
     """A simple shape without looks."""
 
-    _declares = {"collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False,
-                                           scripts=False)}
+    _declares = {
+        "collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False, scripts=False)
+    }
 
 
 @public
@@ -326,8 +372,9 @@ class CapsuleComponent(ShapeComponent):
 class BrushComponent(PrimitiveComponent):
     """The box of a volume: 200 cm on a side before scaling."""
 
-    _declares = {"collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False,
-                                           scripts=False)}
+    _declares = {
+        "collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False, scripts=False)
+    }
 
     def _local_bounds(self) -> Bounds | None:
         return (-100.0, -100.0, -100.0), (100.0, 100.0, 100.0)

@@ -2,6 +2,7 @@
 none: no point can be projected or reached, every ray is blocked, and there is no path.
 """
 
+# ruff: noqa: B008  (signatures as in Unreal; no default is ever changed)
 # ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
 
 from __future__ import annotations
@@ -65,8 +66,10 @@ class NavigationPath(Object):
 def _tell(what: str) -> None:
     """Say why a level with a navigation volume has no navigation either."""
     if any(isinstance(actor, NavMeshBoundsVolume) for actor in world().actor_list()):
-        world().log.warning(f"{what}: the headless engine builds no navigation mesh, so nothing is reachable; "
-                            "the NavMeshBoundsVolume is kept for other engines")
+        world().log.warning(
+            f"{what}: the headless engine builds no navigation mesh, so nothing is reachable; "
+            "the NavMeshBoundsVolume is kept for other engines"
+        )
 
 
 @public
@@ -100,80 +103,126 @@ class NavigationSystemV1(Object):
 
     @classmethod
     @api
-    def project_point_to_navigation(cls, world_context_object: Object | None, point: Vector,
-                                    nav_data: NavigationData | None, filter_class: Class | type | None,
-                                    query_extent: Vector = Vector()) -> Vector | None:  # noqa: B008
+    def project_point_to_navigation(
+        cls,
+        world_context_object: Object | None,
+        point: Vector,
+        nav_data: NavigationData | None,
+        filter_class: Class | type | None,
+        query_extent: Vector = Vector(),
+    ) -> Vector | None:
         """The nearest point that can be walked on, or None."""
         _tell("project_point_to_navigation")
         return None
 
     @classmethod
     @api
-    def get_random_reachable_point_in_radius(cls, world_context_object: Object | None, origin: Vector, radius: float,
-                                             nav_data: NavigationData | None = None,
-                                             filter_class: Class | type | None = None) -> Vector | None:
+    def get_random_reachable_point_in_radius(
+        cls,
+        world_context_object: Object | None,
+        origin: Vector,
+        radius: float,
+        nav_data: NavigationData | None = None,
+        filter_class: Class | type | None = None,
+    ) -> Vector | None:
         """A point that can be walked to, or None."""
         _tell("get_random_reachable_point_in_radius")
         return None
 
     @classmethod
     @api
-    def get_random_location_in_navigable_radius(cls, world_context_object: Object | None, origin: Vector,
-                                                radius: float, nav_data: NavigationData | None = None,
-                                                filter_class: Class | type | None = None) -> Vector | None:
+    def get_random_location_in_navigable_radius(
+        cls,
+        world_context_object: Object | None,
+        origin: Vector,
+        radius: float,
+        nav_data: NavigationData | None = None,
+        filter_class: Class | type | None = None,
+    ) -> Vector | None:
         """A point that can be walked on, or None."""
         _tell("get_random_location_in_navigable_radius")
         return None
 
     @classmethod
     @api
-    def get_random_point_in_navigable_radius(cls, world_context_object: Object | None, origin: Vector, radius: float,
-                                             nav_data: NavigationData | None = None,
-                                             filter_class: Class | type | None = None) -> Vector | None:
+    def get_random_point_in_navigable_radius(
+        cls,
+        world_context_object: Object | None,
+        origin: Vector,
+        radius: float,
+        nav_data: NavigationData | None = None,
+        filter_class: Class | type | None = None,
+    ) -> Vector | None:
         """A point that can be walked on, or None (deprecated twin)."""
         return cls.get_random_location_in_navigable_radius(world_context_object, origin, radius)
 
     @classmethod
     @api
-    def navigation_raycast(cls, world_context_object: Object | None, ray_start: Vector, ray_end: Vector,
-                           filter_class: Class | type | None = None, querier: Object | None = None) -> Vector | None:
+    def navigation_raycast(
+        cls,
+        world_context_object: Object | None,
+        ray_start: Vector,
+        ray_end: Vector,
+        filter_class: Class | type | None = None,
+        querier: Object | None = None,
+    ) -> Vector | None:
         """Where a straight walk is stopped: at its start, for want of a navigation mesh."""
         _tell("navigation_raycast")
         return ray_start.copy()  # type: ignore[no-any-return]
 
     @classmethod
     @api
-    def get_path_length(cls, world_context_object: Object | None, path_start: Vector, path_end: Vector,
-                        nav_data: NavigationData | None = None, filter_class: Class | type | None = None
-                        ) -> tuple[NavigationQueryResult, float]:
+    def get_path_length(
+        cls,
+        world_context_object: Object | None,
+        path_start: Vector,
+        path_end: Vector,
+        nav_data: NavigationData | None = None,
+        filter_class: Class | type | None = None,
+    ) -> tuple[NavigationQueryResult, float]:
         """Result and length (cm) of a path."""
         _tell("get_path_length")
         return NavigationQueryResult.INVALID, 0.0
 
     @classmethod
     @api
-    def get_path_cost(cls, world_context_object: Object | None, path_start: Vector, path_end: Vector,
-                      nav_data: NavigationData | None = None, filter_class: Class | type | None = None
-                      ) -> tuple[NavigationQueryResult, float]:
+    def get_path_cost(
+        cls,
+        world_context_object: Object | None,
+        path_start: Vector,
+        path_end: Vector,
+        nav_data: NavigationData | None = None,
+        filter_class: Class | type | None = None,
+    ) -> tuple[NavigationQueryResult, float]:
         """Result and cost of a path."""
         _tell("get_path_cost")
         return NavigationQueryResult.INVALID, 0.0
 
     @classmethod
     @api
-    def find_path_to_location_synchronously(cls, world_context_object: Object | None, path_start: Vector,
-                                            path_end: Vector, pathfinding_context: Actor | None = None,
-                                            filter_class: Class | type | None = None) -> NavigationPath | None:
+    def find_path_to_location_synchronously(
+        cls,
+        world_context_object: Object | None,
+        path_start: Vector,
+        path_end: Vector,
+        pathfinding_context: Actor | None = None,
+        filter_class: Class | type | None = None,
+    ) -> NavigationPath | None:
         """A path, or None."""
         _tell("find_path_to_location_synchronously")
         return None
 
     @classmethod
     @api
-    def find_path_to_actor_synchronously(cls, world_context_object: Object | None, path_start: Vector,
-                                         goal_actor: Actor | None, tether_distance: float = 50.0,
-                                         pathfinding_context: Actor | None = None,
-                                         filter_class: Class | type | None = None) -> NavigationPath | None:
+    def find_path_to_actor_synchronously(
+        cls,
+        world_context_object: Object | None,
+        path_start: Vector,
+        goal_actor: Actor | None,
+        tether_distance: float = 50.0,
+        pathfinding_context: Actor | None = None,
+        filter_class: Class | type | None = None,
+    ) -> NavigationPath | None:
         """A path to an actor, or None."""
         _tell("find_path_to_actor_synchronously")
         return None

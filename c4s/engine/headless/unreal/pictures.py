@@ -38,11 +38,19 @@ class AutomationLibrary(Object):
 
     @classmethod
     @api
-    def take_high_res_screenshot(cls, res_x: int, res_y: int, filename: str, camera: CameraActor | None = None,
-                                 mask_enabled: bool = False, capture_hdr: bool = False,
-                                 comparison_tolerance: ComparisonTolerance = ComparisonTolerance.LOW,
-                                 comparison_notes: str = "", delay: float = 0.0,
-                                 force_game_view: bool = True) -> AutomationEditorTask | None:
+    def take_high_res_screenshot(
+        cls,
+        res_x: int,
+        res_y: int,
+        filename: str,
+        camera: CameraActor | None = None,
+        mask_enabled: bool = False,
+        capture_hdr: bool = False,
+        comparison_tolerance: ComparisonTolerance = ComparisonTolerance.LOW,
+        comparison_notes: str = "",
+        delay: float = 0.0,
+        force_game_view: bool = True,
+    ) -> AutomationEditorTask | None:
         """Write a PNG from a camera, or from the viewport; a bare file name lies in the ``Saved`` folder."""
         if not (0 < res_x <= _MAX_SIDE and 0 < res_y <= _MAX_SIDE):
             raise Exception(f"take_high_res_screenshot: the size must be 1 to {_MAX_SIDE}")
@@ -54,8 +62,13 @@ class AutomationLibrary(Object):
         if not path.is_absolute():
             path = world().scratch / "Screenshots" / path
         path.parent.mkdir(parents=True, exist_ok=True)
-        view = {"location_cm": pose.location, "rotation_deg": pose.rotation_deg, "fov_deg": fov, "width": res_x,
-                "height": res_y}
+        view = {
+            "location_cm": pose.location,
+            "rotation_deg": pose.rotation_deg,
+            "fov_deg": fov,
+            "width": res_x,
+            "height": res_y,
+        }
         render_scene.take([view], [str(path)], "lit", False)
         made: AutomationEditorTask = AutomationEditorTask._make("AutomationEditorTask_0", None)
         return made

@@ -67,8 +67,13 @@ class CameraProjectionMode(EnumBase):
     ORTHOGRAPHIC = 1
 
 
-_LIT = ("SCS_FINAL_COLOR_LDR", "SCS_FINAL_COLOR_HDR", "SCS_FINAL_TONE_CURVE_HDR", "SCS_SCENE_COLOR_HDR",
-        "SCS_SCENE_COLOR_HDR_NO_ALPHA")
+_LIT = (
+    "SCS_FINAL_COLOR_LDR",
+    "SCS_FINAL_COLOR_HDR",
+    "SCS_FINAL_TONE_CURVE_HDR",
+    "SCS_SCENE_COLOR_HDR",
+    "SCS_SCENE_COLOR_HDR_NO_ALPHA",
+)
 
 
 @public
@@ -80,9 +85,11 @@ class TextureRenderTarget(Texture):
 class TextureRenderTarget2D(TextureRenderTarget):
     """A picture that is drawn into."""
 
-    _declares = {"size_x": Prop("int", get="_width", writable=False), "size_y": Prop("int", get="_height",
-                                                                                    writable=False),
-                 "render_target_format": Prop("TextureRenderTargetFormat", TextureRenderTargetFormat.RTF_RGBA16F)}
+    _declares = {
+        "size_x": Prop("int", get="_width", writable=False),
+        "size_y": Prop("int", get="_height", writable=False),
+        "render_target_format": Prop("TextureRenderTargetFormat", TextureRenderTargetFormat.RTF_RGBA16F),
+    }
 
     @classmethod
     def _transient(cls, width: int, height: int, kind: TextureRenderTargetFormat) -> Any:
@@ -106,20 +113,26 @@ class TextureRenderTarget2D(TextureRenderTarget):
 class SceneCaptureComponent(SceneComponent):
     """Base of components that draw the level."""
 
-    _declares = {"capture_every_frame": Prop("bool", True), "capture_on_movement": Prop("bool", True),
-                 "capture_source": Prop("SceneCaptureSource", SceneCaptureSource.SCS_SCENE_COLOR_HDR),
-                 "mobility": Prop("ComponentMobility", ComponentMobility.MOVABLE)}
+    _declares = {
+        "capture_every_frame": Prop("bool", True),
+        "capture_on_movement": Prop("bool", True),
+        "capture_source": Prop("SceneCaptureSource", SceneCaptureSource.SCS_SCENE_COLOR_HDR),
+        "mobility": Prop("ComponentMobility", ComponentMobility.MOVABLE),
+    }
 
 
 @public
 class SceneCaptureComponent2D(SceneCaptureComponent):
     """Draws the level along its +X; ``fov_angle`` is horizontal, in degrees."""
 
-    _declares = {"fov_angle": Prop("float", 90.0), "ortho_width": Prop("float", 512.0),
-                 "projection_type": Prop("CameraProjectionMode", CameraProjectionMode.PERSPECTIVE),
-                 "texture_target": Prop("TextureRenderTarget2D | None", None, saved=False),
-                 "post_process_settings": Prop("PostProcessSettings", PostProcessSettings),
-                 "post_process_blend_weight": Prop("float", 1.0)}
+    _declares = {
+        "fov_angle": Prop("float", 90.0),
+        "ortho_width": Prop("float", 512.0),
+        "projection_type": Prop("CameraProjectionMode", CameraProjectionMode.PERSPECTIVE),
+        "texture_target": Prop("TextureRenderTarget2D | None", None, saved=False),
+        "post_process_settings": Prop("PostProcessSettings", PostProcessSettings),
+        "post_process_blend_weight": Prop("float", 1.0),
+    }
 
     @api
     def capture_scene(self) -> None:
@@ -135,12 +148,17 @@ class SceneCaptureComponent2D(SceneCaptureComponent):
         from c4s.engine.headless import render_scene
 
         pose, settings = self._world_pose(), self.get_editor_property("post_process_settings")
-        view: dict[str, Any] = {"location_cm": pose.location, "rotation_deg": pose.rotation_deg,
-                                "fov_deg": self.get_editor_property("fov_angle"), "width": target._width(),
-                                "height": target._height()}
+        view: dict[str, Any] = {
+            "location_cm": pose.location,
+            "rotation_deg": pose.rotation_deg,
+            "fov_deg": self.get_editor_property("fov_angle"),
+            "width": target._width(),
+            "height": target._height(),
+        }
         if settings.override_auto_exposure_bias:
             view["exposure_bias_ev"] = settings.auto_exposure_bias * self.get_editor_property(
-                "post_process_blend_weight")
+                "post_process_blend_weight"
+            )
         with TemporaryDirectory() as folder:
             file = Path(folder) / "capture.png"
             render_scene.take([view], [str(file)], "lit" if source in _LIT else "base_color", False)
@@ -162,8 +180,9 @@ class SceneCapture2D(SceneCapture):
     """An actor that draws the level."""
 
     _parts = (("SceneComponent", SceneComponent), ("NewSceneCaptureComponent2D", SceneCaptureComponent2D))
-    _declares = {"capture_component2d": Prop("SceneCaptureComponent2D", get="_get_capture", writable=False,
-                                             saved=False)}
+    _declares = {
+        "capture_component2d": Prop("SceneCaptureComponent2D", get="_get_capture", writable=False, saved=False)
+    }
 
     def _get_capture(self) -> Object:
         return next(c for c in self._components if isinstance(c, SceneCaptureComponent2D))

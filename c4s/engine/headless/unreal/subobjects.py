@@ -46,10 +46,13 @@ class SubobjectData(ClosedStruct):
 class AddNewSubobjectParams(StructBase):
     """What to add, and under what."""
 
-    _fields = {"parent_handle": Prop("SubobjectDataHandle", SubobjectDataHandle),
-               "new_class": Prop("Class | None", None), "blueprint_context": Prop("Object | None", None),
-               "skip_mark_blueprint_modified": Prop("bool", False),
-               "conform_transform_to_parent": Prop("bool", True)}
+    _fields = {
+        "parent_handle": Prop("SubobjectDataHandle", SubobjectDataHandle),
+        "new_class": Prop("Class | None", None),
+        "blueprint_context": Prop("Object | None", None),
+        "skip_mark_blueprint_modified": Prop("bool", False),
+        "conform_transform_to_parent": Prop("bool", True),
+    }
 
 
 def handle_of(target: Object) -> SubobjectDataHandle:
@@ -106,8 +109,9 @@ class SubobjectDataSubsystem(Object):
         return handle_of(made), Text()
 
     @api
-    def k2_delete_subobjects_from_instance(self, context_handle: SubobjectDataHandle,
-                                           subobjects_to_delete: Sequence[SubobjectDataHandle]) -> int:
+    def k2_delete_subobjects_from_instance(
+        self, context_handle: SubobjectDataHandle, subobjects_to_delete: Sequence[SubobjectDataHandle]
+    ) -> int:
         """Take components away; returns how many."""
         gone = [t for t in map(target_of, subobjects_to_delete) if isinstance(t, ActorComponent)]
         for component in gone:

@@ -25,7 +25,24 @@ from c4s.engine.headless.unreal.actors.volumes import (
 )
 
 __all__ = [
-    "Actor", "BlockingVolume", "CameraActor", "CineCameraActor", "DirectionalLight", "ExponentialHeightFog",
-    "Info", "Light", "NavMeshBoundsVolume", "Parts", "PlayerStart", "PointLight", "PostProcessVolume",
-    "RectLight", "SkyAtmosphere", "SkyLight", "SpotLight", "StaticMeshActor", "TriggerVolume", "Volume",
+    "Actor",
+    "BlockingVolume",
+    "CameraActor",
+    "CineCameraActor",
+    "DirectionalLight",
+    "ExponentialHeightFog",
+    "Info",
+    "Light",
+    "NavMeshBoundsVolume",
+    "Parts",
+    "PlayerStart",
+    "PointLight",
+    "PostProcessVolume",
+    "RectLight",
+    "SkyAtmosphere",
+    "SkyLight",
+    "SpotLight",
+    "StaticMeshActor",
+    "TriggerVolume",
+    "Volume",
 ]

@@ -18,20 +18,34 @@ class Attached(Placed):
     """The actors above and below in the hierarchy."""
 
     @api
-    def attach_to_actor(self, parent_actor: Actor, socket_name: Name | str, location_rule: AttachmentRule,
-                        rotation_rule: AttachmentRule, scale_rule: AttachmentRule,
-                        weld_simulated_bodies: bool = True) -> bool:
+    def attach_to_actor(
+        self,
+        parent_actor: Actor,
+        socket_name: Name | str,
+        location_rule: AttachmentRule,
+        rotation_rule: AttachmentRule,
+        scale_rule: AttachmentRule,
+        weld_simulated_bodies: bool = True,
+    ) -> bool:
         """Attach to another actor's root."""
-        return self._root().attach_to_component(parent_actor._root(), socket_name, location_rule, rotation_rule,
-                                                scale_rule, weld_simulated_bodies)
+        return self._root().attach_to_component(
+            parent_actor._root(), socket_name, location_rule, rotation_rule, scale_rule, weld_simulated_bodies
+        )
 
     @api
-    def attach_to_component(self, parent: SceneComponent, socket_name: Name | str, location_rule: AttachmentRule,
-                            rotation_rule: AttachmentRule, scale_rule: AttachmentRule,
-                            weld_simulated_bodies: bool = True) -> bool:
+    def attach_to_component(
+        self,
+        parent: SceneComponent,
+        socket_name: Name | str,
+        location_rule: AttachmentRule,
+        rotation_rule: AttachmentRule,
+        scale_rule: AttachmentRule,
+        weld_simulated_bodies: bool = True,
+    ) -> bool:
         """Attach to a component."""
-        return self._root().attach_to_component(parent, socket_name, location_rule, rotation_rule, scale_rule,
-                                                weld_simulated_bodies)
+        return self._root().attach_to_component(
+            parent, socket_name, location_rule, rotation_rule, scale_rule, weld_simulated_bodies
+        )
 
     @api
     def get_attach_parent_socket_name(self) -> Name:
@@ -39,9 +53,12 @@ class Attached(Placed):
         return Name()
 
     @api
-    def detach_from_actor(self, location_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
-                          rotation_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
-                          scale_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE) -> None:
+    def detach_from_actor(
+        self,
+        location_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
+        rotation_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
+        scale_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
+    ) -> None:
         """Detach."""
         self._root().detach_from_component(location_rule, rotation_rule, scale_rule)
 

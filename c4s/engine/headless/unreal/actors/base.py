@@ -9,12 +9,7 @@ from typing import Any, ClassVar
 from c4s.engine.headless.queries.changes import note
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.actors.attachment import Attached
-from c4s.engine.headless.unreal.components import (
-    ActorComponent,
-    PrimitiveComponent,
-    SceneComponent,
-    of_class,
-)
+from c4s.engine.headless.unreal.components import ActorComponent, PrimitiveComponent, SceneComponent, of_class
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, deprecated, public
 from c4s.engine.headless.unreal.kept import KEPT
@@ -31,14 +26,16 @@ class Actor(Attached, Noticing):
     _parts: ClassVar[Parts] = (("DefaultSceneRoot", SceneComponent),)
     """Default components by name; the first is the root."""
 
-    _declares = {**KEPT["Actor"],
-                 "root_component": Prop("SceneComponent | None", get="_get_root", writable=False, saved=False),
+    _declares = {
+        **KEPT["Actor"],
+        "root_component": Prop("SceneComponent | None", get="_get_root", writable=False, saved=False),
         "tags": Prop("Sequence[Name]", lambda: Array._of("Name", []), saved=False),
         "actor_guid": Prop("Guid", get="_get_guid", writable=False, saved=False),
         "hidden": Prop("bool", False, saved=False),
         "actor_enable_collision": Prop("bool", True, attribute=False, scripts=False),
         "is_spatially_loaded": Prop("bool", True, saved=False),
-        "custom_time_dilation": Prop("float", 1.0), "can_be_damaged": Prop("bool", True),
+        "custom_time_dilation": Prop("float", 1.0),
+        "can_be_damaged": Prop("bool", True),
     }
 
     @classmethod
@@ -225,11 +222,9 @@ class Actor(Attached, Noticing):
         return found[0] if found else None
 
     @api
-    def get_components_by_tag(self, component_class: Class | type | None = None,
-                              tag: Name | str = "None") -> Array:
+    def get_components_by_tag(self, component_class: Class | type | None = None, tag: Name | str = "None") -> Array:
         """Components of a class with a tag."""
-        return Array._of("ActorComponent", [c for c in self._of_kind(component_class)
-                                            if c.component_has_tag(tag)])
+        return Array._of("ActorComponent", [c for c in self._of_kind(component_class) if c.component_has_tag(tag)])
 
     def _of_kind(self, component_class: Class | type | None) -> list[Any]:
         return of_class(self._components, component_class) if component_class is not None else []
@@ -250,12 +245,15 @@ class Actor(Attached, Noticing):
                 high[i] = max(high[i], origin[i] + extent[i])
         if not found:
             return self._pose().location, (0.0, 0.0, 0.0)
-        return (tuple((a + b) / 2 for a, b in zip(low, high, strict=True)),
-                tuple((b - a) / 2 for a, b in zip(low, high, strict=True)))
+        return (
+            tuple((a + b) / 2 for a, b in zip(low, high, strict=True)),
+            tuple((b - a) / 2 for a, b in zip(low, high, strict=True)),
+        )
 
     @api
-    def get_actor_bounds(self, only_colliding_components: bool,
-                         include_from_child_actors: bool = False) -> tuple[Vector, Vector]:
+    def get_actor_bounds(
+        self, only_colliding_components: bool, include_from_child_actors: bool = False
+    ) -> tuple[Vector, Vector]:
         """World AABB as centre and half extent (cm) over the components that have geometry."""
         origin, extent = self._bounds(bool(only_colliding_components))
         return Vector(*origin), Vector(*extent)

@@ -8,13 +8,9 @@ from typing import Any
 
 from c4s.engine.headless.unreal.actors.base import Actor
 from c4s.engine.headless.unreal.cine import CineCameraComponent
-from c4s.engine.headless.unreal.components import (
-    SceneComponent,
-)
+from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.core import Prop, api, public
-from c4s.engine.headless.unreal.lights import (
-    CameraComponent,
-)
+from c4s.engine.headless.unreal.lights import CameraComponent
 
 
 @public

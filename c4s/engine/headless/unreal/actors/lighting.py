@@ -40,7 +40,6 @@ class Light(Actor):
         """The intensity."""
         return float(self._shining().get_editor_property("intensity"))
 
-
     @api
     def set_light_color(self, new_light_color: LinearColor) -> None:
         """Set the colour from linear numbers."""
@@ -116,8 +115,9 @@ class SkyAtmosphere(Info):
     """The air."""
 
     _parts = (("SkyAtmosphereComponent", SkyAtmosphereComponent),)
-    _declares = {"sky_atmosphere_component": Prop("SkyAtmosphereComponent", get="_get_root", writable=False,
-                                                  saved=False)}
+    _declares = {
+        "sky_atmosphere_component": Prop("SkyAtmosphereComponent", get="_get_root", writable=False, saved=False)
+    }
 
 
 @public

@@ -54,5 +54,8 @@ class VolumetricCloud(Info):
     """Clouds."""
 
     _parts = (("VolumetricCloudComponent", VolumetricCloudComponent),)
-    _declares = {"volumetric_cloud_component": Prop("VolumetricCloudComponent", get="_get_root", writable=False,
-                                                    attribute=True, saved=False)}
+    _declares = {
+        "volumetric_cloud_component": Prop(
+            "VolumetricCloudComponent", get="_get_root", writable=False, attribute=True, saved=False
+        )
+    }

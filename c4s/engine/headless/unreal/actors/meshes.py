@@ -5,9 +5,7 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.actors.base import Actor
-from c4s.engine.headless.unreal.components import (
-    StaticMeshComponent,
-)
+from c4s.engine.headless.unreal.components import StaticMeshComponent
 from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.enums import ComponentMobility
 

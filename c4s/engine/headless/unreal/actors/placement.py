@@ -101,8 +101,9 @@ class Placed(Object):
         self._move(self._pose().rescaled(new_scale3d._triple()))
 
     @api
-    def set_actor_location_and_rotation(self, new_location: Vector, new_rotation: Rotator, sweep: bool,
-                                        teleport: bool) -> HitResult | None:
+    def set_actor_location_and_rotation(
+        self, new_location: Vector, new_rotation: Rotator, sweep: bool, teleport: bool
+    ) -> HitResult | None:
         """Move and turn."""
         return self._root()._go(self._pose().moved(new_location._triple()).turned(new_rotation._triple()), sweep)
 
@@ -153,8 +154,9 @@ class Placed(Object):
         return self._root().add_world_transform(delta_transform, sweep, teleport)
 
     @api
-    def add_actor_world_transform_keep_scale(self, delta_transform: Transform, sweep: bool,
-                                             teleport: bool) -> HitResult:
+    def add_actor_world_transform_keep_scale(
+        self, delta_transform: Transform, sweep: bool, teleport: bool
+    ) -> HitResult:
         """Move and turn in world axes; the scale stays."""
         return self._root().add_world_transform_keep_scale(delta_transform, sweep, teleport)
 

@@ -7,11 +7,7 @@ from __future__ import annotations
 from c4s.engine.headless.unreal.actors.base import Actor
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Prop, public
-from c4s.engine.headless.unreal.lights import (
-    BrushComponent,
-    CapsuleComponent,
-    PostProcessSettings,
-)
+from c4s.engine.headless.unreal.lights import BrushComponent, CapsuleComponent, PostProcessSettings
 
 
 @public
@@ -33,9 +29,14 @@ class Volume(Actor):
 class PostProcessVolume(Volume):
     """Exposure and grading of a region, or of everything when unbound."""
 
-    _declares = {"settings": Prop("PostProcessSettings", PostProcessSettings), "unbound": Prop("bool", False),
-                 "enabled": Prop("bool", True), "blend_radius": Prop("float", 100.0),
-                 "blend_weight": Prop("float", 1.0), "priority": Prop("float", 0.0)}
+    _declares = {
+        "settings": Prop("PostProcessSettings", PostProcessSettings),
+        "unbound": Prop("bool", False),
+        "enabled": Prop("bool", True),
+        "blend_radius": Prop("float", 100.0),
+        "blend_weight": Prop("float", 1.0),
+        "priority": Prop("float", 0.0),
+    }
 
 
 @public

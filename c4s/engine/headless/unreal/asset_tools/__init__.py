@@ -27,8 +27,24 @@ from c4s.engine.headless.unreal.asset_tools.registry import (
 )
 
 __all__ = [
-    "REGISTRY", "TOOLS", "ARFilter", "AssetData", "AssetImportTask", "AssetRegistry",
-    "AssetRegistryDependencyOptions", "AssetRegistryHelpers", "AssetTools", "AssetToolsHelpers", "BlueprintFactory",
-    "EditorAssetLibrary", "Factory", "MaterialEditingLibrary", "MaterialFactoryNew",
-    "MaterialInstanceConstantFactoryNew", "TopLevelAssetPath", "data_of", "load", "package_of",
+    "REGISTRY",
+    "TOOLS",
+    "ARFilter",
+    "AssetData",
+    "AssetImportTask",
+    "AssetRegistry",
+    "AssetRegistryDependencyOptions",
+    "AssetRegistryHelpers",
+    "AssetTools",
+    "AssetToolsHelpers",
+    "BlueprintFactory",
+    "EditorAssetLibrary",
+    "Factory",
+    "MaterialEditingLibrary",
+    "MaterialFactoryNew",
+    "MaterialInstanceConstantFactoryNew",
+    "TopLevelAssetPath",
+    "data_of",
+    "load",
+    "package_of",
 ]

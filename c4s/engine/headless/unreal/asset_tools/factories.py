@@ -10,11 +10,7 @@ from typing import Any
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.asset_tools import operations
 from c4s.engine.headless.unreal.asset_tools.paths import new_object_path
-from c4s.engine.headless.unreal.assets import (
-    AssetObject,
-    Material,
-    MaterialInstanceConstant,
-)
+from c4s.engine.headless.unreal.assets import AssetObject, Material, MaterialInstanceConstant
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, as_class, public
 from c4s.engine.headless.unreal.structs import StructBase
@@ -49,17 +45,22 @@ class BlueprintFactory(Factory):
 class AssetImportTask(Object):
     """A file to import; the headless engine refuses to import."""
 
-    _declares = {"filename": Prop("str", ""), "destination_path": Prop("str", ""), "destination_name": Prop("str", ""),
-                 "automated": Prop("bool", False), "save": Prop("bool", False), "replace_existing": Prop("bool", False),
-                 "imported_object_paths": Prop("Sequence[str]", lambda: Array._of("str", []), writable=False)}
+    _declares = {
+        "filename": Prop("str", ""),
+        "destination_path": Prop("str", ""),
+        "destination_name": Prop("str", ""),
+        "automated": Prop("bool", False),
+        "save": Prop("bool", False),
+        "replace_existing": Prop("bool", False),
+        "imported_object_paths": Prop("Sequence[str]", lambda: Array._of("str", []), writable=False),
+    }
 
 
 @public
 class AssetRenameData(StructBase):
     """An asset and where it is to go."""
 
-    _fields = {"asset": Prop("Object | None", None), "new_package_path": Prop("str", ""),
-               "new_name": Prop("str", "")}
+    _fields = {"asset": Prop("Object | None", None), "new_package_path": Prop("str", ""), "new_name": Prop("str", "")}
 
 
 @public
@@ -69,8 +70,14 @@ class AssetTools(Object):
     _class_module = "AssetTools"
 
     @api
-    def create_asset(self, asset_name: str, package_path: str, asset_class: Class | type | None,
-                     factory: Factory | None, calling_context: Name | str = "None") -> Any:
+    def create_asset(
+        self,
+        asset_name: str,
+        package_path: str,
+        asset_class: Class | type | None,
+        factory: Factory | None,
+        calling_context: Name | str = "None",
+    ) -> Any:
         """Make a material or material instance, in memory until saved; None when refused."""
         target = new_object_path(f"{str(package_path).rstrip('/')}/{asset_name}")
         if target is None or factory is None:
@@ -81,8 +88,9 @@ class AssetTools(Object):
         elif isinstance(factory, MaterialInstanceConstantFactoryNew) and kind in (None, MaterialInstanceConstant):
             made = MaterialInstanceConstant._at(target, created=True)
         else:
-            world().log.error(f"CreateAsset: {type(factory).__name__} does not make a "
-                              f"{kind.__name__ if kind else 'asset'}")
+            world().log.error(
+                f"CreateAsset: {type(factory).__name__} does not make a {kind.__name__ if kind else 'asset'}"
+            )
             return None
         world().create(made)
         return made
@@ -93,7 +101,6 @@ class AssetTools(Object):
         for task in import_tasks:
             world().log.error(f"ImportAssetTasks: importing '{task.filename}' is refused by the headless engine")
 
-
     @api
     def duplicate_asset(self, asset_name: str, package_path: str, original_object: Object) -> Any:
         """Copy an asset into a folder; None when refused."""
@@ -102,8 +109,11 @@ class AssetTools(Object):
     @api
     def rename_assets(self, assets_and_names: Sequence[AssetRenameData]) -> bool:
         """Move assets; False when one is refused."""
-        moved = [operations.rename_loaded_asset(each.asset, f"{each.new_package_path.rstrip('/')}/{each.new_name}")
-                 for each in assets_and_names if each.asset is not None]
+        moved = [
+            operations.rename_loaded_asset(each.asset, f"{each.new_package_path.rstrip('/')}/{each.new_name}")
+            for each in assets_and_names
+            if each.asset is not None
+        ]
         return len(moved) == len(assets_and_names) and False not in moved
 
     @api

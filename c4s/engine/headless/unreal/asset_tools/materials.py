@@ -39,25 +39,37 @@ class MaterialEditingLibrary(Object):
 
     @classmethod
     @api
-    def set_material_instance_vector_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                     parameter_name: Name | str, value: LinearColor,
-                                                     association: MaterialParameterAssociation = _GLOBAL) -> bool:
+    def set_material_instance_vector_parameter_value(
+        cls,
+        instance: MaterialInstanceConstant,
+        parameter_name: Name | str,
+        value: LinearColor,
+        association: MaterialParameterAssociation = _GLOBAL,
+    ) -> bool:
         """Set a vector parameter; False for one that the parent does not have, or a read-only asset."""
         return bool(instance._created and instance._set_vector(parameter_name, value))
 
     @classmethod
     @api
-    def set_material_instance_scalar_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                     parameter_name: Name | str, value: float,
-                                                     association: MaterialParameterAssociation = _GLOBAL) -> bool:
+    def set_material_instance_scalar_parameter_value(
+        cls,
+        instance: MaterialInstanceConstant,
+        parameter_name: Name | str,
+        value: float,
+        association: MaterialParameterAssociation = _GLOBAL,
+    ) -> bool:
         """Set a scalar parameter; False for one that the parent does not have, or a read-only asset."""
         return bool(instance._created and instance._set_scalar(parameter_name, value))
 
     @classmethod
     @api
-    def set_material_instance_texture_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                      parameter_name: Name | str, value: Texture | None,
-                                                      association: MaterialParameterAssociation = _GLOBAL) -> bool:
+    def set_material_instance_texture_parameter_value(
+        cls,
+        instance: MaterialInstanceConstant,
+        parameter_name: Name | str,
+        value: Texture | None,
+        association: MaterialParameterAssociation = _GLOBAL,
+    ) -> bool:
         """False: materials here have no texture parameters."""
         return False
 
@@ -69,18 +81,23 @@ class MaterialEditingLibrary(Object):
 
     @classmethod
     @api
-    def get_material_instance_vector_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                     parameter_name: Name | str,
-                                                     association: MaterialParameterAssociation = _GLOBAL
-                                                     ) -> LinearColor:
+    def get_material_instance_vector_parameter_value(
+        cls,
+        instance: MaterialInstanceConstant,
+        parameter_name: Name | str,
+        association: MaterialParameterAssociation = _GLOBAL,
+    ) -> LinearColor:
         """Value of a vector parameter."""
         return instance._vector(parameter_name)
 
     @classmethod
     @api
-    def get_material_instance_scalar_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                     parameter_name: Name | str,
-                                                     association: MaterialParameterAssociation = _GLOBAL) -> float:
+    def get_material_instance_scalar_parameter_value(
+        cls,
+        instance: MaterialInstanceConstant,
+        parameter_name: Name | str,
+        association: MaterialParameterAssociation = _GLOBAL,
+    ) -> float:
         """Value of a scalar parameter."""
         return instance._scalar(parameter_name)
 
@@ -105,8 +122,9 @@ class MaterialEditingLibrary(Object):
 
     @classmethod
     @api
-    def create_material_expression(cls, material: Material, expression_class: Class | type, node_pos_x: int = 0,
-                                   node_pos_y: int = 0) -> Any:
+    def create_material_expression(
+        cls, material: Material, expression_class: Class | type, node_pos_x: int = 0, node_pos_y: int = 0
+    ) -> Any:
         """Add an expression to a created material; None for a read-only one."""
         if not material._created:
             world().log.error(f"'{material._path()}' is read-only")
@@ -118,8 +136,9 @@ class MaterialEditingLibrary(Object):
 
     @classmethod
     @api
-    def connect_material_property(cls, from_expression: MaterialExpression, from_output_name: str,
-                                  property_: MaterialProperty) -> bool:
+    def connect_material_property(
+        cls, from_expression: MaterialExpression, from_output_name: str, property_: MaterialProperty
+    ) -> bool:
         """Let an expression drive an input of its material; False for inputs that a surface here does not have."""
         material, field = from_expression._outer, SURFACE_FIELDS.get(property_.name)
         if field is None or not isinstance(material, Material):
@@ -130,13 +149,21 @@ class MaterialEditingLibrary(Object):
 
     @classmethod
     @api
-    def connect_material_expressions(cls, from_expression: MaterialExpression, from_output_name: str,
-                                     to_expression: MaterialExpression, to_input_name: str) -> bool:
+    def connect_material_expressions(
+        cls,
+        from_expression: MaterialExpression,
+        from_output_name: str,
+        to_expression: MaterialExpression,
+        to_input_name: str,
+    ) -> bool:
         """Let an expression feed an input of another (its first for an empty name); False for a wrong one, a circle."""
         names = {name.casefold(): name for name in to_expression._inputs}
         wanted = names.get(to_input_name.casefold()) if to_input_name else next(iter(to_expression._inputs), None)
-        if wanted is None or from_expression._outer is not to_expression._outer \
-                or to_expression in from_expression._sources():
+        if (
+            wanted is None
+            or from_expression._outer is not to_expression._outer
+            or to_expression in from_expression._sources()
+        ):
             return False
         to_expression._wires[wanted] = (from_expression, from_output_name)
         return True
@@ -171,8 +198,7 @@ class MaterialEditingLibrary(Object):
 
     @classmethod
     @api
-    def get_material_default_vector_parameter_value(cls, material: Material, parameter_name: Name | str
-                                                    ) -> LinearColor:
+    def get_material_default_vector_parameter_value(cls, material: Material, parameter_name: Name | str) -> LinearColor:
         """Value of a vector parameter in the material itself."""
         field = material._field(parameter_name, True)
         r, g, b = getattr(material._surface(), field) if field else (0.0, 0.0, 0.0)
@@ -187,17 +213,20 @@ class MaterialEditingLibrary(Object):
 
     @classmethod
     @api
-    def get_material_default_texture_parameter_value(cls, material: Material, parameter_name: Name | str
-                                                     ) -> Texture | None:
+    def get_material_default_texture_parameter_value(
+        cls, material: Material, parameter_name: Name | str
+    ) -> Texture | None:
         """None: materials here have no texture parameters."""
         return None
 
     @classmethod
     @api
-    def get_material_instance_texture_parameter_value(cls, instance: MaterialInstanceConstant,
-                                                      parameter_name: Name | str,
-                                                      association: MaterialParameterAssociation = _GLOBAL
-                                                      ) -> Texture | None:
+    def get_material_instance_texture_parameter_value(
+        cls,
+        instance: MaterialInstanceConstant,
+        parameter_name: Name | str,
+        association: MaterialParameterAssociation = _GLOBAL,
+    ) -> Texture | None:
         """None: materials here have no texture parameters."""
         return None
 
@@ -224,9 +253,14 @@ class MaterialEditingLibrary(Object):
     @api
     def get_child_instances(cls, parent: MaterialInterface) -> Array:
         """Asset data of the instances whose parent this is."""
-        return Array._of("AssetData", [
-            AssetData._for(asset._path(), asset._class_path()) for asset in world().assets()
-            if isinstance(asset, MaterialInstanceConstant) and asset._parent() is parent])
+        return Array._of(
+            "AssetData",
+            [
+                AssetData._for(asset._path(), asset._class_path())
+                for asset in world().assets()
+                if isinstance(asset, MaterialInstanceConstant) and asset._parent() is parent
+            ],
+        )
 
     @classmethod
     @api

@@ -84,7 +84,8 @@ def list_assets(directory_path: str, recursive: bool = True, include_folder: boo
     folders: set[str] = set()
     if include_folder:
         folders = {package_of(a._path()).rsplit("/", 1)[0] for a in _within(_folder(text))} | {
-            f for f in world().folders if f.startswith(_folder(text) + "/")}
+            f for f in world().folders if f.startswith(_folder(text) + "/")
+        }
         depth = _folder(text).count("/") + 1
         folders = {f + "/" for f in folders if f != _folder(text) and (recursive or f.count("/") == depth)}
     return Array._of("str", sorted([*folders, *found]))
@@ -163,9 +164,14 @@ def remove_metadata_tag(object: Object, tag: Name | str) -> None:
 def get_all_assets_by_meta_data_tags(required_tags: Set, allowed_classes: Set) -> Array:
     """Registry entries of the assets of some classes (any, when none is named) that have all tags."""
     kinds = tuple(as_class(c)._python_type for c in allowed_classes)
-    return Array._of("AssetData", [find_asset_data(a._path()) for a in world().assets()
-                                   if (not kinds or isinstance(a, kinds))
-                                   and all(tag in a._metadata() for tag in required_tags)])
+    return Array._of(
+        "AssetData",
+        [
+            find_asset_data(a._path())
+            for a in world().assets()
+            if (not kinds or isinstance(a, kinds)) and all(tag in a._metadata() for tag in required_tags)
+        ],
+    )
 
 
 # saving and version control
@@ -194,8 +200,11 @@ def save_loaded_assets(assets_to_save: Sequence[Object], only_if_is_dirty: bool 
 
 def save_directory(directory_path: str, only_if_is_dirty: bool = True, recursive: bool = True) -> bool:
     """Save the created assets of a folder."""
-    return _every(world().save(a) for a in list(world().created.values())
-                  if in_folder(a._path(), _folder(directory_path), recursive))
+    return _every(
+        world().save(a)
+        for a in list(world().created.values())
+        if in_folder(a._path(), _folder(directory_path), recursive)
+    )
 
 
 def checkout_asset(asset_to_checkout: str) -> bool:
@@ -285,15 +294,18 @@ def rename_directory(source_directory_path: str, destination_directory_path: str
     if not inside or any(not a._created for a in inside) or does_directory_exist(target):
         world().log.error(f"RenameDirectory: '{source}' cannot become '{target}'")
         return False
-    return _every(rename_asset(a._path(), target + package_of(a._path())[len(source):]) for a in inside)
+    return _every(rename_asset(a._path(), target + package_of(a._path())[len(source) :]) for a in inside)
 
 
 def consolidate_assets(asset_to_consolidate_to: Object, assets_to_consolidate: Sequence[Object]) -> bool:
     """Let what uses some created assets of the same kind use another one, and delete them."""
     kept, gone = asset_to_consolidate_to, list(assets_to_consolidate)
     family = MaterialInterface if isinstance(kept, MaterialInterface) else type(kept)
-    if not isinstance(kept, AssetObject) or not gone or any(
-            not isinstance(a, family) or a is kept or not a._created for a in gone):
+    if (
+        not isinstance(kept, AssetObject)
+        or not gone
+        or any(not isinstance(a, family) or a is kept or not a._created for a in gone)
+    ):
         world().log.error("ConsolidateAssets: only created assets of one kind can be merged into another asset")
         return False
     for asset in gone:
@@ -325,7 +337,7 @@ def duplicate_directory(source_directory_path: str, destination_directory_path: 
     if does_directory_exist(target):
         world().log.error(f"DuplicateDirectory: '{target}' exists already")
         return False
-    made = [duplicate_loaded_asset(a, target + package_of(a._path())[len(source):]) for a in inside]
+    made = [duplicate_loaded_asset(a, target + package_of(a._path())[len(source) :]) for a in inside]
     return bool(made) and all(each is not None for each in made)
 
 
@@ -338,8 +350,9 @@ def _copy(source: Object, target: str) -> Any:
         made._values["parent"] = source._parent() or source
         made._vectors, made._scalars = dict(source._vectors), dict(source._scalars)
     elif isinstance(source, Material):
-        made = Material._at(target, created=True)._bind(source._surface().model_copy(update={"path": target}),
-                                                        source._origin)
+        made = Material._at(target, created=True)._bind(
+            source._surface().model_copy(update={"path": target}), source._origin
+        )
         made._parameters.update(source._named())
     else:
         world().log.error(f"DuplicateAsset: '{source._path()}' cannot be copied here")

@@ -9,9 +9,7 @@ from typing import Any
 
 from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.asset_tools.paths import in_folder, package_of
-from c4s.engine.headless.unreal.assets import (
-    AssetObject,
-)
+from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import TYPES, Object, Prop, api, deprecated, public
 from c4s.engine.headless.unreal.structs import StructBase
@@ -35,11 +33,18 @@ class TopLevelAssetPath(StructBase):
 class ARFilter(StructBase):
     """What to look for in the registry."""
 
-    _fields = {name: Prop(kind, (lambda kind=kind: Array._of(kind[9:-1], [])) if "Sequence" in kind else False)
-               for name, kind in (
-        ("package_names", "Sequence[Name]"), ("package_paths", "Sequence[Name]"),
-        ("class_paths", "Sequence[TopLevelAssetPath]"), ("class_names", "Sequence[Name]"),
-        ("recursive_paths", "bool"), ("recursive_classes", "bool"), ("include_only_on_disk_assets", "bool"))}
+    _fields = {
+        name: Prop(kind, (lambda kind=kind: Array._of(kind[9:-1], [])) if "Sequence" in kind else False)
+        for name, kind in (
+            ("package_names", "Sequence[Name]"),
+            ("package_paths", "Sequence[Name]"),
+            ("class_paths", "Sequence[TopLevelAssetPath]"),
+            ("class_names", "Sequence[Name]"),
+            ("recursive_paths", "bool"),
+            ("recursive_classes", "bool"),
+            ("include_only_on_disk_assets", "bool"),
+        )
+    }
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -49,24 +54,37 @@ class ARFilter(StructBase):
 class AssetRegistryDependencyOptions(StructBase):
     """Which references count."""
 
-    _fields = {name: Prop("bool", False) for name in (
-        "include_soft_package_references", "include_hard_package_references", "include_searchable_names",
-        "include_soft_management_references", "include_hard_management_references")}
+    _fields = {
+        name: Prop("bool", False)
+        for name in (
+            "include_soft_package_references",
+            "include_hard_package_references",
+            "include_searchable_names",
+            "include_soft_management_references",
+            "include_hard_management_references",
+        )
+    }
 
 
 @public
 class AssetData(StructBase):
     """What the registry knows of an asset."""
 
-    _fields = {"package_name": Prop("Name", Name), "package_path": Prop("Name", Name), "asset_name": Prop("Name", Name),
-               "asset_class_path": Prop("TopLevelAssetPath", TopLevelAssetPath), "asset_class": Prop("Name", Name)}
+    _fields = {
+        "package_name": Prop("Name", Name),
+        "package_path": Prop("Name", Name),
+        "asset_name": Prop("Name", Name),
+        "asset_class_path": Prop("TopLevelAssetPath", TopLevelAssetPath),
+        "asset_class": Prop("Name", Name),
+    }
     _takes = 4
 
     @classmethod
     def _for(cls, path: str, class_path: str) -> AssetData:
         package, kind = package_of(path), class_path.rsplit(".", 1)
-        made: AssetData = cls._of_fields(package, package.rsplit("/", 1)[0], path.rsplit(".", 1)[-1],
-                                         TopLevelAssetPath(kind[0], kind[1]), kind[1])
+        made: AssetData = cls._of_fields(
+            package, package.rsplit("/", 1)[0], path.rsplit(".", 1)[-1], TopLevelAssetPath(kind[0], kind[1]), kind[1]
+        )
         return made
 
     def _object_path(self) -> str:
@@ -139,16 +157,19 @@ class AssetRegistry(Object):
 
         def fits(asset: AssetObject) -> bool:
             path, kind = asset._path(), asset._class()._path()
-            return ((not classes or kind.casefold() in classes)
-                    and (not names or kind.rsplit(".", 1)[-1].casefold() in names)
-                    and (not packages or package_of(path).casefold() in packages)
-                    and (not folders or any(in_folder(path, f, wanted.recursive_paths) for f in folders)))
+            return (
+                (not classes or kind.casefold() in classes)
+                and (not names or kind.rsplit(".", 1)[-1].casefold() in names)
+                and (not packages or package_of(path).casefold() in packages)
+                and (not folders or any(in_folder(path, f, wanted.recursive_paths) for f in folders))
+            )
 
         return self._list(fits)
 
     @api
-    def get_assets_by_path(self, package_path: Name | str, recursive: bool = False,
-                           include_only_on_disk_assets: bool = False) -> Array | None:
+    def get_assets_by_path(
+        self, package_path: Name | str, recursive: bool = False, include_only_on_disk_assets: bool = False
+    ) -> Array | None:
         """Assets of a folder."""
         return self._list(lambda a: in_folder(a._path(), str(package_path), recursive))
 
@@ -161,9 +182,9 @@ class AssetRegistry(Object):
         return self._list(lambda a: a._class()._path().casefold() in wanted)
 
     @api
-    def get_assets_by_package_name(self, package_name: Name | str,
-                                   include_only_on_disk_assets: bool = False,
-                                   skip_ar_filtered_assets: bool = True) -> Array | None:
+    def get_assets_by_package_name(
+        self, package_name: Name | str, include_only_on_disk_assets: bool = False, skip_ar_filtered_assets: bool = True
+    ) -> Array | None:
         """Assets of a package."""
         return self._list(lambda a: package_of(a._path()) == str(package_name))
 
@@ -173,14 +194,14 @@ class AssetRegistry(Object):
 
     @deprecated("Use other version that takes a SoftObjectPath")
     @api
-    def get_asset_by_object_path(self, object_path: Name | str,
-                                 include_only_on_disk_assets: bool = False) -> AssetData:
+    def get_asset_by_object_path(self, object_path: Name | str, include_only_on_disk_assets: bool = False) -> AssetData:
         """Registry entry of a path, invalid when there is none."""
         return self._entry(str(object_path))
 
     @api
-    def get_dependencies(self, package_name: Name | str,
-                         dependency_options: AssetRegistryDependencyOptions) -> Array | None:
+    def get_dependencies(
+        self, package_name: Name | str, dependency_options: AssetRegistryDependencyOptions
+    ) -> Array | None:
         """Packages that a saved package names, or None when it is not on disk. All references here are hard."""
         paths = world().disk_references(package_of(str(package_name)))
         if paths is None:
@@ -192,16 +213,24 @@ class AssetRegistry(Object):
         return Array._of("Name", [Name(p) for p in packages])
 
     @api
-    def get_referencers(self, package_name: Name | str,
-                        reference_options: AssetRegistryDependencyOptions) -> Array | None:
+    def get_referencers(
+        self, package_name: Name | str, reference_options: AssetRegistryDependencyOptions
+    ) -> Array | None:
         """Assets that name a package."""
         wanted = str(package_name)
-        return Array._of("Name", [Name(package_of(a._path())) for a in world().assets()
-                                  if wanted in {package_of(p) for p in a._references()}])
+        return Array._of(
+            "Name",
+            [
+                Name(package_of(a._path()))
+                for a in world().assets()
+                if wanted in {package_of(p) for p in a._references()}
+            ],
+        )
 
     @api
-    def scan_paths_synchronous(self, paths: Sequence[str], force_rescan: bool = False,
-                               ignore_deny_list_scan_filters: bool = False) -> None:
+    def scan_paths_synchronous(
+        self, paths: Sequence[str], force_rescan: bool = False, ignore_deny_list_scan_filters: bool = False
+    ) -> None:
         """Files are looked up when they are asked for."""
 
     @api

@@ -23,8 +23,13 @@ class KBoxElem(ClosedStruct):
     """A box of simple collision; x, y, z are full lengths in cm."""
 
     _takes = 0
-    _fields = {"center": _unseen("Vector", Vector), "rotation": _unseen("Rotator", Rotator), "x": _unseen("float", 0.0),
-               "y": _unseen("float", 0.0), "z": _unseen("float", 0.0)}
+    _fields = {
+        "center": _unseen("Vector", Vector),
+        "rotation": _unseen("Rotator", Rotator),
+        "x": _unseen("float", 0.0),
+        "y": _unseen("float", 0.0),
+        "z": _unseen("float", 0.0),
+    }
 
 
 @public
@@ -40,8 +45,12 @@ class KSphylElem(ClosedStruct):
     """A capsule of simple collision; ``length`` is the cylinder part."""
 
     _takes = 0
-    _fields = {"center": _unseen("Vector", Vector), "rotation": _unseen("Rotator", Rotator),
-               "radius": _unseen("float", 0.0), "length": _unseen("float", 0.0)}
+    _fields = {
+        "center": _unseen("Vector", Vector),
+        "rotation": _unseen("Rotator", Rotator),
+        "radius": _unseen("float", 0.0),
+        "length": _unseen("float", 0.0),
+    }
 
 
 @public
@@ -57,18 +66,25 @@ class KAggregateGeom(ClosedStruct):
     """All simple collision of a body."""
 
     _takes = 0
-    _fields = {name: _unseen(f"Sequence[{kind}]", lambda kind=kind: Array._of(kind, []))
-               for name, kind in (("box_elems", "KBoxElem"), ("sphere_elems", "KSphereElem"),
-                                  ("sphyl_elems", "KSphylElem"), ("convex_elems", "KConvexElem"))}
+    _fields = {
+        name: _unseen(f"Sequence[{kind}]", lambda kind=kind: Array._of(kind, []))
+        for name, kind in (
+            ("box_elems", "KBoxElem"),
+            ("sphere_elems", "KSphereElem"),
+            ("sphyl_elems", "KSphylElem"),
+            ("convex_elems", "KConvexElem"),
+        )
+    }
 
 
 @public
 class BodySetup(Object):
     """Collision of a mesh."""
 
-    _declares = {"agg_geom": Prop("KAggregateGeom", KAggregateGeom, attribute=False, writable=False),
-                 "collision_trace_flag": Prop("CollisionTraceFlag", CollisionTraceFlag.CTF_USE_DEFAULT,
-                                              attribute=False)}
+    _declares = {
+        "agg_geom": Prop("KAggregateGeom", KAggregateGeom, attribute=False, writable=False),
+        "collision_trace_flag": Prop("CollisionTraceFlag", CollisionTraceFlag.CTF_USE_DEFAULT, attribute=False),
+    }
 
 
 def aggregate(asset: Asset) -> KAggregateGeom:
@@ -84,8 +100,9 @@ def aggregate(asset: Asset) -> KAggregateGeom:
         elif isinstance(body, manifest.SphereBody):
             spheres.append(KSphereElem._of_fields(Vector(*body.center), body.radius))
         elif isinstance(body, manifest.CapsuleBody):
-            capsules.append(KSphylElem._of_fields(Vector(*body.center), Rotator._of(body.rotation_deg), body.radius,
-                                                  body.length))
+            capsules.append(
+                KSphylElem._of_fields(Vector(*body.center), Rotator._of(body.rotation_deg), body.radius, body.length)
+            )
         else:
             hulls.append(KConvexElem._of_fields(Name(f"Hull_{len(hulls)}")))
     geom: KAggregateGeom = KAggregateGeom._of_fields(boxes, spheres, capsules, hulls)

@@ -57,9 +57,11 @@ class MaterialInterface(AssetObject):
 class Material(MaterialInterface):
     """A material: of a pack, or made by a script."""
 
-    _declares = {**KEPT["Material"],
-                 "two_sided": Prop("bool", False, attribute=False),
-                 "blend_mode": Prop("BlendMode", BlendMode.BLEND_OPAQUE)}
+    _declares = {
+        **KEPT["Material"],
+        "two_sided": Prop("bool", False, attribute=False),
+        "blend_mode": Prop("BlendMode", BlendMode.BLEND_OPAQUE),
+    }
 
     def _bind(self, record: manifest.Material, origin: str | None = None) -> Any:
         self._material = record

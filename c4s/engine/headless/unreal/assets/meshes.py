@@ -21,9 +21,11 @@ from c4s.packs.meshes import Mesh
 class StaticMaterial(ClosedStruct):
     """A slot of a static mesh."""
 
-    _fields = {"material_interface": Prop("MaterialInterface | None", None),
-               "material_slot_name": Prop("Name", Name),
-               "imported_material_slot_name": Prop("Name", Name, attribute=False)}
+    _fields = {
+        "material_interface": Prop("MaterialInterface | None", None),
+        "material_slot_name": Prop("Name", Name),
+        "imported_material_slot_name": Prop("Name", Name, attribute=False),
+    }
     _takes = 2
 
 
@@ -31,8 +33,10 @@ class StaticMaterial(ClosedStruct):
 class StaticMesh(AssetObject):
     """A static mesh asset."""
 
-    _declares = {"static_materials": Prop("Sequence[StaticMaterial]", get="_static_materials", writable=False),
-                 "body_setup": Prop("BodySetup", get="_body_setup", attribute=False, writable=False)}
+    _declares = {
+        "static_materials": Prop("Sequence[StaticMaterial]", get="_static_materials", writable=False),
+        "body_setup": Prop("BodySetup", get="_body_setup", attribute=False, writable=False),
+    }
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)
@@ -61,9 +65,13 @@ class StaticMesh(AssetObject):
         return found if isinstance(found, MaterialInterface) else None
 
     def _static_materials(self) -> Array:
-        return Array._of("StaticMaterial", [
-            StaticMaterial._of_fields(self._slot_material(i), Name(slot.name), Name(slot.name))
-            for i, slot in enumerate(self._asset.slots)])
+        return Array._of(
+            "StaticMaterial",
+            [
+                StaticMaterial._of_fields(self._slot_material(i), Name(slot.name), Name(slot.name))
+                for i, slot in enumerate(self._asset.slots)
+            ],
+        )
 
     def _body_setup(self) -> BodySetup:
         made: BodySetup = BodySetup._make("BodySetup_0", self)
@@ -71,8 +79,10 @@ class StaticMesh(AssetObject):
         return made
 
     def _references(self) -> list[str]:
-        return [self._slot_overrides[i]._path() if i in self._slot_overrides else slot.material
-                for i, slot in enumerate(self._asset.slots)]
+        return [
+            self._slot_overrides[i]._path() if i in self._slot_overrides else slot.material
+            for i, slot in enumerate(self._asset.slots)
+        ]
 
     @api
     def get_material(self, material_index: int) -> MaterialInterface | None:

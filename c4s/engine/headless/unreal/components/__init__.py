@@ -13,6 +13,14 @@ from c4s.engine.headless.unreal.components.primitive import PrimitiveComponent
 from c4s.engine.headless.unreal.components.scene import SceneComponent
 
 __all__ = [
-    "ActorComponent", "Bounds", "HierarchicalInstancedStaticMeshComponent", "InstancedStaticMeshComponent",
-    "MeshComponent", "PrimitiveComponent", "SceneComponent", "StaticMeshComponent", "finite", "of_class",
+    "ActorComponent",
+    "Bounds",
+    "HierarchicalInstancedStaticMeshComponent",
+    "InstancedStaticMeshComponent",
+    "MeshComponent",
+    "PrimitiveComponent",
+    "SceneComponent",
+    "StaticMeshComponent",
+    "finite",
+    "of_class",
 ]

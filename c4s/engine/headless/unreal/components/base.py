@@ -14,8 +14,10 @@ from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public
 class ActorComponent(Object):
     """Base of components."""
 
-    _declares = {"component_tags": Prop("Sequence[Name]", lambda: Array._of("Name", [])),
-                 "is_editor_only": Prop("bool", False)}
+    _declares = {
+        "component_tags": Prop("Sequence[Name]", lambda: Array._of("Name", [])),
+        "is_editor_only": Prop("bool", False),
+    }
 
     @classmethod
     def _abstract(cls) -> bool:

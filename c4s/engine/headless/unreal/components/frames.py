@@ -1,7 +1,5 @@
 """Where a component is: its pose relative to its parent, and in the world."""
 
-
-
 from __future__ import annotations
 
 from typing import Any

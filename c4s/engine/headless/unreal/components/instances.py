@@ -18,8 +18,11 @@ from c4s.engine.headless.unreal.structs import Box, Transform, Vector
 class InstancedStaticMeshComponent(StaticMeshComponent):
     """Shows a static mesh many times."""
 
-    _declares = {"instance_start_cull_distance": Prop("int", 0), "instance_end_cull_distance": Prop("int", 0),
-                 "instancing_random_seed": Prop("int", 0)}
+    _declares = {
+        "instance_start_cull_distance": Prop("int", 0),
+        "instance_end_cull_distance": Prop("int", 0),
+        "instancing_random_seed": Prop("int", 0),
+    }
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)
@@ -56,8 +59,13 @@ class InstancedStaticMeshComponent(StaticMeshComponent):
         return len(self._instances) - 1
 
     @api
-    def add_instances(self, instance_transforms: Sequence[Transform], should_return_indices: bool,
-                      world_space: bool = False, update_navigation: bool = True) -> Array:
+    def add_instances(
+        self,
+        instance_transforms: Sequence[Transform],
+        should_return_indices: bool,
+        world_space: bool = False,
+        update_navigation: bool = True,
+    ) -> Array:
         """Add instances; returns their indices when asked."""
         indices = [self.add_instance(t, world_space) for t in instance_transforms]
         return Array._of("int", indices if should_return_indices else [])
@@ -71,9 +79,14 @@ class InstancedStaticMeshComponent(StaticMeshComponent):
         return Transform._of(compose(pose, self._world_pose()) if world_space else pose)
 
     @api
-    def update_instance_transform(self, instance_index: int, new_instance_transform: Transform,
-                                  world_space: bool = False, mark_render_state_dirty: bool = False,
-                                  teleport: bool = False) -> bool:
+    def update_instance_transform(
+        self,
+        instance_index: int,
+        new_instance_transform: Transform,
+        world_space: bool = False,
+        mark_render_state_dirty: bool = False,
+        teleport: bool = False,
+    ) -> bool:
         """Move an instance; False when there is none."""
         if not 0 <= instance_index < len(self._instances):
             return False
@@ -107,22 +120,36 @@ class InstancedStaticMeshComponent(StaticMeshComponent):
         return self.add_instance(world_transform, True)
 
     @api
-    def batch_update_instances_transforms(self, start_instance_index: int,
-                                          new_instances_transforms: Sequence[Transform], world_space: bool = False,
-                                          mark_render_state_dirty: bool = False, teleport: bool = False) -> bool:
+    def batch_update_instances_transforms(
+        self,
+        start_instance_index: int,
+        new_instances_transforms: Sequence[Transform],
+        world_space: bool = False,
+        mark_render_state_dirty: bool = False,
+        teleport: bool = False,
+    ) -> bool:
         """Move instances from an index on; False, and none is moved, when one does not exist."""
         if not 0 <= start_instance_index <= len(self._instances) - len(new_instances_transforms):
             return False
-        return all(self.update_instance_transform(start_instance_index + i, t, world_space)
-                   for i, t in enumerate(new_instances_transforms))
+        return all(
+            self.update_instance_transform(start_instance_index + i, t, world_space)
+            for i, t in enumerate(new_instances_transforms)
+        )
 
     @api
-    def batch_update_instances_transform(self, start_instance_index: int, num_instances: int,
-                                         new_instances_transform: Transform, world_space: bool = False,
-                                         mark_render_state_dirty: bool = False, teleport: bool = False) -> bool:
+    def batch_update_instances_transform(
+        self,
+        start_instance_index: int,
+        num_instances: int,
+        new_instances_transform: Transform,
+        world_space: bool = False,
+        mark_render_state_dirty: bool = False,
+        teleport: bool = False,
+    ) -> bool:
         """Move instances from an index on to one place."""
-        return self.batch_update_instances_transforms(start_instance_index, [new_instances_transform] * num_instances,
-                                                      world_space)
+        return self.batch_update_instances_transforms(
+            start_instance_index, [new_instances_transform] * num_instances, world_space
+        )
 
     @api
     def is_valid_instance(self, instance_index: int) -> bool:
@@ -134,8 +161,10 @@ class InstancedStaticMeshComponent(StaticMeshComponent):
         found = []
         for index, pose in enumerate(self._instances if mesh is not None else []):
             origin, extent = (compose(pose, self._world_pose()) if in_world else pose).box(*mesh)  # type: ignore[misc]
-            if all(o - e <= b and o + e >= a for o, e, a, b in zip(origin, extent, low._triple(), high._triple(),
-                                                                   strict=True)):
+            if all(
+                o - e <= b and o + e >= a
+                for o, e, a, b in zip(origin, extent, low._triple(), high._triple(), strict=True)
+            ):
                 found.append(index)
         return found
 
@@ -145,8 +174,9 @@ class InstancedStaticMeshComponent(StaticMeshComponent):
         return Array._of("int", self._inside(box.min, box.max, box_in_world_space))
 
     @api
-    def get_instances_overlapping_sphere(self, center: Vector, radius: float,
-                                         sphere_in_world_space: bool = True) -> Array:
+    def get_instances_overlapping_sphere(
+        self, center: Vector, radius: float, sphere_in_world_space: bool = True
+    ) -> Array:
         """Indices of the instances whose bounds touch the box around a sphere."""
         half = Vector(radius, radius, radius)
         return Array._of("int", self._inside(center - half, center + half, sphere_in_world_space))
@@ -160,8 +190,10 @@ class InstancedStaticMeshComponent(StaticMeshComponent):
     @api
     def get_cull_distances(self) -> tuple[int, int]:
         """Where instances fade out (cm from the camera)."""
-        return (self.get_editor_property("instance_start_cull_distance"),
-                self.get_editor_property("instance_end_cull_distance"))
+        return (
+            self.get_editor_property("instance_start_cull_distance"),
+            self.get_editor_property("instance_end_cull_distance"),
+        )
 
     @api
     def clear_instances(self) -> None:

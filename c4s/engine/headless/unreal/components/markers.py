@@ -38,11 +38,15 @@ class VerticalTextAligment(EnumBase):
 class TextRenderComponent(SceneComponent):
     """Words in the world; ``world_size`` is the height of a letter in cm."""
 
-    _declares = {"text": Prop("Text", lambda: Text("Text")), "world_size": Prop("float", 26.0),
-                 "text_render_color": Prop("Color", lambda: Color(255, 255, 255, 255)),
-                 "horizontal_alignment": Prop("HorizTextAligment", HorizTextAligment.EHTA_LEFT),
-                 "vertical_alignment": Prop("VerticalTextAligment", VerticalTextAligment.EVRTA_TEXT_BOTTOM),
-                 "x_scale": Prop("float", 1.0), "y_scale": Prop("float", 1.0)}
+    _declares = {
+        "text": Prop("Text", lambda: Text("Text")),
+        "world_size": Prop("float", 26.0),
+        "text_render_color": Prop("Color", lambda: Color(255, 255, 255, 255)),
+        "horizontal_alignment": Prop("HorizTextAligment", HorizTextAligment.EHTA_LEFT),
+        "vertical_alignment": Prop("VerticalTextAligment", VerticalTextAligment.EVRTA_TEXT_BOTTOM),
+        "x_scale": Prop("float", 1.0),
+        "y_scale": Prop("float", 1.0),
+    }
 
     @api
     def set_text(self, value: Text | str) -> None:
@@ -74,9 +78,12 @@ class TextRenderComponent(SceneComponent):
 class DecalComponent(SceneComponent):
     """A picture on what lies in its box (half size in cm)."""
 
-    _declares = {"decal_size": Prop("Vector", lambda: Vector(128, 256, 256)),
-                 "decal_material": Prop("MaterialInterface | None", None, saved=False),
-                 "decal_color": Prop("LinearColor", lambda: LinearColor(1, 1, 1, 1)), "sort_order": Prop("int", 0)}
+    _declares = {
+        "decal_size": Prop("Vector", lambda: Vector(128, 256, 256)),
+        "decal_material": Prop("MaterialInterface | None", None, saved=False),
+        "decal_color": Prop("LinearColor", lambda: LinearColor(1, 1, 1, 1)),
+        "sort_order": Prop("int", 0),
+    }
 
     @api
     def set_decal_material(self, new_decal_material: MaterialInterface | None) -> None:
@@ -99,8 +106,11 @@ class DecalComponent(SceneComponent):
 class VolumetricCloudComponent(SceneComponent):
     """Clouds between two heights in km."""
 
-    _declares = {"layer_bottom_altitude": Prop("float", 5.0), "layer_height": Prop("float", 10.0),
-                 "planet_radius": Prop("float", 6360.0)}
+    _declares = {
+        "layer_bottom_altitude": Prop("float", 5.0),
+        "layer_height": Prop("float", 10.0),
+        "planet_radius": Prop("float", 6360.0),
+    }
 
     @api
     def set_layer_bottom_altitude(self, new_value: float) -> None:

@@ -18,8 +18,11 @@ from c4s.engine.headless.unreal.structs import LinearColor, Vector
 class MeshComponent(PrimitiveComponent):
     """A component with material slots."""
 
-    _declares = {"override_materials": Prop("Sequence[MaterialInterface | None]", get="_override_array",
-                                            writable=False, attribute=False, saved=False)}
+    _declares = {
+        "override_materials": Prop(
+            "Sequence[MaterialInterface | None]", get="_override_array", writable=False, attribute=False, saved=False
+        )
+    }
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)
@@ -98,8 +101,9 @@ class MeshComponent(PrimitiveComponent):
             self.set_material(index, material)
 
     @api
-    def create_dynamic_material_instance(self, element_index: int, source_material: MaterialInterface | None = None,
-                                         optional_name: Name | str = "None") -> MaterialInstanceDynamic | None:
+    def create_dynamic_material_instance(
+        self, element_index: int, source_material: MaterialInterface | None = None, optional_name: Name | str = "None"
+    ) -> MaterialInstanceDynamic | None:
         """Put a dynamic instance, owned by this component, on a slot."""
         source = source_material if source_material is not None else self._material(element_index)
         if source is None:
@@ -152,8 +156,10 @@ class MeshComponent(PrimitiveComponent):
 class StaticMeshComponent(MeshComponent):
     """Shows a static mesh."""
 
-    _declares = {**KEPT["StaticMeshComponent"],
-                 "static_mesh": Prop("StaticMesh | None", get="_get_mesh", set="_set_mesh", saved=False)}
+    _declares = {
+        **KEPT["StaticMeshComponent"],
+        "static_mesh": Prop("StaticMesh | None", get="_get_mesh", set="_set_mesh", saved=False),
+    }
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)

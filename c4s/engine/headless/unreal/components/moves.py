@@ -60,8 +60,9 @@ class Moves(Frame):
         return self._go(self._world_pose().turned(new_rotation._triple()), sweep)
 
     @api
-    def set_world_location_and_rotation(self, new_location: Vector, new_rotation: Rotator, sweep: bool,
-                                        teleport: bool) -> HitResult:
+    def set_world_location_and_rotation(
+        self, new_location: Vector, new_rotation: Rotator, sweep: bool, teleport: bool
+    ) -> HitResult:
         """Move and turn in the world."""
         return self._go(self._world_pose().moved(new_location._triple()).turned(new_rotation._triple()), sweep)
 
@@ -103,8 +104,9 @@ class Moves(Frame):
     def add_local_offset(self, delta_location: Vector, sweep: bool, teleport: bool) -> HitResult:
         """Move by an offset in the component's axes."""
         pose = self._relative
-        return self._go_relative(pose.moved(added(pose.location, delta_location.rotate(
-            Rotator._of(pose.rotation_deg)))), sweep)
+        return self._go_relative(
+            pose.moved(added(pose.location, delta_location.rotate(Rotator._of(pose.rotation_deg)))), sweep
+        )
 
     @api
     def add_local_rotation(self, delta_rotation: Rotator, sweep: bool, teleport: bool) -> HitResult:
@@ -137,8 +139,9 @@ class Moves(Frame):
         return self._go_relative(self._relative.turned(new_rotation._triple()), sweep)
 
     @api
-    def set_relative_location_and_rotation(self, new_location: Vector, new_rotation: Rotator, sweep: bool,
-                                           teleport: bool) -> HitResult:
+    def set_relative_location_and_rotation(
+        self, new_location: Vector, new_rotation: Rotator, sweep: bool, teleport: bool
+    ) -> HitResult:
         """Place and turn relative to the parent."""
         return self._go_relative(self._relative.moved(new_location._triple()).turned(new_rotation._triple()), sweep)
 

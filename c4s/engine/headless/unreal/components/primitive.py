@@ -15,8 +15,11 @@ from c4s.engine.headless.unreal.traces.own import ComponentQueries
 class PrimitiveComponent(ComponentQueries):
     """A component with geometry: bounds, collision and materials."""
 
-    _declares = {**KEPT["PrimitiveComponent"],
-                 "cast_shadow": Prop("bool", True), "hidden_in_scene_capture": Prop("bool", False)}
+    _declares = {
+        **KEPT["PrimitiveComponent"],
+        "cast_shadow": Prop("bool", True),
+        "hidden_in_scene_capture": Prop("bool", False),
+    }
 
     @api
     def set_simulate_physics(self, simulate: bool) -> None:

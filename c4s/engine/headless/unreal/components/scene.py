@@ -26,7 +26,8 @@ class SceneComponent(Moves):
         "relative_rotation": Prop("Rotator", get="_get_relative_rotation", set="_set_relative_rotation", saved=False),
         "relative_scale3d": Prop("Vector", get="_get_relative_scale", set="_set_relative_scale", saved=False),
         "mobility": Prop("ComponentMobility", ComponentMobility.STATIC),
-        "visible": Prop("bool", True), "hidden_in_game": Prop("bool", False),
+        "visible": Prop("bool", True),
+        "hidden_in_game": Prop("bool", False),
     }
 
     @api
@@ -127,14 +128,19 @@ class SceneComponent(Moves):
     @api
     def get_child_component(self, child_index: int) -> SceneComponent | None:
         """An attached component."""
-        found: SceneComponent | None = (
-            self._children[child_index] if 0 <= child_index < len(self._children) else None)
+        found: SceneComponent | None = self._children[child_index] if 0 <= child_index < len(self._children) else None
         return found
 
     @api
-    def attach_to_component(self, parent: SceneComponent, socket_name: Name | str, location_rule: AttachmentRule,
-                            rotation_rule: AttachmentRule, scale_rule: AttachmentRule,
-                            weld_simulated_bodies: bool = True) -> bool:
+    def attach_to_component(
+        self,
+        parent: SceneComponent,
+        socket_name: Name | str,
+        location_rule: AttachmentRule,
+        rotation_rule: AttachmentRule,
+        scale_rule: AttachmentRule,
+        weld_simulated_bodies: bool = True,
+    ) -> bool:
         """Attach; False when that would close a circle, or make a chain longer than ``DEEPEST``."""
         above: SceneComponent | None = parent
         length = self._height()
@@ -148,10 +154,15 @@ class SceneComponent(Moves):
         place, base = self._world_pose(), parent._world_pose()
         kept = relative_to(place, base)
         rules: list[tuple[AttachmentRule, Callable[[Pose], Triple]]] = [
-            (location_rule, lambda p: p.location), (rotation_rule, lambda p: p.rotation_deg),
-            (scale_rule, lambda p: p.scale)]
-        source = {AttachmentRule.KEEP_WORLD: kept, AttachmentRule.KEEP_RELATIVE: self._relative,
-                  AttachmentRule.SNAP_TO_TARGET: IDENTITY}
+            (location_rule, lambda p: p.location),
+            (rotation_rule, lambda p: p.rotation_deg),
+            (scale_rule, lambda p: p.scale),
+        ]
+        source = {
+            AttachmentRule.KEEP_WORLD: kept,
+            AttachmentRule.KEEP_RELATIVE: self._relative,
+            AttachmentRule.SNAP_TO_TARGET: IDENTITY,
+        }
         location, rotation, scale = (part(source[rule]) for rule, part in rules)
         self._attach(parent)
         self._set_relative(Pose.from_rotator(location, rotation, scale))
@@ -161,15 +172,21 @@ class SceneComponent(Moves):
         return True
 
     @api
-    def detach_from_component(self, location_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
-                              rotation_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
-                              scale_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
-                              call_modify: bool = True) -> None:
+    def detach_from_component(
+        self,
+        location_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
+        rotation_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
+        scale_rule: DetachmentRule = DetachmentRule.KEEP_RELATIVE,
+        call_modify: bool = True,
+    ) -> None:
         """Detach from the parent."""
         keep = DetachmentRule.KEEP_WORLD
         world, own = self._world_pose(), self._relative
         self._attach(None)
-        self._set_relative(Pose.from_rotator(
-            world.location if location_rule is keep else own.location,
-            world.rotation_deg if rotation_rule is keep else own.rotation_deg,
-            world.scale if scale_rule is keep else own.scale))
+        self._set_relative(
+            Pose.from_rotator(
+                world.location if location_rule is keep else own.location,
+                world.rotation_deg if rotation_rule is keep else own.rotation_deg,
+                world.scale if scale_rule is keep else own.scale,
+            )
+        )

@@ -13,8 +13,9 @@ class _Word:
 
     def __init__(self, value: object = "") -> None:
         if not isinstance(value, (str, _Word)):
-            raise TypeError(f"{type(self).__name__}: Cannot nativize '{type(value).__name__}' as "
-                            f"'{type(self).__name__}'")
+            raise TypeError(
+                f"{type(self).__name__}: Cannot nativize '{type(value).__name__}' as '{type(self).__name__}'"
+            )
         self._text = str(value)
         try:
             self._text.encode()

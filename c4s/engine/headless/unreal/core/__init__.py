@@ -13,6 +13,22 @@ from c4s.engine.headless.unreal.core.properties import ObjectBase, Prop, convert
 from c4s.engine.headless.unreal.core.setters import with_setters
 
 __all__ = [
-    "TYPES", "Class", "EnumBase", "Object", "ObjectBase", "Package", "Prop", "api", "as_class", "camel", "converted",
-    "copied", "deprecated", "fits", "need", "public", "subclass_of", "with_setters",
+    "TYPES",
+    "Class",
+    "EnumBase",
+    "Object",
+    "ObjectBase",
+    "Package",
+    "Prop",
+    "api",
+    "as_class",
+    "camel",
+    "converted",
+    "copied",
+    "deprecated",
+    "fits",
+    "need",
+    "public",
+    "subclass_of",
+    "with_setters",
 ]

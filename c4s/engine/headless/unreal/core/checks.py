@@ -15,8 +15,16 @@ R = TypeVar("R")
 TYPES: dict[str, type] = {}
 """Public classes, structs and enums by their name: what ``unreal`` shows and what annotations refer to."""
 
-_PLAIN = {"float": "DoubleProperty", "int": "IntProperty", "bool": "BoolProperty", "str": "StrProperty",
-          "Name": "NameProperty", "Text": "TextProperty", "Class": "ClassProperty", "type": "ClassProperty"}
+_PLAIN = {
+    "float": "DoubleProperty",
+    "int": "IntProperty",
+    "bool": "BoolProperty",
+    "str": "StrProperty",
+    "Name": "NameProperty",
+    "Text": "TextProperty",
+    "Class": "ClassProperty",
+    "type": "ClassProperty",
+}
 
 
 def public(cls: type[R]) -> type[R]:
@@ -64,7 +72,7 @@ def accepted(value: Any, kind: str) -> Any:
             return value
     for part in parts:
         if part.startswith("Sequence") and isinstance(value, (list, tuple, Array)):
-            return [accepted(item, part[len("Sequence["):-1]) for item in value]
+            return [accepted(item, part[len("Sequence[") : -1]) for item in value]
         found = TYPES.get(part)
         if found is not None and hasattr(found, "_from_parts") and isinstance(value, (list, tuple, Array, Mapping)):
             return found._from_parts(value)
@@ -105,7 +113,7 @@ def _fits_one(value: object, kind: str) -> bool:
     if kind.startswith("Sequence"):
         if not isinstance(value, (list, tuple, Array)):
             return False
-        parts = _alternatives(kind[len("Sequence["):-1])
+        parts = _alternatives(kind[len("Sequence[") : -1])
         return all(any(_fits_one(item, part) for part in parts) for item in value)
     if kind.startswith("Mapping"):
         return isinstance(value, Mapping | Map)
@@ -141,8 +149,10 @@ def need(value: Any, kind: str, what: str, name: str = "") -> Any:
         return accepted(value, kind)
     except TypeError as error:
         label = camel(name) or kind
-        raise TypeError(f"{what}\n  TypeError: NativizeProperty: Cannot nativize '{type(value).__name__}' as '{label}' "
-                        f"({property_kind(kind)})\n    TypeError: {error}") from None
+        raise TypeError(
+            f"{what}\n  TypeError: NativizeProperty: Cannot nativize '{type(value).__name__}' as '{label}' "
+            f"({property_kind(kind)})\n    TypeError: {error}"
+        ) from None
 
 
 def api(function: Callable[P, R]) -> Callable[P, R]:
@@ -165,8 +175,9 @@ def api(function: Callable[P, R]) -> Callable[P, R]:
         if not names and (given or passed):
             raise TypeError(f"{title}() takes no arguments ({given + len(passed)} given)")
         if given + len(passed) > len(names):
-            raise TypeError(f"{title}() takes at most {len(names)} argument{'s' * (len(names) != 1)} "
-                            f"({given + len(passed)} given)")
+            raise TypeError(
+                f"{title}() takes at most {len(names)} argument{'s' * (len(names) != 1)} ({given + len(passed)} given)"
+            )
         for index, name in enumerate(names):
             if name in passed and index < given:
                 raise TypeError(f"argument for {title}() given by name ('{name}') and position ({index + 1})")
@@ -185,8 +196,12 @@ def api(function: Callable[P, R]) -> Callable[P, R]:
         except TypeError:
             where = getattr(owner, "_name", None) or f"Default__{getattr(owner, '__name__', type(owner).__name__)}"
             of = owner.__name__ if isinstance(owner, type) else type(owner).__name__
-            need(value, kind, f"{of}: Failed to convert parameter '{name}' when calling function "
-                              f"'{of}.{camel(title)}' on '{where}'", name)
+            need(
+                value,
+                kind,
+                f"{of}: Failed to convert parameter '{name}' when calling function '{of}.{camel(title)}' on '{where}'",
+                name,
+            )
         if isinstance(value, TYPES["Object"]):
             value._need_alive()  # type: ignore[attr-defined]
         return value
@@ -217,8 +232,9 @@ def api(function: Callable[P, R]) -> Callable[P, R]:
 def _is_object(kind: str) -> bool:
     """Whether an object is needed, where ``None`` would be no object."""
     parts = _alternatives(kind)
-    return "None" not in parts and (parts[0] == "Class" or (parts[0] in TYPES
-                                                            and issubclass(TYPES[parts[0]], TYPES["Object"])))
+    return "None" not in parts and (
+        parts[0] == "Class" or (parts[0] in TYPES and issubclass(TYPES[parts[0]], TYPES["Object"]))
+    )
 
 
 def _without(title: str, name: str, result: str) -> Any:
@@ -238,13 +254,15 @@ def _without(title: str, name: str, result: str) -> Any:
 
 def deprecated(reason: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """A function that works and warns its caller, in Unreal's words."""
+
     def mark(function: Callable[P, R]) -> Callable[P, R]:
         owner = function.__qualname__.split(".")[0]
 
         @functools.wraps(function)
         def call(*args: P.args, **kwargs: P.kwargs) -> R:
-            warnings.warn(f"Function '{function.__name__}' on '{owner}' is deprecated: {reason}", DeprecationWarning,
-                          stacklevel=2)
+            warnings.warn(
+                f"Function '{function.__name__}' on '{owner}' is deprecated: {reason}", DeprecationWarning, stacklevel=2
+            )
             return function(*args, **kwargs)
 
         return call

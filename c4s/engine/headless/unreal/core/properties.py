@@ -94,15 +94,22 @@ class ObjectBase:
         self._need_alive()
         owner = type(self).__name__
         if not prop.writable:
-            raise Exception(f"{owner}: Property '{camel(name)}' for attribute '{name}' on '{owner}' is read-only and "
-                            "cannot be set")
+            raise Exception(
+                f"{owner}: Property '{camel(name)}' for attribute '{name}' on '{owner}' is read-only and cannot be set"
+            )
         if type(value).__name__ != prop.kind:
-            value = need(value, prop.kind, f"{owner}: Failed to convert type '{type(value).__name__}' to property "
-                                           f"'{camel(name)}' ({property_kind(prop.kind)}) for attribute '{name}' "
-                                           f"on '{owner}'", name)
+            value = need(
+                value,
+                prop.kind,
+                f"{owner}: Failed to convert type '{type(value).__name__}' to property "
+                f"'{camel(name)}' ({property_kind(prop.kind)}) for attribute '{name}' "
+                f"on '{owner}'",
+                name,
+            )
         if not _finite(value):
-            raise Exception(f"{owner}: Property '{camel(name)}' for attribute '{name}' on '{owner}' takes finite "
-                            "numbers")
+            raise Exception(
+                f"{owner}: Property '{camel(name)}' for attribute '{name}' on '{owner}' takes finite numbers"
+            )
         if prop.set:
             getattr(self, prop.set)(value)
         else:
@@ -125,8 +132,9 @@ class ObjectBase:
                 if wanted in (camel(own).casefold(), f"b{camel(own)}".casefold() if each.kind == "bool" else ""):
                     name, prop = own, each
         if prop is None or not prop.scripts:
-            raise Exception(f"{cls.__name__}: Failed to find property '{name}' for attribute '{name}' "
-                            f"on '{cls.__name__}'")
+            raise Exception(
+                f"{cls.__name__}: Failed to find property '{name}' for attribute '{name}' on '{cls.__name__}'"
+            )
         return name, prop
 
     def get_editor_property(self, name: str | Name) -> Any:
@@ -135,9 +143,12 @@ class ObjectBase:
             name = str(need(name, "str", f"{type(self).__name__}.get_editor_property"))
         return self._read(*self._property(name))
 
-    def set_editor_property(self, name: str | Name, value: Any,
-                            notify_mode: PropertyAccessChangeNotifyMode = PropertyAccessChangeNotifyMode.DEFAULT
-                            ) -> None:
+    def set_editor_property(
+        self,
+        name: str | Name,
+        value: Any,
+        notify_mode: PropertyAccessChangeNotifyMode = PropertyAccessChangeNotifyMode.DEFAULT,
+    ) -> None:
         """Set an editor property."""
         own, prop = self._property(str(need(name, "str", f"{type(self).__name__}.set_editor_property")))
         self._write(own, prop, value)
@@ -167,6 +178,6 @@ def converted(value: Any, kind: str) -> Any:
     if kind == "Class" and isinstance(value, type):
         return value.static_class()  # type: ignore[attr-defined]
     if kind.startswith("Sequence"):
-        item = kind[len("Sequence["):-1]
+        item = kind[len("Sequence[") : -1]
         return Array._of(item, [converted(v, item) for v in value])
     return copied(value)

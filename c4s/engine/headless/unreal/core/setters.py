@@ -19,6 +19,7 @@ def with_setters(table: str) -> Callable[[_C], _C]:
     Args:
         table: ``property=argument`` for each; ``property`` alone where the argument is called ``new_value``.
     """
+
     def add(cls: _C) -> _C:
         for entry in table.split():
             name, _, argument = entry.partition("=")
@@ -26,6 +27,7 @@ def with_setters(table: str) -> Callable[[_C], _C]:
             method.__qualname__ = f"{cls.__qualname__}.{method.__name__}"
             setattr(cls, method.__name__, method)
         return cls
+
     return add
 
 

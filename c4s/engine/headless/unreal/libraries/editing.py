@@ -40,7 +40,7 @@ class Editing:
     @api
     def cancel_transaction(cls, index: int) -> None:
         """Drop the transactions from an index on; what they edited stays."""
-        del world().transactions[max(0, index):]
+        del world().transactions[max(0, index) :]
 
     @classmethod
     @api
@@ -56,18 +56,32 @@ class Editing:
 
     @classmethod
     @api
-    def print_string(cls, world_context_object: Object | None, string: str = "Hello", print_to_screen: bool = True,
-                     print_to_log: bool = True, text_color: LinearColor = _BLUE,  # type: ignore[assignment]
-                     duration: float = 2.0, key: Name | str = "None") -> None:
+    def print_string(
+        cls,
+        world_context_object: Object | None,
+        string: str = "Hello",
+        print_to_screen: bool = True,
+        print_to_log: bool = True,
+        text_color: LinearColor = _BLUE,  # type: ignore[assignment]
+        duration: float = 2.0,
+        key: Name | str = "None",
+    ) -> None:
         """Log a line."""
         if print_to_log:
             world().log.display(str(string))
 
     @classmethod
     @api
-    def print_text(cls, world_context_object: Object | None, text: Text | str = "Hello", print_to_screen: bool = True,
-                   print_to_log: bool = True, text_color: LinearColor = _BLUE,  # type: ignore[assignment]
-                   duration: float = 2.0, key: Name | str = "None") -> None:
+    def print_text(
+        cls,
+        world_context_object: Object | None,
+        text: Text | str = "Hello",
+        print_to_screen: bool = True,
+        print_to_log: bool = True,
+        text_color: LinearColor = _BLUE,  # type: ignore[assignment]
+        duration: float = 2.0,
+        key: Name | str = "None",
+    ) -> None:
         """Log a line."""
         if print_to_log:
             world().log.display(str(text))
@@ -87,8 +101,9 @@ class Editing:
 
     @classmethod
     @api
-    def get_actor_list_from_component_list(cls, component_list: Sequence[PrimitiveComponent],
-                                           actor_class_filter: Class | type | None) -> Array:
+    def get_actor_list_from_component_list(
+        cls, component_list: Sequence[PrimitiveComponent], actor_class_filter: Class | type | None
+    ) -> Array:
         """Actors that own components, each once."""
         wanted = as_class(actor_class_filter)._python_type if actor_class_filter is not None else Actor
         owners = dict.fromkeys(c.get_owner() for c in component_list)

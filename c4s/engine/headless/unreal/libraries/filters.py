@@ -44,33 +44,47 @@ class EditorFilterLibrary(Object):
 
     @classmethod
     @api
-    def by_class(cls, target_array: Sequence[Object], object_class: Class | type,
-                 filter_type: EditorScriptingFilterType = _IN) -> Array:
+    def by_class(
+        cls, target_array: Sequence[Object], object_class: Class | type, filter_type: EditorScriptingFilterType = _IN
+    ) -> Array:
         """Objects of a class."""
         wanted = as_class(object_class)._python_type
         return _chosen(target_array, lambda o: isinstance(o, wanted), filter_type)
 
     @classmethod
     @api
-    def by_id_name(cls, target_array: Sequence[Object], name_sub_string: str,
-                   string_match: EditorScriptingStringMatchType = _CONTAINS,
-                   filter_type: EditorScriptingFilterType = _IN) -> Array:
+    def by_id_name(
+        cls,
+        target_array: Sequence[Object],
+        name_sub_string: str,
+        string_match: EditorScriptingStringMatchType = _CONTAINS,
+        filter_type: EditorScriptingFilterType = _IN,
+    ) -> Array:
         """Objects by their object name."""
         return _chosen(target_array, lambda o: _matches(o.get_name(), str(name_sub_string), string_match), filter_type)
 
     @classmethod
     @api
-    def by_actor_label(cls, target_array: Sequence[Actor], name_sub_string: str,
-                       string_match: EditorScriptingStringMatchType = _CONTAINS,
-                       filter_type: EditorScriptingFilterType = _IN, ignore_case: bool = True) -> Array:
+    def by_actor_label(
+        cls,
+        target_array: Sequence[Actor],
+        name_sub_string: str,
+        string_match: EditorScriptingStringMatchType = _CONTAINS,
+        filter_type: EditorScriptingFilterType = _IN,
+        ignore_case: bool = True,
+    ) -> Array:
         """Actors by their label."""
-        return _chosen(target_array, lambda a: _matches(a.get_actor_label(), str(name_sub_string), string_match,
-                                                        ignore_case), filter_type)
+        return _chosen(
+            target_array,
+            lambda a: _matches(a.get_actor_label(), str(name_sub_string), string_match, ignore_case),
+            filter_type,
+        )
 
     @classmethod
     @api
-    def by_actor_tag(cls, target_array: Sequence[Actor], tag: Name | str,
-                     filter_type: EditorScriptingFilterType = _IN) -> Array:
+    def by_actor_tag(
+        cls, target_array: Sequence[Actor], tag: Name | str, filter_type: EditorScriptingFilterType = _IN
+    ) -> Array:
         """Actors with a tag."""
         return _chosen(target_array, lambda a: a.actor_has_tag(tag), filter_type)
 
@@ -146,8 +160,13 @@ class EditorLevelUtils(Object):
 
     @classmethod
     @api
-    def set_level_visibility(cls, level: Level, should_be_visible: bool, force_layers_visible: bool,
-                             modify_mode: LevelVisibilityDirtyMode = LevelVisibilityDirtyMode.MODIFY_ON_CHANGE) -> None:
+    def set_level_visibility(
+        cls,
+        level: Level,
+        should_be_visible: bool,
+        force_layers_visible: bool,
+        modify_mode: LevelVisibilityDirtyMode = LevelVisibilityDirtyMode.MODIFY_ON_CHANGE,
+    ) -> None:
         """The persistent level is always shown."""
 
     @classmethod
@@ -158,15 +177,20 @@ class EditorLevelUtils(Object):
 
     @classmethod
     @api
-    def create_new_streaming_level(cls, level_streaming_class: Class | type, new_level_path: str = "",
-                                   move_selected_actors_into_new_level: bool = False) -> Any:
+    def create_new_streaming_level(
+        cls,
+        level_streaming_class: Class | type,
+        new_level_path: str = "",
+        move_selected_actors_into_new_level: bool = False,
+    ) -> Any:
         """Refused: None."""
         return _refused(new_level_path)
 
     @classmethod
     @api
-    def remove_level_from_world(cls, level: Level, clear_selection: bool = True,
-                                reset_transaction_buffer: bool = True) -> bool:
+    def remove_level_from_world(
+        cls, level: Level, clear_selection: bool = True, reset_transaction_buffer: bool = True
+    ) -> bool:
         """The persistent level cannot be removed."""
         return False
 

@@ -20,8 +20,11 @@ class GameplayStatics(Object):
     def get_all_actors_of_class(cls, world_context_object: Object | None, actor_class: Class | type) -> Array:
         """Actors of a class."""
         wanted = as_class(actor_class)
-        found = [a for a in world().actor_list()
-                 if (a._class() is wanted if wanted._blueprint else isinstance(a, wanted._python_type))]
+        found = [
+            a
+            for a in world().actor_list()
+            if (a._class() is wanted if wanted._blueprint else isinstance(a, wanted._python_type))
+        ]
         return Array._of("Actor", found)
 
     @classmethod
@@ -39,8 +42,9 @@ class GameplayStatics(Object):
 
     @classmethod
     @api
-    def get_all_actors_of_class_with_tag(cls, world_context_object: Object | None, actor_class: Class | type,
-                                         tag: Name | str) -> Array:
+    def get_all_actors_of_class_with_tag(
+        cls, world_context_object: Object | None, actor_class: Class | type, tag: Name | str
+    ) -> Array:
         """Actors of a class with a tag."""
         found = cls.get_all_actors_of_class(world_context_object, actor_class)
         return Array._of("Actor", [a for a in found if a.actor_has_tag(tag)])

@@ -14,10 +14,13 @@ class MaterialLibrary(Object):
 
     @classmethod
     @api
-    def create_dynamic_material_instance(cls, world_context_object: Object | None, parent: MaterialInterface,
-                                         optional_name: Name | str = "None",
-                                         creation_flags: MIDCreationFlags = MIDCreationFlags.NONE
-                                         ) -> MaterialInstanceDynamic:
+    def create_dynamic_material_instance(
+        cls,
+        world_context_object: Object | None,
+        parent: MaterialInterface,
+        optional_name: Name | str = "None",
+        creation_flags: MIDCreationFlags = MIDCreationFlags.NONE,
+    ) -> MaterialInstanceDynamic:
         """A transient instance."""
         name = "MaterialInstanceDynamic_0" if str(optional_name) == "None" else str(optional_name)
         made: MaterialInstanceDynamic = MaterialInstanceDynamic._owned(name, None, parent)

@@ -8,20 +8,16 @@ from types import ModuleType
 from typing import Any
 
 from c4s.engine.headless.unreal.core import Object, api, public
-from c4s.engine.headless.unreal.libraries.maths import (
-    angles,
-    arithmetic,
-    chance,
-    comparisons,
-    geometry,
-    ranges,
-    twins,
-)
+from c4s.engine.headless.unreal.libraries.maths import angles, arithmetic, chance, comparisons, geometry, ranges, twins
 
 
 def _functions(*parts: ModuleType) -> dict[str, Callable[..., Any]]:
-    return {name: value for part in parts for name, value in vars(part).items()
-            if inspect.isfunction(value) and value.__module__ == part.__name__ and not name.startswith("_")}
+    return {
+        name: value
+        for part in parts
+        for name, value in vars(part).items()
+        if inspect.isfunction(value) and value.__module__ == part.__name__ and not name.startswith("_")
+    }
 
 
 @public

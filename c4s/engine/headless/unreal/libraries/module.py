@@ -53,15 +53,17 @@ def find_asset(name: str, type: Class | type | None = None, follow_redirectors: 
 
 
 @api
-def load_object(outer: Object | None, name: str, type: Class | type | None = None,
-                follow_redirectors: bool = True) -> Any:
+def load_object(
+    outer: Object | None, name: str, type: Class | type | None = None, follow_redirectors: bool = True
+) -> Any:
     """The object of a path, or None with a logged warning."""
     return _loaded(outer, name)
 
 
 @api
-def find_object(outer: Object | None, name: str, type: Class | type | None = None,
-                follow_redirectors: bool = True) -> Any:
+def find_object(
+    outer: Object | None, name: str, type: Class | type | None = None, follow_redirectors: bool = True
+) -> Any:
     """The object of a path, or None."""
     if ":PersistentLevel." in name:
         return world().actors.get(name.rsplit(".", 1)[-1])
@@ -103,8 +105,9 @@ def get_engine_subsystem(subsystem: Class | type) -> Any:
 
 
 @api
-def new_object(type: Class | type, outer: Object | None = None, name: Name | str = "None",
-               base_type: Class | type | None = None) -> Any:
+def new_object(
+    type: Class | type, outer: Object | None = None, name: Name | str = "None", base_type: Class | type | None = None
+) -> Any:
     """A new object of a class that scripts may make."""
     return as_class(type)._python_type(outer, name)
 
@@ -161,15 +164,37 @@ def mesh_facts(path: str) -> dict[str, Any] | None:
         asset = getattr(found, "_asset", None)
     if asset is None:
         return None
-    return {"sha256": asset.mesh_sha256, "bounds_min_cm": list(asset.bounds_min_cm),
-            "bounds_max_cm": list(asset.bounds_max_cm),
-            "collision": [body.model_dump(mode="json") for body in asset.collision]}
+    return {
+        "sha256": asset.mesh_sha256,
+        "bounds_min_cm": list(asset.bounds_min_cm),
+        "bounds_max_cm": list(asset.bounds_max_cm),
+        "collision": [body.model_dump(mode="json") for body in asset.collision],
+    }
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
-    f.__name__: f for f in (
-        log, log_warning, log_error, log_flush, collect_garbage, get_default_object, find_package, load_package,
-        get_type_from_class, load_asset, find_asset, load_object, find_object, load_class, get_editor_subsystem,
-        get_engine_subsystem, new_object,
-        is_editor, register_slate_post_tick_callback, unregister_slate_post_tick_callback)}
+    f.__name__: f
+    for f in (
+        log,
+        log_warning,
+        log_error,
+        log_flush,
+        collect_garbage,
+        get_default_object,
+        find_package,
+        load_package,
+        get_type_from_class,
+        load_asset,
+        find_asset,
+        load_object,
+        find_object,
+        load_class,
+        get_editor_subsystem,
+        get_engine_subsystem,
+        new_object,
+        is_editor,
+        register_slate_post_tick_callback,
+        unregister_slate_post_tick_callback,
+    )
+}
 FUNCTIONS["c4s_mesh_facts"] = mesh_facts

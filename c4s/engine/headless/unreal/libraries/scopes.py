@@ -15,8 +15,9 @@ class ScopedEditorTransaction:
     """A named edit. Edits need none, and none can be undone here."""
 
     def __init__(self, desc: str | Text) -> None:
-        self._description = str(need(desc, "Text", "ScopedEditorTransaction: Failed to convert parameter 'desc'",
-                                     "desc"))
+        self._description = str(
+            need(desc, "Text", "ScopedEditorTransaction: Failed to convert parameter 'desc'", "desc")
+        )
         self._index: int | None = None
 
     def __enter__(self) -> ScopedEditorTransaction:
@@ -24,15 +25,16 @@ class ScopedEditorTransaction:
         self._index = len(world().transactions) - 1
         return self
 
-    def __exit__(self, type: type[BaseException] | None, value: BaseException | None,
-                 traceback: TracebackType | None) -> Literal[False]:
+    def __exit__(
+        self, type: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> Literal[False]:
         self.cancel()
         return False
 
     def cancel(self) -> None:
         """Stop recording; what was edited stays, as in Unreal."""
         if self._index is not None:
-            del world().transactions[self._index:]
+            del world().transactions[self._index :]
             self._index = None
 
 
@@ -46,8 +48,9 @@ class ScopedSlowTask:
     def __enter__(self) -> ScopedSlowTask:
         return self
 
-    def __exit__(self, type: type[BaseException] | None, value: BaseException | None,
-                 traceback: TracebackType | None) -> Literal[False]:
+    def __exit__(
+        self, type: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> Literal[False]:
         return False
 
     def make_dialog(self, can_cancel: bool = False, allow_in_pie: bool = False) -> None:

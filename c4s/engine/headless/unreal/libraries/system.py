@@ -33,8 +33,9 @@ class SystemLibrary(LineTraces, SphereTraces, BoxTraces, CapsuleTraces, Overlaps
 
     @classmethod
     @api
-    def execute_console_command(cls, world_context_object: Object | None, command: str,
-                                specific_player: Object | None = None) -> None:
+    def execute_console_command(
+        cls, world_context_object: Object | None, command: str, specific_player: Object | None = None
+    ) -> None:
         """Console commands are logged and have no effect here."""
         world().log.display(f"Cmd: {command} (console commands have no effect in the headless engine)")
 

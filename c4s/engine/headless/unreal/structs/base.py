@@ -1,7 +1,5 @@
 """Structs by declared fields."""
 
-
-
 from __future__ import annotations
 
 import inspect
@@ -22,7 +20,7 @@ class StructBase:
     """How many fields the constructor takes, when not all."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
-        names = list(self._fields)[:self._takes]
+        names = list(self._fields)[: self._takes]
         if len(args) > len(names):
             raise TypeError(f"{type(self).__name__}() takes at most {len(names)} arguments ({len(args)} given)")
         given = dict(zip(names, args, strict=False))
@@ -50,8 +48,10 @@ class StructBase:
         limit = len(inspect.signature(cls.__init__).parameters) - 1 if "__init__" in cls.__dict__ else len(cls._fields)
         limit = limit if cls._takes is None else cls._takes
         if len(parts) > limit:
-            raise TypeError(f"{cls.__name__}: Struct has {limit} initialization parameters, but the given sequence had "
-                            f"{len(parts)} elements")
+            raise TypeError(
+                f"{cls.__name__}: Struct has {limit} initialization parameters, but the given sequence had "
+                f"{len(parts)} elements"
+            )
         return cls(*parts)
 
     @classmethod
@@ -82,8 +82,13 @@ class StructBase:
         prop = self._fields[name]
         if type(value).__name__ != prop.kind:
             owner = type(self).__name__
-            value = need(value, prop.kind, f"{owner}: Failed to convert type '{type(value).__name__}' to property "
-                                           f"'{camel(name)}' for attribute '{name}' on '{owner}'", name)
+            value = need(
+                value,
+                prop.kind,
+                f"{owner}: Failed to convert type '{type(value).__name__}' to property "
+                f"'{camel(name)}' for attribute '{name}' on '{owner}'",
+                name,
+            )
         object.__setattr__(self, name, converted(value, prop.kind))
 
     def __getattr__(self, name: str) -> Any:
@@ -123,9 +128,12 @@ class StructBase:
         self._known(name)
         return copied(self.__dict__[str(name)])
 
-    def set_editor_property(self, name: str | Name, value: Any,
-                            notify_mode: PropertyAccessChangeNotifyMode = PropertyAccessChangeNotifyMode.DEFAULT
-                            ) -> None:
+    def set_editor_property(
+        self,
+        name: str | Name,
+        value: Any,
+        notify_mode: PropertyAccessChangeNotifyMode = PropertyAccessChangeNotifyMode.DEFAULT,
+    ) -> None:
         """Set a field by name."""
         self._known(name)
         self._put(str(name), value)

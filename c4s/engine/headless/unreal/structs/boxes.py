@@ -56,5 +56,8 @@ class Box2D(StructBase):
 class BoxSphereBounds(StructBase):
     """Bounds as a box (centre and half extent) and a sphere."""
 
-    _fields = {"origin": Prop("Vector", Vector), "box_extent": Prop("Vector", Vector),
-               "sphere_radius": Prop("float", 0.0)}
+    _fields = {
+        "origin": Prop("Vector", Vector),
+        "box_extent": Prop("Vector", Vector),
+        "sphere_radius": Prop("float", 0.0),
+    }

@@ -1,7 +1,5 @@
 """Rows of whole numbers."""
 
-
-
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Rows of two and of four numbers."""
 
-
-
 from __future__ import annotations
 
 import math

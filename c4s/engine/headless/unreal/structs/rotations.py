@@ -1,7 +1,5 @@
 """Rotators and quaternions."""
 
-
-
 from __future__ import annotations
 
 import math

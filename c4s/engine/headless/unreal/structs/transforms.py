@@ -6,16 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from c4s.engine.headless.pose import (
-    IDENTITY,
-    Pose,
-    compose,
-    conjugate,
-    normalized,
-    reciprocal,
-    relative_to,
-    rotate,
-)
+from c4s.engine.headless.pose import IDENTITY, Pose, compose, conjugate, normalized, reciprocal, relative_to, rotate
 from c4s.engine.headless.unreal.core import Prop, api, need, public
 from c4s.engine.headless.unreal.structs.base import StructBase
 from c4s.engine.headless.unreal.structs.modes import LerpInterpolationMode
@@ -38,11 +29,17 @@ class Transform(StructBase):
     rotation: Quat
     scale3d: Vector
 
-    def __init__(self, location: Any = (0.0, 0.0, 0.0), rotation: Any = (0.0, 0.0, 0.0),
-                 scale: Any = (1.0, 1.0, 1.0)) -> None:
-        given = [need(value, kind, f"Transform: Failed to convert argument '{name}'", name)
-                 for value, kind, name in ((location, "Vector", "location"), (rotation, "Rotator", "rotation"),
-                                           (scale, "Vector", "scale"))]
+    def __init__(
+        self, location: Any = (0.0, 0.0, 0.0), rotation: Any = (0.0, 0.0, 0.0), scale: Any = (1.0, 1.0, 1.0)
+    ) -> None:
+        given = [
+            need(value, kind, f"Transform: Failed to convert argument '{name}'", name)
+            for value, kind, name in (
+                (location, "Vector", "location"),
+                (rotation, "Rotator", "rotation"),
+                (scale, "Vector", "scale"),
+            )
+        ]
         super().__init__(given[0], given[1].quaternion(), given[2])
 
     @classmethod
@@ -128,16 +125,22 @@ class Transform(StructBase):
         return Matrix._of(self._pose().matrix().T)
 
     @api
-    def lerp(self, b: Transform, alpha: float,
-             interp_mode: LerpInterpolationMode = LerpInterpolationMode.QUAT_INTERP) -> Transform:
+    def lerp(
+        self, b: Transform, alpha: float, interp_mode: LerpInterpolationMode = LerpInterpolationMode.QUAT_INTERP
+    ) -> Transform:
         """A transform part of the way."""
         one, two = self._pose(), b._pose()
         if interp_mode is LerpInterpolationMode.EULER_INTERP:
             turned = Rotator._of(one.rotation_deg).lerp(Rotator._of(two.rotation_deg), alpha, False)._quat()
         else:
             turned = slerp(one.quat, two.quat, alpha)
-        return Transform._of(Pose(Vector(*one.location).lerp_to(Vector(*two.location), alpha)._triple(), turned,
-                                  Vector(*one.scale).lerp_to(Vector(*two.scale), alpha)._triple()))
+        return Transform._of(
+            Pose(
+                Vector(*one.location).lerp_to(Vector(*two.location), alpha)._triple(),
+                turned,
+                Vector(*one.scale).lerp_to(Vector(*two.scale), alpha)._triple(),
+            )
+        )
 
     @api
     def interp_to(self, target: Transform, delta_time: float, interp_speed: float) -> Transform:
@@ -151,12 +154,20 @@ class Transform(StructBase):
         return self.scale3d.x * self.scale3d.y * self.scale3d.z
 
     @api
-    def is_near_equal(self, b: Transform, location_tolerance: float = 1e-4, rotation_tolerance: float = 1e-4,
-                      scale3d_tolerance: float = 1e-4) -> bool:
+    def is_near_equal(
+        self,
+        b: Transform,
+        location_tolerance: float = 1e-4,
+        rotation_tolerance: float = 1e-4,
+        scale3d_tolerance: float = 1e-4,
+    ) -> bool:
         """Whether all parts agree within the tolerances."""
         same = abs(sum(p * q for p, q in zip(self.rotation._four(), b.rotation._four(), strict=True)))
-        return (self.translation.is_near_equal(b.translation, location_tolerance)
-                and 1 - same <= rotation_tolerance and self.scale3d.is_near_equal(b.scale3d, scale3d_tolerance))
+        return (
+            self.translation.is_near_equal(b.translation, location_tolerance)
+            and 1 - same <= rotation_tolerance
+            and self.scale3d.is_near_equal(b.scale3d, scale3d_tolerance)
+        )
 
 
 def _relative(transform: Transform, base: Transform) -> Transform:

@@ -265,8 +265,11 @@ class Vector(Directed, Scaled):
         """Rotation that turns +X into this direction."""
         from c4s.engine.headless.unreal.structs.rotations import Rotator
 
-        return Rotator(roll=0.0, pitch=math.degrees(math.atan2(self.z, math.hypot(self.x, self.y))),
-                       yaw=math.degrees(math.atan2(self.y, self.x)))
+        return Rotator(
+            roll=0.0,
+            pitch=math.degrees(math.atan2(self.z, math.hypot(self.x, self.y))),
+            yaw=math.degrees(math.atan2(self.y, self.x)),
+        )
 
     def quaternion(self) -> Quat:
         """Rotation that turns +X into this direction."""

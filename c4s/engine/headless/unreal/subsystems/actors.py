@@ -1,5 +1,7 @@
 """Actors of the open level."""
 
+# ruff: noqa: B008  (signatures as in Unreal; no default is ever changed)
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -33,14 +35,16 @@ class EditorActorSubsystem(EditorSubsystem):
         return Array._of("ActorComponent", [c for a in world().actor_list() for c in a._components])
 
     @api
-    def spawn_actor_from_class(self, actor_class: Class | type, location: Vector,
-                               rotation: Rotator = Rotator(), transient: bool = False) -> Actor | None:  # noqa: B008
+    def spawn_actor_from_class(
+        self, actor_class: Class | type, location: Vector, rotation: Rotator = Rotator(), transient: bool = False
+    ) -> Actor | None:
         """Spawn an actor of a class."""
         return spawn_from_class(actor_class, location, rotation)
 
     @api
-    def spawn_actor_from_object(self, object_to_use: Object, location: Vector,
-                                rotation: Rotator = Rotator(), transient: bool = False) -> Actor | None:  # noqa: B008
+    def spawn_actor_from_object(
+        self, object_to_use: Object, location: Vector, rotation: Rotator = Rotator(), transient: bool = False
+    ) -> Actor | None:
         """Spawn an actor from a mesh, Blueprint or class."""
         return spawn_from_object(object_to_use, location, rotation)
 
@@ -56,14 +60,16 @@ class EditorActorSubsystem(EditorSubsystem):
         return all(gone)
 
     @api
-    def duplicate_actor(self, actor_to_duplicate: Actor, to_world: World | None = None,
-                        offset: Vector = Vector()) -> Actor | None:  # noqa: B008
+    def duplicate_actor(
+        self, actor_to_duplicate: Actor, to_world: World | None = None, offset: Vector = Vector()
+    ) -> Actor | None:
         """Copy an actor."""
         return world().duplicate(actor_to_duplicate, offset._triple())
 
     @api
-    def duplicate_actors(self, actors_to_duplicate: Sequence[Actor], to_world: World | None = None,
-                         offset: Vector = Vector()) -> Array:  # noqa: B008
+    def duplicate_actors(
+        self, actors_to_duplicate: Sequence[Actor], to_world: World | None = None, offset: Vector = Vector()
+    ) -> Array:
         """Copy actors."""
         return Array._of("Actor", [world().duplicate(a, offset._triple()) for a in actors_to_duplicate])
 
@@ -127,8 +133,9 @@ class EditorActorSubsystem(EditorSubsystem):
         choose(list(self.duplicate_actors(list(chosen()))))
 
     @api
-    def convert_actors(self, actors: Sequence[Actor], actor_class: Class | type,
-                       static_mesh_package_path: str) -> Array:
+    def convert_actors(
+        self, actors: Sequence[Actor], actor_class: Class | type, static_mesh_package_path: str
+    ) -> Array:
         """Replace actors by new ones of another class at the same place."""
         return convert(actors, actor_class)
 

@@ -44,15 +44,25 @@ class EditorLevelLibrary(Object):
 
     @classmethod
     @api
-    def spawn_actor_from_class(cls, actor_class: Class | type, location: Vector, rotation: Rotator = Rotator(),  # noqa: B008
-                               transient: bool = False) -> Actor | None:
+    def spawn_actor_from_class(
+        cls,
+        actor_class: Class | type,
+        location: Vector,
+        rotation: Rotator = Rotator(),  # noqa: B008
+        transient: bool = False,
+    ) -> Actor | None:
         """Spawn an actor of a class."""
         return spawn_from_class(actor_class, location, rotation)
 
     @classmethod
     @api
-    def spawn_actor_from_object(cls, object_to_use: Object, location: Vector, rotation: Rotator = Rotator(),  # noqa: B008
-                                transient: bool = False) -> Actor | None:
+    def spawn_actor_from_object(
+        cls,
+        object_to_use: Object,
+        location: Vector,
+        rotation: Rotator = Rotator(),  # noqa: B008
+        transient: bool = False,
+    ) -> Actor | None:
         """Spawn an actor from a mesh, Blueprint or class."""
         return spawn_from_object(object_to_use, location, rotation)
 
@@ -177,51 +187,69 @@ class EditorLevelLibrary(Object):
 
     @classmethod
     @api
-    def replace_mesh_components_meshes(cls, mesh_components: Sequence[StaticMeshComponent],
-                                       mesh_to_be_replaced: StaticMesh | None, new_mesh: StaticMesh | None) -> None:
+    def replace_mesh_components_meshes(
+        cls,
+        mesh_components: Sequence[StaticMeshComponent],
+        mesh_to_be_replaced: StaticMesh | None,
+        new_mesh: StaticMesh | None,
+    ) -> None:
         """Show another mesh where components show one (or any, without one)."""
         replace_meshes(mesh_components, mesh_to_be_replaced, new_mesh)
 
     @classmethod
     @api
-    def replace_mesh_components_meshes_on_actors(cls, actors: Sequence[Actor], mesh_to_be_replaced: StaticMesh | None,
-                                                 new_mesh: StaticMesh | None) -> None:
+    def replace_mesh_components_meshes_on_actors(
+        cls, actors: Sequence[Actor], mesh_to_be_replaced: StaticMesh | None, new_mesh: StaticMesh | None
+    ) -> None:
         """Show another mesh where actors show one (or any, without one)."""
         replace_meshes(parts_of(actors), mesh_to_be_replaced, new_mesh)
 
     @classmethod
     @api
-    def replace_mesh_components_materials(cls, mesh_components: Sequence[MeshComponent],
-                                          material_to_be_replaced: MaterialInterface | None,
-                                          new_material: MaterialInterface | None) -> None:
+    def replace_mesh_components_materials(
+        cls,
+        mesh_components: Sequence[MeshComponent],
+        material_to_be_replaced: MaterialInterface | None,
+        new_material: MaterialInterface | None,
+    ) -> None:
         """Use another material where components use one (or any, without one)."""
         replace_materials(mesh_components, material_to_be_replaced, new_material)
 
     @classmethod
     @api
-    def replace_mesh_components_materials_on_actors(cls, actors: Sequence[Actor],
-                                                    material_to_be_replaced: MaterialInterface | None,
-                                                    new_material: MaterialInterface | None) -> None:
+    def replace_mesh_components_materials_on_actors(
+        cls,
+        actors: Sequence[Actor],
+        material_to_be_replaced: MaterialInterface | None,
+        new_material: MaterialInterface | None,
+    ) -> None:
         """Use another material where actors use one (or any, without one)."""
         replace_materials(parts_of(actors), material_to_be_replaced, new_material)
 
 
 _NOW_IN = {
     "Level Editor Subsystem": "load_level new_level new_level_from_template save_current_level save_all_dirty_levels "
-                              "set_current_level_by_name editor_invalidate_viewports editor_set_game_view",
+    "set_current_level_by_name editor_invalidate_viewports editor_set_game_view",
     "Unreal Editor Subsystem": "get_editor_world get_game_world set_level_viewport_camera_info "
-                               "get_level_viewport_camera_info",
+    "get_level_viewport_camera_info",
     "Static Mesh Editor Subsystem": "replace_mesh_components_meshes replace_mesh_components_meshes_on_actors "
-                                    "replace_mesh_components_materials replace_mesh_components_materials_on_actors",
+    "replace_mesh_components_materials replace_mesh_components_materials_on_actors",
     "Editor Actor Utilities Subsystem": "get_all_level_actors get_all_level_actors_components get_actor_reference "
-                                        "destroy_actor get_selected_level_actors set_selected_level_actors "
-                                        "set_actor_selection_state select_nothing clear_actor_selection_set "
-                                        "convert_actors",
+    "destroy_actor get_selected_level_actors set_selected_level_actors "
+    "set_actor_selection_state select_nothing clear_actor_selection_set "
+    "convert_actors",
 }
 """Where each function lives now; spawning is not deprecated."""
 
 for _place, _names in _NOW_IN.items():
     for _name in _names.split():
         _function = EditorLevelLibrary.__dict__[_name].__func__
-        setattr(EditorLevelLibrary, _name, classmethod(deprecated(
-            f"The Editor Scripting Utilities Plugin is deprecated - Use the function in {_place}")(_function)))
+        setattr(
+            EditorLevelLibrary,
+            _name,
+            classmethod(
+                deprecated(f"The Editor Scripting Utilities Plugin is deprecated - Use the function in {_place}")(
+                    _function
+                )
+            ),
+        )

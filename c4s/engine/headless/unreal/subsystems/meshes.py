@@ -52,28 +52,39 @@ class StaticMeshEditorSubsystem(EditorSubsystem):
         return 1
 
     @api
-    def replace_mesh_components_meshes(self, mesh_components: Sequence[StaticMeshComponent],
-                                       mesh_to_be_replaced: StaticMesh | None, new_mesh: StaticMesh | None) -> None:
+    def replace_mesh_components_meshes(
+        self,
+        mesh_components: Sequence[StaticMeshComponent],
+        mesh_to_be_replaced: StaticMesh | None,
+        new_mesh: StaticMesh | None,
+    ) -> None:
         """Show another mesh where components show one (or any, without one)."""
         replace_meshes(mesh_components, mesh_to_be_replaced, new_mesh)
 
     @api
-    def replace_mesh_components_meshes_on_actors(self, actors: Sequence[Actor], mesh_to_be_replaced: StaticMesh | None,
-                                                 new_mesh: StaticMesh | None) -> None:
+    def replace_mesh_components_meshes_on_actors(
+        self, actors: Sequence[Actor], mesh_to_be_replaced: StaticMesh | None, new_mesh: StaticMesh | None
+    ) -> None:
         """Show another mesh where actors show one (or any, without one)."""
         replace_meshes(parts_of(actors), mesh_to_be_replaced, new_mesh)
 
     @api
-    def replace_mesh_components_materials(self, mesh_components: Sequence[MeshComponent],
-                                          material_to_be_replaced: MaterialInterface | None,
-                                          new_material: MaterialInterface | None) -> None:
+    def replace_mesh_components_materials(
+        self,
+        mesh_components: Sequence[MeshComponent],
+        material_to_be_replaced: MaterialInterface | None,
+        new_material: MaterialInterface | None,
+    ) -> None:
         """Use another material where components use one (or any, without one)."""
         replace_materials(mesh_components, material_to_be_replaced, new_material)
 
     @api
-    def replace_mesh_components_materials_on_actors(self, actors: Sequence[Actor],
-                                                    material_to_be_replaced: MaterialInterface | None,
-                                                    new_material: MaterialInterface | None) -> None:
+    def replace_mesh_components_materials_on_actors(
+        self,
+        actors: Sequence[Actor],
+        material_to_be_replaced: MaterialInterface | None,
+        new_material: MaterialInterface | None,
+    ) -> None:
         """Use another material where actors use one (or any, without one)."""
         replace_materials(parts_of(actors), material_to_be_replaced, new_material)
 

@@ -21,88 +21,199 @@ class BoxTraces:
 
     @classmethod
     @api
-    def box_trace_single(cls, world_context_object: Object | None, start: Vector, end: Vector, half_size: Vector,
-                         orientation: Rotator, trace_channel: TraceTypeQuery, trace_complex: bool,
-                         actors_to_ignore: Sequence[Actor], draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                         trace_color: LinearColor = RED, trace_hit_color: LinearColor = GREEN,
-                         draw_time: float = 5.0) -> Any:
+    def box_trace_single(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        half_size: Vector,
+        orientation: Rotator,
+        trace_channel: TraceTypeQuery,
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """The first thing that blocks a channel, or None."""
-        seen = casting.wanted(casting.channel(trace_channel), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
-        return casting.trace("box_trace_single", world_context_object, start, end, seen, many=False,
-                             shape=lambda: casting.box(start._triple(), half_size, orientation),
-                             sizes=(*half_size._triple(), *orientation._triple()))
+        seen = casting.wanted(
+            casting.channel(trace_channel), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
+        return casting.trace(
+            "box_trace_single",
+            world_context_object,
+            start,
+            end,
+            seen,
+            many=False,
+            shape=lambda: casting.box(start._triple(), half_size, orientation),
+            sizes=(*half_size._triple(), *orientation._triple()),
+        )
 
     @classmethod
     @api
-    def box_trace_single_for_objects(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                                     half_size: Vector, orientation: Rotator, object_types: Sequence[ObjectTypeQuery],
-                                     trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                                     draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                                     trace_color: LinearColor = RED, trace_hit_color: LinearColor = GREEN,
-                                     draw_time: float = 5.0) -> Any:
+    def box_trace_single_for_objects(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        half_size: Vector,
+        orientation: Rotator,
+        object_types: Sequence[ObjectTypeQuery],
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """The first thing of some types of objects, or None."""
-        seen = casting.wanted(casting.objects(object_types), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
-        return casting.trace("box_trace_single_for_objects", world_context_object, start, end, seen, many=False,
-                             shape=lambda: casting.box(start._triple(), half_size, orientation),
-                             sizes=(*half_size._triple(), *orientation._triple()))
+        seen = casting.wanted(
+            casting.objects(object_types), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
+        return casting.trace(
+            "box_trace_single_for_objects",
+            world_context_object,
+            start,
+            end,
+            seen,
+            many=False,
+            shape=lambda: casting.box(start._triple(), half_size, orientation),
+            sizes=(*half_size._triple(), *orientation._triple()),
+        )
 
     @classmethod
     @api
-    def box_trace_single_by_profile(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                                    half_size: Vector, orientation: Rotator, profile_name: Name | str,
-                                    trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                                    draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                                    trace_color: LinearColor = RED, trace_hit_color: LinearColor = GREEN,
-                                    draw_time: float = 5.0) -> Any:
+    def box_trace_single_by_profile(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        half_size: Vector,
+        orientation: Rotator,
+        profile_name: Name | str,
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """The first thing that blocks a profile, or None."""
-        seen = casting.wanted(casting.named(profile_name), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
-        return casting.trace("box_trace_single_by_profile", world_context_object, start, end, seen, many=False,
-                             shape=lambda: casting.box(start._triple(), half_size, orientation),
-                             sizes=(*half_size._triple(), *orientation._triple()))
+        seen = casting.wanted(
+            casting.named(profile_name), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
+        return casting.trace(
+            "box_trace_single_by_profile",
+            world_context_object,
+            start,
+            end,
+            seen,
+            many=False,
+            shape=lambda: casting.box(start._triple(), half_size, orientation),
+            sizes=(*half_size._triple(), *orientation._triple()),
+        )
 
     @classmethod
     @api
-    def box_trace_multi(cls, world_context_object: Object | None, start: Vector, end: Vector, half_size: Vector,
-                        orientation: Rotator, trace_channel: TraceTypeQuery, trace_complex: bool,
-                        actors_to_ignore: Sequence[Actor], draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                        trace_color: LinearColor = RED, trace_hit_color: LinearColor = GREEN,
-                        draw_time: float = 5.0) -> Any:
+    def box_trace_multi(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        half_size: Vector,
+        orientation: Rotator,
+        trace_channel: TraceTypeQuery,
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """Overlaps up to the first thing that blocks a channel, and that one."""
-        seen = casting.wanted(casting.channel(trace_channel), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
-        return casting.trace("box_trace_multi", world_context_object, start, end, seen, many=True,
-                             shape=lambda: casting.box(start._triple(), half_size, orientation),
-                             sizes=(*half_size._triple(), *orientation._triple()))
+        seen = casting.wanted(
+            casting.channel(trace_channel), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
+        return casting.trace(
+            "box_trace_multi",
+            world_context_object,
+            start,
+            end,
+            seen,
+            many=True,
+            shape=lambda: casting.box(start._triple(), half_size, orientation),
+            sizes=(*half_size._triple(), *orientation._triple()),
+        )
 
     @classmethod
     @api
-    def box_trace_multi_for_objects(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                                    half_size: Vector, orientation: Rotator, object_types: Sequence[ObjectTypeQuery],
-                                    trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                                    draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                                    trace_color: LinearColor = RED, trace_hit_color: LinearColor = GREEN,
-                                    draw_time: float = 5.0) -> Any:
+    def box_trace_multi_for_objects(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        half_size: Vector,
+        orientation: Rotator,
+        object_types: Sequence[ObjectTypeQuery],
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """Everything of some types of objects, nearest first."""
-        seen = casting.wanted(casting.objects(object_types), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
-        return casting.trace("box_trace_multi_for_objects", world_context_object, start, end, seen, many=True,
-                             all_hits=True, shape=lambda: casting.box(start._triple(), half_size, orientation),
-                             sizes=(*half_size._triple(), *orientation._triple()))
+        seen = casting.wanted(
+            casting.objects(object_types), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
+        return casting.trace(
+            "box_trace_multi_for_objects",
+            world_context_object,
+            start,
+            end,
+            seen,
+            many=True,
+            all_hits=True,
+            shape=lambda: casting.box(start._triple(), half_size, orientation),
+            sizes=(*half_size._triple(), *orientation._triple()),
+        )
 
     @classmethod
     @api
-    def box_trace_multi_by_profile(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                                   half_size: Vector, orientation: Rotator, profile_name: Name | str,
-                                   trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                                   draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                                   trace_color: LinearColor = RED, trace_hit_color: LinearColor = GREEN,
-                                   draw_time: float = 5.0) -> Any:
+    def box_trace_multi_by_profile(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        half_size: Vector,
+        orientation: Rotator,
+        profile_name: Name | str,
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """Overlaps up to the first thing that blocks a profile, and that one."""
-        seen = casting.wanted(casting.named(profile_name), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
-        return casting.trace("box_trace_multi_by_profile", world_context_object, start, end, seen, many=True,
-                             shape=lambda: casting.box(start._triple(), half_size, orientation),
-                             sizes=(*half_size._triple(), *orientation._triple()))
+        seen = casting.wanted(
+            casting.named(profile_name), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
+        return casting.trace(
+            "box_trace_multi_by_profile",
+            world_context_object,
+            start,
+            end,
+            seen,
+            many=True,
+            shape=lambda: casting.box(start._triple(), half_size, orientation),
+            sizes=(*half_size._triple(), *orientation._triple()),
+        )

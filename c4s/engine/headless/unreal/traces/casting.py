@@ -102,8 +102,18 @@ def _placed(body: MeshBody, middle: Triple, turn: Triple) -> Body | None:
     return None if shape is None else shape.place(rotation_matrix(turn), np.array(middle))
 
 
-def trace(what: str, context: Any, start: Vector, end: Vector, seen: Wanted, *, many: bool, all_hits: bool = False,
-          shape: Callable[[], Body | None] | None = None, sizes: Sequence[float] = ()) -> Any:
+def trace(
+    what: str,
+    context: Any,
+    start: Vector,
+    end: Vector,
+    seen: Wanted,
+    *,
+    many: bool,
+    all_hits: bool = False,
+    shape: Callable[[], Body | None] | None = None,
+    sizes: Sequence[float] = (),
+) -> Any:
     """A line or swept trace as a call returns it. ``shape`` makes the moved body at the start."""
     found: list[cast.Hit] = []
     if usable(what, context, *start._triple(), *end._triple(), *sizes):
@@ -120,5 +130,8 @@ def is_of(thing: Any, kind: Class | type | None) -> bool:
     if kind is None:
         return True
     wanted_class = as_class(kind)
-    return bool(thing._class() is wanted_class if wanted_class._blueprint
-                else subclass_of(type(thing), wanted_class._python_type))
+    return bool(
+        thing._class() is wanted_class
+        if wanted_class._blueprint
+        else subclass_of(type(thing), wanted_class._python_type)
+    )

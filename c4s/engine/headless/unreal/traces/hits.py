@@ -43,27 +43,54 @@ class HitResult(ClosedStruct):
     """What a trace hit; ``to_tuple()`` gives the fields in Unreal's order (there are no attributes)."""
 
     _fields = {
-        "blocking_hit": _shut("bool", False), "initial_overlap": _shut("bool", False), "time": _shut("float", 1.0),
-        "distance": _shut("float", 0.0), "location": _shut("Vector", Vector), "impact_point": _shut("Vector", Vector),
-        "normal": _shut("Vector", Vector), "impact_normal": _shut("Vector", Vector), "phys_mat": _shut("None", None),
-        "hit_actor": _shut("Actor | None", None), "hit_component": _shut("PrimitiveComponent | None", None),
-        "hit_bone_name": _shut("Name", Name), "bone_name": _shut("Name", Name), "hit_item": _shut("int", -1),
-        "element_index": _shut("int", -1), "face_index": _shut("int", -1), "trace_start": _shut("Vector", Vector),
-        "trace_end": _shut("Vector", Vector)}
+        "blocking_hit": _shut("bool", False),
+        "initial_overlap": _shut("bool", False),
+        "time": _shut("float", 1.0),
+        "distance": _shut("float", 0.0),
+        "location": _shut("Vector", Vector),
+        "impact_point": _shut("Vector", Vector),
+        "normal": _shut("Vector", Vector),
+        "impact_normal": _shut("Vector", Vector),
+        "phys_mat": _shut("None", None),
+        "hit_actor": _shut("Actor | None", None),
+        "hit_component": _shut("PrimitiveComponent | None", None),
+        "hit_bone_name": _shut("Name", Name),
+        "bone_name": _shut("Name", Name),
+        "hit_item": _shut("int", -1),
+        "element_index": _shut("int", -1),
+        "face_index": _shut("int", -1),
+        "trace_start": _shut("Vector", Vector),
+        "trace_end": _shut("Vector", Vector),
+    }
     _depth = 0.0
 
     @classmethod
     def _of(cls, hit: Hit, start: Vector, end: Vector) -> HitResult:
         length = start.distance(end)
         made = cls.__new__(cls)
-        made.__dict__.update({
-            "blocking_hit": hit.blocking, "initial_overlap": hit.initial,
-            "time": hit.distance / length if length > 0 else 0.0, "distance": hit.distance,
-            "location": _vector(hit.location), "impact_point": _vector(hit.point), "normal": _vector(hit.normal),
-            "impact_normal": _vector(hit.face_normal), "phys_mat": None, "hit_actor": hit.target.actor,
-            "hit_component": hit.target.component, "hit_bone_name": Name(), "bone_name": Name(),
-            "hit_item": hit.target.item, "element_index": hit.element, "face_index": hit.face,
-            "trace_start": start.copy(), "trace_end": end.copy(), "_depth": hit.depth})
+        made.__dict__.update(
+            {
+                "blocking_hit": hit.blocking,
+                "initial_overlap": hit.initial,
+                "time": hit.distance / length if length > 0 else 0.0,
+                "distance": hit.distance,
+                "location": _vector(hit.location),
+                "impact_point": _vector(hit.point),
+                "normal": _vector(hit.normal),
+                "impact_normal": _vector(hit.face_normal),
+                "phys_mat": None,
+                "hit_actor": hit.target.actor,
+                "hit_component": hit.target.component,
+                "hit_bone_name": Name(),
+                "bone_name": Name(),
+                "hit_item": hit.target.item,
+                "element_index": hit.element,
+                "face_index": hit.face,
+                "trace_start": start.copy(),
+                "trace_end": end.copy(),
+                "_depth": hit.depth,
+            }
+        )
         return made
 
     def to_dict(self) -> dict[str, Any]:

@@ -21,71 +21,134 @@ class LineTraces:
 
     @classmethod
     @api
-    def line_trace_single(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                          trace_channel: TraceTypeQuery, trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                          draw_debug_type: DrawDebugTrace, ignore_self: bool = True, trace_color: LinearColor = RED,
-                          trace_hit_color: LinearColor = GREEN, draw_time: float = 5.0) -> Any:
+    def line_trace_single(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        trace_channel: TraceTypeQuery,
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """The first thing that blocks a channel, or None."""
-        seen = casting.wanted(casting.channel(trace_channel), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
+        seen = casting.wanted(
+            casting.channel(trace_channel), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
         return casting.trace("line_trace_single", world_context_object, start, end, seen, many=False)
 
     @classmethod
     @api
-    def line_trace_single_for_objects(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                                      object_types: Sequence[ObjectTypeQuery], trace_complex: bool,
-                                      actors_to_ignore: Sequence[Actor], draw_debug_type: DrawDebugTrace,
-                                      ignore_self: bool = True, trace_color: LinearColor = RED,
-                                      trace_hit_color: LinearColor = GREEN, draw_time: float = 5.0) -> Any:
+    def line_trace_single_for_objects(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        object_types: Sequence[ObjectTypeQuery],
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """The first thing of some types of objects, or None."""
-        seen = casting.wanted(casting.objects(object_types), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
+        seen = casting.wanted(
+            casting.objects(object_types), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
         return casting.trace("line_trace_single_for_objects", world_context_object, start, end, seen, many=False)
 
     @classmethod
     @api
-    def line_trace_single_by_profile(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                                     profile_name: Name | str, trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                                     draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                                     trace_color: LinearColor = RED, trace_hit_color: LinearColor = GREEN,
-                                     draw_time: float = 5.0) -> Any:
+    def line_trace_single_by_profile(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        profile_name: Name | str,
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """The first thing that blocks a profile, or None."""
-        seen = casting.wanted(casting.named(profile_name), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
+        seen = casting.wanted(
+            casting.named(profile_name), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
         return casting.trace("line_trace_single_by_profile", world_context_object, start, end, seen, many=False)
 
     @classmethod
     @api
-    def line_trace_multi(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                         trace_channel: TraceTypeQuery, trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                         draw_debug_type: DrawDebugTrace, ignore_self: bool = True, trace_color: LinearColor = RED,
-                         trace_hit_color: LinearColor = GREEN, draw_time: float = 5.0) -> Any:
+    def line_trace_multi(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        trace_channel: TraceTypeQuery,
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """Overlaps up to the first thing that blocks a channel, and that one."""
-        seen = casting.wanted(casting.channel(trace_channel), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
+        seen = casting.wanted(
+            casting.channel(trace_channel), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
         return casting.trace("line_trace_multi", world_context_object, start, end, seen, many=True)
 
     @classmethod
     @api
-    def line_trace_multi_for_objects(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                                     object_types: Sequence[ObjectTypeQuery], trace_complex: bool,
-                                     actors_to_ignore: Sequence[Actor], draw_debug_type: DrawDebugTrace,
-                                     ignore_self: bool = True, trace_color: LinearColor = RED,
-                                     trace_hit_color: LinearColor = GREEN, draw_time: float = 5.0) -> Any:
+    def line_trace_multi_for_objects(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        object_types: Sequence[ObjectTypeQuery],
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """Everything of some types of objects, nearest first."""
-        seen = casting.wanted(casting.objects(object_types), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
-        return casting.trace("line_trace_multi_for_objects", world_context_object, start, end, seen, many=True,
-                             all_hits=True)
+        seen = casting.wanted(
+            casting.objects(object_types), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
+        return casting.trace(
+            "line_trace_multi_for_objects", world_context_object, start, end, seen, many=True, all_hits=True
+        )
 
     @classmethod
     @api
-    def line_trace_multi_by_profile(cls, world_context_object: Object | None, start: Vector, end: Vector,
-                                    profile_name: Name | str, trace_complex: bool, actors_to_ignore: Sequence[Actor],
-                                    draw_debug_type: DrawDebugTrace, ignore_self: bool = True,
-                                    trace_color: LinearColor = RED, trace_hit_color: LinearColor = GREEN,
-                                    draw_time: float = 5.0) -> Any:
+    def line_trace_multi_by_profile(
+        cls,
+        world_context_object: Object | None,
+        start: Vector,
+        end: Vector,
+        profile_name: Name | str,
+        trace_complex: bool,
+        actors_to_ignore: Sequence[Actor],
+        draw_debug_type: DrawDebugTrace,
+        ignore_self: bool = True,
+        trace_color: LinearColor = RED,
+        trace_hit_color: LinearColor = GREEN,
+        draw_time: float = 5.0,
+    ) -> Any:
         """Overlaps up to the first thing that blocks a profile, and that one."""
-        seen = casting.wanted(casting.named(profile_name), world_context_object, actors_to_ignore, ignore_self,
-                              trace_complex)
+        seen = casting.wanted(
+            casting.named(profile_name), world_context_object, actors_to_ignore, ignore_self, trace_complex
+        )
         return casting.trace("line_trace_multi_by_profile", world_context_object, start, end, seen, many=True)

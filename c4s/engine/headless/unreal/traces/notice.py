@@ -19,8 +19,11 @@ class Noticing(Object):
 
     def _overlapped(self) -> list[Any]:
         own: list[Any] = self._components
-        return list(dict.fromkeys(other for component in own if isinstance(component, CollisionState)
-                                  for other in overlapped(component)))
+        return list(
+            dict.fromkeys(
+                other for component in own if isinstance(component, CollisionState) for other in overlapped(component)
+            )
+        )
 
     @api
     def get_overlapping_components(self) -> Array:

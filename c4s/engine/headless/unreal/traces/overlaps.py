@@ -46,8 +46,11 @@ def _shape(what: str, context: Any, body: Any, *numbers: float) -> list[Body]:
 def _placed(what: str, component: Any, transform: Transform) -> list[Body]:
     """A component's own bodies under another transform."""
     pose = transform._pose()
-    return current().of_component(component, pose) if casting.usable(
-        what, component, *pose.location, *pose.quat, *pose.scale) else []
+    return (
+        current().of_component(component, pose)
+        if casting.usable(what, component, *pose.location, *pose.quat, *pose.scale)
+        else []
+    )
 
 
 class Overlaps:
@@ -55,139 +58,254 @@ class Overlaps:
 
     @classmethod
     @api
-    def sphere_overlap_actors(cls, world_context_object: Object | None, sphere_pos: Vector, sphere_radius: float,
-                              object_types: Sequence[ObjectTypeQuery], actor_class_filter: Class | type | None,
-                              actors_to_ignore: Sequence[Actor]) -> Any:
+    def sphere_overlap_actors(
+        cls,
+        world_context_object: Object | None,
+        sphere_pos: Vector,
+        sphere_radius: float,
+        object_types: Sequence[ObjectTypeQuery],
+        actor_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Actors of some object types that overlap a sphere, or None."""
-        bodies = _shape("sphere_overlap_actors", world_context_object,
-                        lambda: casting.sphere(sphere_pos._triple(), sphere_radius),
-                        *sphere_pos._triple(), sphere_radius)
+        bodies = _shape(
+            "sphere_overlap_actors",
+            world_context_object,
+            lambda: casting.sphere(sphere_pos._triple(), sphere_radius),
+            *sphere_pos._triple(),
+            sphere_radius,
+        )
         return _as_actors(_components(bodies, object_types, actors_to_ignore), actor_class_filter)
 
     @classmethod
     @api
-    def sphere_overlap_components(cls, world_context_object: Object | None, sphere_pos: Vector, sphere_radius: float,
-                                  object_types: Sequence[ObjectTypeQuery],
-                                  component_class_filter: Class | type | None,
-                                  actors_to_ignore: Sequence[Actor]) -> Any:
+    def sphere_overlap_components(
+        cls,
+        world_context_object: Object | None,
+        sphere_pos: Vector,
+        sphere_radius: float,
+        object_types: Sequence[ObjectTypeQuery],
+        component_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Components of some object types that overlap a sphere, or None."""
-        bodies = _shape("sphere_overlap_components", world_context_object,
-                        lambda: casting.sphere(sphere_pos._triple(), sphere_radius),
-                        *sphere_pos._triple(), sphere_radius)
+        bodies = _shape(
+            "sphere_overlap_components",
+            world_context_object,
+            lambda: casting.sphere(sphere_pos._triple(), sphere_radius),
+            *sphere_pos._triple(),
+            sphere_radius,
+        )
         return _as_components(_components(bodies, object_types, actors_to_ignore), component_class_filter)
 
     @classmethod
     @api
-    def box_overlap_actors(cls, world_context_object: Object | None, box_pos: Vector, box_extent: Vector,
-                           object_types: Sequence[ObjectTypeQuery], actor_class_filter: Class | type | None,
-                           actors_to_ignore: Sequence[Actor]) -> Any:
+    def box_overlap_actors(
+        cls,
+        world_context_object: Object | None,
+        box_pos: Vector,
+        box_extent: Vector,
+        object_types: Sequence[ObjectTypeQuery],
+        actor_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Actors of some object types that overlap an upright box, or None."""
-        bodies = _shape("box_overlap_actors", world_context_object,
-                        lambda: casting.box(box_pos._triple(), box_extent, LEVEL),
-                        *box_pos._triple(), *box_extent._triple())
+        bodies = _shape(
+            "box_overlap_actors",
+            world_context_object,
+            lambda: casting.box(box_pos._triple(), box_extent, LEVEL),
+            *box_pos._triple(),
+            *box_extent._triple(),
+        )
         return _as_actors(_components(bodies, object_types, actors_to_ignore), actor_class_filter)
 
     @classmethod
     @api
-    def box_overlap_components(cls, world_context_object: Object | None, box_pos: Vector, extent: Vector,
-                               object_types: Sequence[ObjectTypeQuery], component_class_filter: Class | type | None,
-                               actors_to_ignore: Sequence[Actor]) -> Any:
+    def box_overlap_components(
+        cls,
+        world_context_object: Object | None,
+        box_pos: Vector,
+        extent: Vector,
+        object_types: Sequence[ObjectTypeQuery],
+        component_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Components of some object types that overlap an upright box, or None."""
-        bodies = _shape("box_overlap_components", world_context_object,
-                        lambda: casting.box(box_pos._triple(), extent, LEVEL),
-                        *box_pos._triple(), *extent._triple())
+        bodies = _shape(
+            "box_overlap_components",
+            world_context_object,
+            lambda: casting.box(box_pos._triple(), extent, LEVEL),
+            *box_pos._triple(),
+            *extent._triple(),
+        )
         return _as_components(_components(bodies, object_types, actors_to_ignore), component_class_filter)
 
     @classmethod
     @api
-    def box_overlap_actors_with_orientation(cls, world_context_object: Object | None, box_pos: Vector,
-                                            box_extent: Vector, orientation: Rotator,
-                                            object_types: Sequence[ObjectTypeQuery],
-                                            actor_class_filter: Class | type | None,
-                                            actors_to_ignore: Sequence[Actor]) -> Any:
+    def box_overlap_actors_with_orientation(
+        cls,
+        world_context_object: Object | None,
+        box_pos: Vector,
+        box_extent: Vector,
+        orientation: Rotator,
+        object_types: Sequence[ObjectTypeQuery],
+        actor_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Actors of some object types that overlap a turned box, or None."""
-        bodies = _shape("box_overlap_actors_with_orientation", world_context_object,
-                        lambda: casting.box(box_pos._triple(), box_extent, orientation),
-                        *box_pos._triple(), *box_extent._triple(), *orientation._triple())
+        bodies = _shape(
+            "box_overlap_actors_with_orientation",
+            world_context_object,
+            lambda: casting.box(box_pos._triple(), box_extent, orientation),
+            *box_pos._triple(),
+            *box_extent._triple(),
+            *orientation._triple(),
+        )
         return _as_actors(_components(bodies, object_types, actors_to_ignore), actor_class_filter)
 
     @classmethod
     @api
-    def box_overlap_components_with_orientation(cls, world_context_object: Object | None, box_pos: Vector,
-                                                extent: Vector, orientation: Rotator,
-                                                object_types: Sequence[ObjectTypeQuery],
-                                                component_class_filter: Class | type | None,
-                                                actors_to_ignore: Sequence[Actor]) -> Any:
+    def box_overlap_components_with_orientation(
+        cls,
+        world_context_object: Object | None,
+        box_pos: Vector,
+        extent: Vector,
+        orientation: Rotator,
+        object_types: Sequence[ObjectTypeQuery],
+        component_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Components of some object types that overlap a turned box, or None."""
-        bodies = _shape("box_overlap_components_with_orientation", world_context_object,
-                        lambda: casting.box(box_pos._triple(), extent, orientation),
-                        *box_pos._triple(), *extent._triple(), *orientation._triple())
+        bodies = _shape(
+            "box_overlap_components_with_orientation",
+            world_context_object,
+            lambda: casting.box(box_pos._triple(), extent, orientation),
+            *box_pos._triple(),
+            *extent._triple(),
+            *orientation._triple(),
+        )
         return _as_components(_components(bodies, object_types, actors_to_ignore), component_class_filter)
 
     @classmethod
     @api
-    def capsule_overlap_actors(cls, world_context_object: Object | None, capsule_pos: Vector, radius: float,
-                               half_height: float, object_types: Sequence[ObjectTypeQuery],
-                               actor_class_filter: Class | type | None, actors_to_ignore: Sequence[Actor]) -> Any:
+    def capsule_overlap_actors(
+        cls,
+        world_context_object: Object | None,
+        capsule_pos: Vector,
+        radius: float,
+        half_height: float,
+        object_types: Sequence[ObjectTypeQuery],
+        actor_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Actors of some object types that overlap an upright capsule, or None."""
-        bodies = _shape("capsule_overlap_actors", world_context_object,
-                        lambda: casting.capsule(capsule_pos._triple(), radius, half_height),
-                        *capsule_pos._triple(), radius, half_height)
+        bodies = _shape(
+            "capsule_overlap_actors",
+            world_context_object,
+            lambda: casting.capsule(capsule_pos._triple(), radius, half_height),
+            *capsule_pos._triple(),
+            radius,
+            half_height,
+        )
         return _as_actors(_components(bodies, object_types, actors_to_ignore), actor_class_filter)
 
     @classmethod
     @api
-    def capsule_overlap_components(cls, world_context_object: Object | None, capsule_pos: Vector, radius: float,
-                                   half_height: float, object_types: Sequence[ObjectTypeQuery],
-                                   component_class_filter: Class | type | None,
-                                   actors_to_ignore: Sequence[Actor]) -> Any:
+    def capsule_overlap_components(
+        cls,
+        world_context_object: Object | None,
+        capsule_pos: Vector,
+        radius: float,
+        half_height: float,
+        object_types: Sequence[ObjectTypeQuery],
+        component_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Components of some object types that overlap an upright capsule, or None."""
-        bodies = _shape("capsule_overlap_components", world_context_object,
-                        lambda: casting.capsule(capsule_pos._triple(), radius, half_height),
-                        *capsule_pos._triple(), radius, half_height)
+        bodies = _shape(
+            "capsule_overlap_components",
+            world_context_object,
+            lambda: casting.capsule(capsule_pos._triple(), radius, half_height),
+            *capsule_pos._triple(),
+            radius,
+            half_height,
+        )
         return _as_components(_components(bodies, object_types, actors_to_ignore), component_class_filter)
 
     @classmethod
     @api
-    def capsule_overlap_actors_with_orientation(cls, world_context_object: Object | None, capsule_pos: Vector,
-                                                radius: float, half_height: float, orientation: Rotator,
-                                                object_types: Sequence[ObjectTypeQuery],
-                                                actor_class_filter: Class | type | None,
-                                                actors_to_ignore: Sequence[Actor]) -> Any:
+    def capsule_overlap_actors_with_orientation(
+        cls,
+        world_context_object: Object | None,
+        capsule_pos: Vector,
+        radius: float,
+        half_height: float,
+        orientation: Rotator,
+        object_types: Sequence[ObjectTypeQuery],
+        actor_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Actors of some object types that overlap a turned capsule, or None."""
-        bodies = _shape("capsule_overlap_actors_with_orientation", world_context_object,
-                        lambda: casting.capsule(capsule_pos._triple(), radius, half_height, orientation),
-                        *capsule_pos._triple(), radius, half_height, *orientation._triple())
+        bodies = _shape(
+            "capsule_overlap_actors_with_orientation",
+            world_context_object,
+            lambda: casting.capsule(capsule_pos._triple(), radius, half_height, orientation),
+            *capsule_pos._triple(),
+            radius,
+            half_height,
+            *orientation._triple(),
+        )
         return _as_actors(_components(bodies, object_types, actors_to_ignore), actor_class_filter)
 
     @classmethod
     @api
-    def capsule_overlap_components_with_orientation(cls, world_context_object: Object | None, capsule_pos: Vector,
-                                                    radius: float, half_height: float, orientation: Rotator,
-                                                    object_types: Sequence[ObjectTypeQuery],
-                                                    component_class_filter: Class | type | None,
-                                                    actors_to_ignore: Sequence[Actor]) -> Any:
+    def capsule_overlap_components_with_orientation(
+        cls,
+        world_context_object: Object | None,
+        capsule_pos: Vector,
+        radius: float,
+        half_height: float,
+        orientation: Rotator,
+        object_types: Sequence[ObjectTypeQuery],
+        component_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Components of some object types that overlap a turned capsule, or None."""
-        bodies = _shape("capsule_overlap_components_with_orientation", world_context_object,
-                        lambda: casting.capsule(capsule_pos._triple(), radius, half_height, orientation),
-                        *capsule_pos._triple(), radius, half_height, *orientation._triple())
+        bodies = _shape(
+            "capsule_overlap_components_with_orientation",
+            world_context_object,
+            lambda: casting.capsule(capsule_pos._triple(), radius, half_height, orientation),
+            *capsule_pos._triple(),
+            radius,
+            half_height,
+            *orientation._triple(),
+        )
         return _as_components(_components(bodies, object_types, actors_to_ignore), component_class_filter)
 
     @classmethod
     @api
-    def component_overlap_actors(cls, component: PrimitiveComponent, component_transform: Transform,
-                                 object_types: Sequence[ObjectTypeQuery], actor_class_filter: Class | type | None,
-                                 actors_to_ignore: Sequence[Actor]) -> Any:
+    def component_overlap_actors(
+        cls,
+        component: PrimitiveComponent,
+        component_transform: Transform,
+        object_types: Sequence[ObjectTypeQuery],
+        actor_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Actors of some object types that a component would overlap if it were placed so, or None."""
         bodies = _placed("component_overlap_actors", component, component_transform)
         return _as_actors(_components(bodies, object_types, actors_to_ignore, component), actor_class_filter)
 
     @classmethod
     @api
-    def component_overlap_components(cls, component: PrimitiveComponent, component_transform: Transform,
-                                     object_types: Sequence[ObjectTypeQuery],
-                                     component_class_filter: Class | type | None,
-                                     actors_to_ignore: Sequence[Actor]) -> Any:
+    def component_overlap_components(
+        cls,
+        component: PrimitiveComponent,
+        component_transform: Transform,
+        object_types: Sequence[ObjectTypeQuery],
+        component_class_filter: Class | type | None,
+        actors_to_ignore: Sequence[Actor],
+    ) -> Any:
         """Components of some object types that a component would overlap if it were placed so, or None."""
         bodies = _placed("component_overlap_components", component, component_transform)
         return _as_components(_components(bodies, object_types, actors_to_ignore, component), component_class_filter)

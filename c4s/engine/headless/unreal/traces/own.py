@@ -24,10 +24,12 @@ if TYPE_CHECKING:
 
 def overlapped(component: Any) -> list[Any]:
     """Components that notice each other: they overlap, and neither side ignores, nor do both block."""
+
     def answer(other: Any) -> Response:
         mutual = Response(min(other._answers(component._channel()), component._answers(other._channel())))
-        return Response.OVERLAP if mutual is Response.OVERLAP and other._outer is not component._outer \
-            else Response.IGNORE
+        return (
+            Response.OVERLAP if mutual is Response.OVERLAP and other._outer is not component._outer else Response.IGNORE
+        )
 
     if not component._queries():
         return []
@@ -41,50 +43,99 @@ class ComponentQueries(SweptMoves):
     def _alone(self, triangles: bool) -> Wanted:
         return Wanted(lambda _: Response.BLOCK, triangles=bool(triangles), only=self)
 
-    def _single(self, what: str, start: Vector, end: Vector, triangles: bool, shape: Any = None,
-                sizes: tuple[float, ...] = ()) -> Any:
+    def _single(
+        self, what: str, start: Vector, end: Vector, triangles: bool, shape: Any = None, sizes: tuple[float, ...] = ()
+    ) -> Any:
         numbers = (*start._triple(), *end._triple(), *sizes)
         usable = casting.usable(what, self, *numbers)
         moving = shape() if usable and shape is not None else None
         seen = self._alone(triangles)
-        hits = [] if not usable or (shape is not None and moving is None) else (
-            cast.ray(casting.row(start), casting.row(end), seen) if moving is None
-            else cast.sweep(moving, casting.row(end) - casting.row(start), seen))
+        hits = (
+            []
+            if not usable or (shape is not None and moving is None)
+            else (
+                cast.ray(casting.row(start), casting.row(end), seen)
+                if moving is None
+                else cast.sweep(moving, casting.row(end) - casting.row(start), seen)
+            )
+        )
         hit = HitResult._of(hits[0], start, end) if hits else HitResult()
         fields = hit.to_dict()
         found = (fields["location"], fields["normal"], Name(), hit)
         return returned(bool(hits), found) if hits or returned(False, 0) is None else (False, *found)
 
     @api
-    def line_trace_component(self, trace_start: Vector, trace_end: Vector, trace_complex: bool = True,
-                             show_trace: bool = False, persistent_show_trace: bool = False) -> Any:
+    def line_trace_component(
+        self,
+        trace_start: Vector,
+        trace_end: Vector,
+        trace_complex: bool = True,
+        show_trace: bool = False,
+        persistent_show_trace: bool = False,
+    ) -> Any:
         """Where a line meets this component, as (location, normal, bone, hit), or None."""
         return self._single("line_trace_component", trace_start, trace_end, trace_complex)
 
     @api
-    def sphere_trace_component(self, trace_start: Vector, trace_end: Vector, sphere_radius: float,
-                               trace_complex: bool = True, show_trace: bool = False,
-                               persistent_show_trace: bool = False) -> Any:
+    def sphere_trace_component(
+        self,
+        trace_start: Vector,
+        trace_end: Vector,
+        sphere_radius: float,
+        trace_complex: bool = True,
+        show_trace: bool = False,
+        persistent_show_trace: bool = False,
+    ) -> Any:
         """Where a moved sphere meets this component, as (location, normal, bone, hit), or None."""
-        return self._single("sphere_trace_component", trace_start, trace_end, trace_complex,
-                            lambda: casting.sphere(trace_start._triple(), sphere_radius), (sphere_radius,))
+        return self._single(
+            "sphere_trace_component",
+            trace_start,
+            trace_end,
+            trace_complex,
+            lambda: casting.sphere(trace_start._triple(), sphere_radius),
+            (sphere_radius,),
+        )
 
     @api
-    def sphere_overlap_component(self, sphere_centre: Vector, sphere_radius: float, trace_complex: bool = True,
-                                 show_trace: bool = False, persistent_show_trace: bool = False) -> Any:
+    def sphere_overlap_component(
+        self,
+        sphere_centre: Vector,
+        sphere_radius: float,
+        trace_complex: bool = True,
+        show_trace: bool = False,
+        persistent_show_trace: bool = False,
+    ) -> Any:
         """How a sphere overlaps this component, as (location, normal, bone, hit), or None."""
-        return self._single("sphere_overlap_component", sphere_centre, sphere_centre, trace_complex,
-                            lambda: casting.sphere(sphere_centre._triple(), sphere_radius), (sphere_radius,))
+        return self._single(
+            "sphere_overlap_component",
+            sphere_centre,
+            sphere_centre,
+            trace_complex,
+            lambda: casting.sphere(sphere_centre._triple(), sphere_radius),
+            (sphere_radius,),
+        )
 
     @api
-    def box_overlap_component(self, box_centre: Vector, box: Any, trace_complex: bool = True,
-                              show_trace: bool = False, persistent_show_trace: bool = False) -> Any:
+    def box_overlap_component(
+        self,
+        box_centre: Vector,
+        box: Any,
+        trace_complex: bool = True,
+        show_trace: bool = False,
+        persistent_show_trace: bool = False,
+    ) -> Any:
         """How a box (corners relative to the centre) overlaps this component, as (location, normal, bone, hit)."""
         low, high = box.min, box.max
         middle = box_centre + (low + high) / 2.0
         half = (high - low) / 2.0
-        return self._single("box_overlap_component", middle, middle, trace_complex,
-                            lambda: casting.box(middle._triple(), half, Rotator()), half._triple())
+        return self._single(
+            "box_overlap_component",
+            middle,
+            middle,
+            trace_complex,
+            lambda: casting.box(middle._triple(), half, Rotator()),
+            half._triple(),
+        )
 
     @api
     def get_closest_point_on_collision(self, point: Vector, bone_name: Name | str = "None") -> tuple[float, Vector]:

@@ -26,11 +26,13 @@ class CollisionState(SceneComponent):
     """The collision settings of a component. A profile decides until a script sets one of them by hand."""
 
     _declares = {
-        "collision_enabled": Prop("CollisionEnabled", CollisionEnabled.QUERY_AND_PHYSICS, attribute=False,
-                                  scripts=False),
+        "collision_enabled": Prop(
+            "CollisionEnabled", CollisionEnabled.QUERY_AND_PHYSICS, attribute=False, scripts=False
+        ),
         "collision_profile_name": Prop("Name", Name("BlockAllDynamic"), attribute=False, scripts=False),
         "collision_object_type": Prop("int", -1, attribute=False, scripts=False),
-        "collision_responses": Prop("Sequence[int]", lambda: Array._of("int", []), attribute=False, scripts=False)}
+        "collision_responses": Prop("Sequence[int]", lambda: Array._of("int", []), attribute=False, scripts=False),
+    }
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)
@@ -57,8 +59,12 @@ class CollisionState(SceneComponent):
     def _profile_name(self) -> str:
         """The profile that was set, else that of its kind: the mesh of a static mesh actor blocks as static."""
         owner: Any = self._outer
-        if "collision_profile_name" not in self._values and type(owner).__name__ == "StaticMeshActor" \
-                and owner._blueprint is None and owner._components[0] is self:
+        if (
+            "collision_profile_name" not in self._values
+            and type(owner).__name__ == "StaticMeshActor"
+            and owner._blueprint is None
+            and owner._components[0] is self
+        ):
             return "BlockAll"
         return str(self._own("collision_profile_name"))
 

@@ -42,9 +42,14 @@ class SweptMoves(CollisionState):
         length = float(np.linalg.norm(end - start))
         if length <= 4 * cast.SHORTEST_CM:
             return HitResult(), pose
-        hits = [hit for body in current().of_component(self, begin) for hit in cast.sweep(
-            body, end - start, self._blocked_by(), many=True, all_hits=True, skipped=frozenset(self._ignored(False)))
-            if hit.blocking and not (hit.initial and hit.normal @ (end - start) > 0)]
+        hits = [
+            hit
+            for body in current().of_component(self, begin)
+            for hit in cast.sweep(
+                body, end - start, self._blocked_by(), many=True, all_hits=True, skipped=frozenset(self._ignored(False))
+            )
+            if hit.blocking and not (hit.initial and hit.normal @ (end - start) > 0)
+        ]
         if not hits:
             return HitResult(), pose
         hit = min(hits, key=lambda one: one.rank)
@@ -58,8 +63,10 @@ class SweptMoves(CollisionState):
     def _blocked_by(self) -> Wanted:
         """What its moves see: components that block it and that it blocks, those of its own actor aside."""
         own = self._channel()
-        return Wanted(lambda other: Response(min(other._answers(own), self._answers(other._channel()))),
-                      [self._outer, *self._ignored(True)])
+        return Wanted(
+            lambda other: Response(min(other._answers(own), self._answers(other._channel()))),
+            [self._outer, *self._ignored(True)],
+        )
 
 
 def _pulled_back(length: float) -> float:

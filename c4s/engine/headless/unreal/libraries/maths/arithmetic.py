@@ -74,7 +74,7 @@ def multiply_by_pi(value: float) -> float:
 
 def multiply_multiply_float_float(base: float, exp: float) -> float:
     """Power."""
-    return float(base ** exp)
+    return float(base**exp)
 
 
 def divide_double_double(a: float, b: float = 1.0) -> float:

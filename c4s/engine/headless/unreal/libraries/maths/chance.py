@@ -11,7 +11,7 @@ from typing import Any
 from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.structs import Box, Rotator, StructBase, Vector
 
-_MULTIPLIER, _INCREMENT, _SPAN = 196314165, 907633515, 2 ** 32
+_MULTIPLIER, _INCREMENT, _SPAN = 196314165, 907633515, 2**32
 
 
 @public
@@ -34,7 +34,7 @@ class RandomStream(StructBase):
     def _next(self) -> float:
         seed = (self.__dict__["_seed"] * _MULTIPLIER + _INCREMENT) % _SPAN
         object.__setattr__(self, "_seed", seed)
-        return float(seed >> 9) / 2 ** 23
+        return float(seed >> 9) / 2**23
 
     @api
     def set_seed(self, new_seed: int) -> None:
@@ -44,7 +44,7 @@ class RandomStream(StructBase):
 
     def generate_new_seed(self) -> None:
         """Start anew from a random seed."""
-        self.set_seed(random.randrange(2 ** 31))
+        self.set_seed(random.randrange(2**31))
 
     def reset(self) -> None:
         """Start anew from the seed."""
@@ -94,8 +94,9 @@ class RandomStream(StructBase):
     @api
     def random_point_in_bounded_box(self, center: Vector, half_size: Vector) -> Vector:
         """A random point in the box of a centre and half size."""
-        return Vector(*(c - h + 2 * h * self._next()
-                        for c, h in zip(center._triple(), half_size._triple(), strict=True)))
+        return Vector(
+            *(c - h + 2 * h * self._next() for c, h in zip(center._triple(), half_size._triple(), strict=True))
+        )
 
     @api
     def random_point_in_box(self, box: Box) -> Vector:
@@ -142,8 +143,9 @@ def random_unit_vector() -> Vector:
 
 def random_rotator(roll: bool = False) -> Rotator:
     """A random rotation."""
-    return Rotator(pitch=random.uniform(0, 360), yaw=random.uniform(0, 360),
-                   roll=random.uniform(0, 360) if roll else 0.0)
+    return Rotator(
+        pitch=random.uniform(0, 360), yaw=random.uniform(0, 360), roll=random.uniform(0, 360) if roll else 0.0
+    )
 
 
 def random_point_in_bounding_box(center: Vector, half_size: Vector) -> Vector:

@@ -127,8 +127,9 @@ def r_interp_to_constant(current: Rotator, target: Rotator, delta_time: float, i
     if interp_speed <= 0:
         return target
     step, away = interp_speed * delta_time, target.delta(current)
-    return Rotator(*(_wrapped(now + max(-step, min(step, by)))
-                     for now, by in zip(current._all(), away._all(), strict=True)))
+    return Rotator(
+        *(_wrapped(now + max(-step, min(step, by))) for now, by in zip(current._all(), away._all(), strict=True))
+    )
 
 
 def _wrapped(angle: float) -> float:
@@ -178,8 +179,9 @@ def get_point_distance_to_segment(point: Vector, segment_start: Vector, segment_
     return point.distance(find_closest_point_on_segment(point, segment_start, segment_end))
 
 
-def line_plane_intersection_origin_normal(line_start: Vector, line_end: Vector, plane_origin: Vector,
-                                          plane_normal: Vector) -> tuple[float, Vector] | None:
+def line_plane_intersection_origin_normal(
+    line_start: Vector, line_end: Vector, plane_origin: Vector, plane_normal: Vector
+) -> tuple[float, Vector] | None:
     """Where a line between two places meets a plane: how far along, and the place; None when it does not."""
     along = line_end - line_start
     steepness = along.dot(plane_normal)
@@ -247,8 +249,10 @@ def box_is_point_inside(box: Box, point: Vector) -> bool:
 
 def box_intersects(a: Box, b: Box) -> bool:
     """Whether two boxes touch."""
-    return all(p <= s and r <= q for p, q, r, s in zip(a.min._triple(), a.max._triple(), b.min._triple(),
-                                                       b.max._triple(), strict=True))
+    return all(
+        p <= s and r <= q
+        for p, q, r, s in zip(a.min._triple(), a.max._triple(), b.min._triple(), b.max._triple(), strict=True)
+    )
 
 
 def box_is_inside(inner_test: Box, outer_test: Box) -> bool:
@@ -285,8 +289,12 @@ def is_point_in_box_with_transform(point: Vector, box_world_transform: Transform
     return is_point_in_box(box_world_transform.inverse_transform_location(point), Vector(), box_extent)
 
 
-def minimum_area_rectangle(world_context_object: Object | None, points: Sequence[Vector], sample_surface_normal: Vector,
-                           debug_draw: bool = False) -> tuple[Vector, Rotator, float, float]:
+def minimum_area_rectangle(
+    world_context_object: Object | None,
+    points: Sequence[Vector],
+    sample_surface_normal: Vector,
+    debug_draw: bool = False,
+) -> tuple[Vector, Rotator, float, float]:
     """Centre, rotation and sides of the smallest rectangle around points on a surface."""
     frame = make_rot_from_z(sample_surface_normal)
     flat = np.array([p.unrotate(frame)._triple() for p in points])
@@ -324,4 +332,3 @@ def to_hex_linear_color(color: LinearColor) -> str:
     """Eight hex digits of the sRGB bytes: r, g, b, a."""
     found: Color = color.to_color()
     return f"{found.r:02X}{found.g:02X}{found.b:02X}{found.a:02X}"
-

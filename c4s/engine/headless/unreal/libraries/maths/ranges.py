@@ -57,14 +57,16 @@ def f_wrap(value: float, min: float = 0.0, max: float = 1.0) -> float:
     return min + math.fmod(math.fmod(value - min, max - min) + (max - min), max - min)
 
 
-def in_range_float_float(value: float, min: float = 0.0, max: float = 1.0, inclusive_min: bool = True,
-                         inclusive_max: bool = True) -> bool:
+def in_range_float_float(
+    value: float, min: float = 0.0, max: float = 1.0, inclusive_min: bool = True, inclusive_max: bool = True
+) -> bool:
     """Whether it lies between two."""
     return (value >= min if inclusive_min else value > min) and (value <= max if inclusive_max else value < max)
 
 
-def in_range_int_int(value: int, min: int = 0, max: int = 10, inclusive_min: bool = True,
-                     inclusive_max: bool = True) -> bool:
+def in_range_int_int(
+    value: int, min: int = 0, max: int = 10, inclusive_min: bool = True, inclusive_max: bool = True
+) -> bool:
     """Whether it lies between two."""
     return (value >= min if inclusive_min else value > min) and (value <= max if inclusive_max else value < max)
 
