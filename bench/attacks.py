@@ -15,9 +15,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from c4s.engine.confine import Backend, Limits
-from c4s.engine.sandbox import faults
-from c4s.engine.session import EngineDied, EngineSession
+from c4s.engine.confine.confinement import Backend, Limits
+from c4s.engine.confine.sandbox import faults
+from c4s.engine.headless.host.session import EngineDied, EngineSession
 
 SECRET = "the withheld truth"
 REFUSED = {

@@ -22,7 +22,7 @@ from scipy.spatial import ConvexHull
 from bench.row import Row
 from c4s.collision import contacts
 from c4s.collision.shape_cache import SHAPES
-from c4s.scene.transform import affine
+from c4s.geometry.transform import affine
 
 MINIMUM_CM = 5.0
 WRONG_CM, WRONG_SHARE = 0.05, 0.001

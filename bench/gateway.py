@@ -35,8 +35,8 @@ from anyio import to_thread
 from mcp.server.lowlevel import Server
 
 from bench.row import Row
-from c4s.case.package import AgentCase, Budget
 from c4s.files import json_lines
+from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
 from c4s.toolbox.gateway import MAX_BODY_BYTES, Endpoint, Gateway

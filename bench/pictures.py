@@ -41,8 +41,8 @@ _GOAL_S = 2.0
 
 def run(actors: int = 6700, out: Path | None = None) -> dict[str, Any]:
     """Seconds of each view, ours after one capture that loads meshes, and the rival's; pictures go to ``out``."""
-    from c4s.engine.headless import render_scene
-    from c4s.engine.headless.boot import boot
+    from c4s.engine.headless.pictures import take
+    from c4s.engine.headless.process.boot import boot
 
     pack = ensure_pack(_PACK, packs_root())
     with tempfile.TemporaryDirectory() as scratch:
@@ -63,7 +63,7 @@ def run(actors: int = 6700, out: Path | None = None) -> dict[str, Any]:
                 "height": HEIGHT,
             }
             wall, cpu = time.perf_counter(), time.process_time()
-            render_scene.take([view], [str(pictures / f"view-{number}.png")], "lit", False)
+            take.take([view], [str(pictures / f"view-{number}.png")], "lit", False)
             seconds.append(time.perf_counter() - wall)
             processor.append(time.process_time() - cpu)
         rival = _panda_seconds(pictures)
@@ -88,7 +88,7 @@ def _panda_seconds(pictures: Path) -> list[float]:
     except ImportError:
         print("panda3d is not installed: no rival for pictures (pip install panda3d)", file=sys.stderr)
         return []
-    from c4s.engine.headless.state import world
+    from c4s.engine.headless.world.state import world
 
     for setting in (
         "load-display p3tinydisplay",

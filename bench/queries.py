@@ -13,8 +13,8 @@ import numpy as np
 import trimesh
 
 from bench.row import Row
-from c4s.engine.headless import state
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
+from c4s.engine.headless.world import state
 
 ACTORS, CALLS, GOAL_MS = 6_700, 200, 1.0
 SHAPES = ("Cube", "Sphere", "Cone", "Cylinder")

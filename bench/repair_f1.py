@@ -21,7 +21,7 @@ from scipy.optimize import linear_sum_assignment
 
 from bench.repair_scene import scenes
 from bench.row import Row
-from c4s.scene.transform import quat_from_rotator
+from c4s.geometry.transform import quat_from_rotator
 from c4s.verify.repair import RepairResult, repair, verify_repair
 from c4s.verify.repair.reading import read_snapshots, without_cycle_search
 

@@ -7,16 +7,15 @@ import random
 from pathlib import Path
 from typing import Any
 
-from c4s.case.package import SETTINGS, Setting
-from c4s.run.folder import RunFolder, TrialFolder
-from c4s.run.plan import DEFAULT_POLICY
-from c4s.run.records import Configuration, Plan, PlannedCase
+from c4s.protocol.detailed import detailed_score
+from c4s.protocol.overview import overview_score
+from c4s.protocol.physics import physics_from_report
+from c4s.protocol.rules import DEFAULT_POLICY, FAMILY_WEIGHTS, OVERVIEW_WEIGHTS
+from c4s.records.folder import RunFolder, TrialFolder
+from c4s.records.plan import Configuration, Plan, PlannedCase
+from c4s.records.suite import SETTINGS, Setting
+from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
-from c4s.score.detailed import detailed_score
-from c4s.score.overview import overview_score
-from c4s.score.physics import physics_from_report
-from c4s.score.policy import FAMILY_WEIGHTS, OVERVIEW_WEIGHTS
-from c4s.verify.verdict import Verdict
 
 _FAMILIES = list(FAMILY_WEIGHTS)
 

@@ -18,10 +18,10 @@ from pathlib import Path
 from typing import Any
 
 from bench.row import Row
-from c4s.case.package import AgentCase, Budget
-from c4s.engine.session import EngineSession
+from c4s.engine.headless.host.session import EngineSession
 from c4s.files import write_json
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
 from c4s.toolbox.gateway import Gateway

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from c4s.packs.manifest import Pack
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.pack import Pack
 
 PACKAGE = "/Game/Bench/Town"
 PLANE = "/Engine/BasicShapes/Plane.Plane"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 
 from c4s.errors import BadInput
-from c4s.scene.level import Level, LevelActor
-from c4s.scene.transform import quat_angle_deg, quat_from_rotator
+from c4s.geometry.transform import quat_angle_deg, quat_from_rotator
+from c4s.records.level import Level, LevelActor
 from cases.corruption import RemoveActor, SetTransform, SpawnActor, id_of
 from cases.model import RepairCase, Scene, SuiteDefinition, TextCase
 

@@ -20,9 +20,9 @@ from typing import Annotated, Any, Literal
 from pydantic import ConfigDict, Field
 
 from c4s.errors import BadInput
-from c4s.model import Record
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform, Vector
-from c4s.scene.transform import normalize_axis
+from c4s.geometry.transform import normalize_axis
+from c4s.records.base import Record
+from c4s.records.level import Level, LevelActor, LevelComponent, Transform, Vector
 
 STABLE_ID_TAG = "simcodearena.stable_actor_id="
 ORIGIN_TAG = "simcodearena.actor_origin=source"

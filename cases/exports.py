@@ -11,14 +11,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from string import Template
 
-from c4s.engine import evidence
 from c4s.engine.bridge import FAILED
-from c4s.engine.pictures import take_pictures
-from c4s.engine.session import EngineSession
+from c4s.engine.headless.host.session import EngineSession
 from c4s.errors import MachineryFault
+from c4s.evidence import collect
+from c4s.evidence.cameras import SIZE_PX, VIEWS, overview_cameras
+from c4s.evidence.pictures import take_pictures
 from c4s.files import write_json
-from c4s.scene.level import Level
-from c4s.verify.views import SIZE_PX, VIEWS, overview_cameras
+from c4s.records.level import Level
 from cases.model import View
 from cases.views import camera
 
@@ -56,7 +56,7 @@ def scene(
         {**camera(view), "name": f"{case_id}--{view.name}"} for case_id, wanted in views.items() for view in wanted
     ]
     progress(f"  {truth.package}: snapshot and {len(cameras)} pictures of the original")
-    evidence.collect(
+    collect.collect(
         packs=packs,
         submission_content=content,
         package=truth.package,

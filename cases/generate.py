@@ -16,12 +16,12 @@ from typing import Any, Literal
 
 import numpy as np
 
-from c4s.engine.evidence import export_level
 from c4s.errors import BadInput
+from c4s.evidence.collect import export_level
 from c4s.files import read_json
-from c4s.packs.manifest import Pack
-from c4s.scene.level import Level, Vector
-from c4s.verify.physics import verify_physics
+from c4s.records.level import Level, Vector
+from c4s.records.pack import Pack
+from c4s.verify.physics.verdict import verify_physics
 from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, Kind
 from cases.model import Group, RepairCase, Scene, SuiteDefinition, View
 from cases.views import orbit

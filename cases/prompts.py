@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from c4s.case.package import Budget
-from c4s.packs.manifest import Asset
+from c4s.records.pack import Asset
+from c4s.records.suite import Budget
 
 
 def repair_prompt(environment: Literal["indoor", "outdoor"], views: int) -> str:

@@ -15,11 +15,11 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-from c4s.case.package import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from c4s.errors import BadInput
 from c4s.files import digest, read_json, write_json, write_text
-from c4s.packs.manifest import Asset, Pack
-from c4s.scene.level import Level
+from c4s.records.level import Level
+from c4s.records.pack import Asset, Pack
+from c4s.records.suite import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from cases import exports
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Recipe, apply, with_identities

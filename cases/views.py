@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from c4s.scene.level import Vector
-from c4s.scene.transform import look_at
+from c4s.geometry.transform import look_at
+from c4s.records.level import Vector
 from cases.model import RepairCase, View
 
 

@@ -14,11 +14,11 @@ import trimesh
 
 from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, digest_file, read_json, write_bytes, write_json
+from c4s.geometry.transform import affine, transformed_box
 from c4s.home import packs_root
-from c4s.packs.manifest import Asset, BlueprintPart, Material, MaterialSlot, Pack
 from c4s.packs.meshes import Mesh
-from c4s.scene.level import Transform
-from c4s.scene.transform import affine, transformed_box
+from c4s.records.level import Transform
+from c4s.records.pack import Asset, BlueprintPart, Material, MaterialSlot, Pack
 from catalog.preview import write_previews
 from catalog.shapes import AssetSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec, Shape
 from catalog.shapes.spec import asset_id, readable

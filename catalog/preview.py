@@ -15,14 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from c4s.engine.headless import render
-from c4s.engine.headless.render import Camera, Instance, Lights, Renderer, Sky, Sun, SurfaceMaterial
+from c4s import render
 from c4s.files import digest, digest_file, write_bytes
+from c4s.geometry.transform import affine, look_at, rotation_matrix
 from c4s.home import cache_root
-from c4s.packs.manifest import Asset, Material, Pack
 from c4s.packs.meshes import Mesh
 from c4s.packs.store import PackStore
-from c4s.scene.transform import affine, look_at, rotation_matrix
+from c4s.records.pack import Asset, Material, Pack
+from c4s.render import Camera, Instance, Lights, Renderer, Sky, Sun, SurfaceMaterial
 
 SIZE = 160
 """Pixels a side of a preview."""

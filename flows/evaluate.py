@@ -10,12 +10,13 @@ from prefect import flow
 from prefect.futures import PrefectFuture
 from prefect.task_runners import ThreadPoolTaskRunner
 
-from c4s.case.package import SuiteFolder
 from c4s.errors import MachineryFault
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
+from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.plan import Plan
+from c4s.records.suite import SuiteFolder
 from c4s.run.configurations import configuration
-from c4s.run.plan import DEFAULT_POLICY, Trial, make_plan, open_run, trials
-from c4s.run.records import Plan
+from c4s.run.plan import Trial, make_plan, open_run, trials
 from tasks.attempt import attempt
 from tasks.integrity import integrity
 from tasks.persist import persist

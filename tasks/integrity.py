@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from prefect import task
 
+from c4s.records.plan import Plan
 from c4s.run import stages
 from c4s.run.plan import Trial
-from c4s.run.records import Plan
 from tasks.pool import in_slot
 
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from prefect import task
 
+from c4s.records.plan import Plan
 from c4s.run import stages
 from c4s.run.plan import Trial
-from c4s.run.records import Plan
 from tasks.pool import in_slot
 from warehouse.ingest import ingest_trial
 

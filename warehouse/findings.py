@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from c4s.verify.verdict import Verdict
+from c4s.records.verdict import Verdict
 
 PENETRATING, FLOATING = "penetrating", "floating"
 

@@ -9,13 +9,15 @@ from typing import Any
 
 from PIL import Image
 
-from c4s.case.package import SuiteFolder
 from c4s.files import canonical_json, digest_file, json_lines, read_json
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.plan import Plan
+from c4s.records.score import TrialScore
+from c4s.records.suite import SuiteFolder
+from c4s.records.verdict import Verdict
 from c4s.run.configurations import is_ranked
 from c4s.run.plan import Trial, trial_id, trials
-from c4s.run.records import AttemptOutcome, Plan, TrialScore
 from c4s.trajectory import Analysis, analyse
-from c4s.verify.verdict import Verdict
 from warehouse.findings import findings
 from warehouse.parquet import part_path, write_part
 from warehouse.records import (

@@ -13,7 +13,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from c4s.files import write_bytes
-from c4s.model import Record
+from c4s.records.base import Record
 from warehouse.records import TABLES
 
 _ARROW = {str: pa.string(), int: pa.int64(), float: pa.float64(), bool: pa.bool_(), bytes: pa.binary()}

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from c4s.agents.model import ModelAccess
-from c4s.case.package import AgentCase
 from c4s.errors import BadInput
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
+from c4s.records.suite import AgentCase
 from c4s.toolbox.client import GatewayClient
 from c4s.toolbox.gateway import Endpoint
 
@@ -88,11 +88,11 @@ class ModelClient(Protocol):
 
 
 CLIENTS = {
-    "noop": "c4s.agents.noop:NoOp",
-    "random": "c4s.agents.random_agent:RandomAgent",
-    "vandal": "c4s.agents.vandal:Vandal",
-    "oracle": "c4s.agents.oracle:Oracle",
-    "planner": "c4s.agents.planner:Planner",
+    "noop": "c4s.agents.baselines.noop:NoOp",
+    "random": "c4s.agents.baselines.random:RandomAgent",
+    "vandal": "c4s.agents.baselines.vandal:Vandal",
+    "oracle": "c4s.agents.baselines.oracle:Oracle",
+    "planner": "c4s.agents.baselines.planner:Planner",
     "replay": "c4s.agents.replay:Replay",
     "api": "c4s.agents.api.agent:ApiAgent",
     "codex": "c4s.agents.clients.codex:Codex",

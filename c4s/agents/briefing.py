@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from c4s.case.package import AgentCase
+from c4s.records.suite import AgentCase
 from c4s.toolbox.skill import skill_text
 
 _TASK = """\

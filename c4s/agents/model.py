@@ -14,7 +14,7 @@ from c4s.meter.prices import PriceTable
 from c4s.meter.record import UPSTREAM_FAULTS
 from c4s.meter.run import MeterRun
 from c4s.meter.spending import Ledger
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
 
 
 @dataclass(frozen=True)

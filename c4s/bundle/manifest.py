@@ -7,8 +7,8 @@ from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
-from c4s.case.package import Setting
-from c4s.model import Record
+from c4s.records.base import Record
+from c4s.records.suite import Setting
 
 MANIFEST = "bundle.json"
 

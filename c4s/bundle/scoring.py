@@ -12,16 +12,16 @@ from typing import Any
 
 from c4s.bundle.reading import EvidenceBundle
 from c4s.errors import BadInput
-from c4s.run.records import TrialScore
+from c4s.protocol.detailed import detailed_from_report
+from c4s.protocol.overview import overview_score
+from c4s.protocol.physics import physics_from_report
+from c4s.protocol.rules import INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY
+from c4s.records.score import TrialScore
+from c4s.records.snapshot_schema import scene_fault
+from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
-from c4s.score.detailed import detailed_from_report
-from c4s.score.overview import overview_score
-from c4s.score.physics import physics_from_report
-from c4s.score.policy import INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY
+from c4s.verify.physics.support import text_to_scene_support
 from c4s.verify.repair import repair_verdict
-from c4s.verify.snapshot_schema import scene_fault
-from c4s.verify.support import text_to_scene_support
-from c4s.verify.verdict import Verdict
 
 MINIMUM_ACTORS = 1
 

@@ -10,10 +10,11 @@ from typing import Any
 from c4s.bundle.manifest import INTEGRITY_LEAVES, MANIFEST, Manifest
 from c4s.errors import BadInput
 from c4s.files import digest_file, write_json
-from c4s.run.folder import TrialFolder
-from c4s.run.records import AttemptOutcome, TrialScore
-from c4s.score.policy import OVERVIEW_VIEWS
-from c4s.verify.verdict import Verdict
+from c4s.protocol.rules import OVERVIEW_VIEWS
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.folder import TrialFolder
+from c4s.records.score import TrialScore
+from c4s.records.verdict import Verdict
 
 _LEAF_OF_REASON = {
     "unresolved_dependencies": "content_and_dependency_parity",

@@ -12,14 +12,17 @@ from typing import Annotated, Any
 import typer
 
 from c4s.agents.base import CLIENTS, ModelClient, agent_of
-from c4s.case.package import SuiteFolder
 from c4s.cli.live import follow
 from c4s.cli.output import console, print_json, print_table
 from c4s.errors import BadInput, C4SError
 from c4s.home import home, suites_root
+from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.plan import Configuration, Plan
+from c4s.records.score import TrialScore
+from c4s.records.suite import SuiteFolder
 from c4s.run.configurations import configuration
-from c4s.run.plan import DEFAULT_POLICY, Trial, make_plan, open_run, trials
-from c4s.run.records import AttemptOutcome, Configuration, Plan, TrialScore
+from c4s.run.plan import Trial, make_plan, open_run, trials
 
 app = typer.Typer(
     help="Agent clients: which there are, one trial with live output, a recorded attempt again.", no_args_is_help=True
@@ -171,7 +174,7 @@ def replay(
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Send the calls of a recorded attempt again and compare what is saved, byte by byte. Exit 1 when it differs."""
-    from c4s.agents.attempt import run_attempt
+    from c4s.run.attempt import run_attempt
     from c4s.run.stages import inputs
 
     recorded = AttemptOutcome.read(attempt / "outcome.json")

@@ -10,8 +10,8 @@ import typer
 from c4s.cli.output import print_json, print_table
 from c4s.errors import BadInput
 from c4s.home import runs_root, suites_root
-from c4s.run.folder import RunFolder
-from c4s.run.records import Plan
+from c4s.records.folder import RunFolder
+from c4s.records.plan import Plan
 
 app = typer.Typer(
     help="Published evidence bundles (code4scene.bundle.v1): score one, or pack a trial.", no_args_is_help=True

@@ -11,7 +11,7 @@ from c4s.cli.output import grouped, print_json, print_table
 from c4s.cli.progress import bars
 from c4s.errors import BadInput
 from c4s.home import packs_root
-from c4s.packs.manifest import Pack
+from c4s.records.pack import Pack
 
 NAMES_SHOWN = 5
 app = typer.Typer(help="Asset packs: build, list, show, search.", no_args_is_help=True)

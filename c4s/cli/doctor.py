@@ -17,10 +17,10 @@ from c4s.agents.base import CLIENTS, agent_of
 from c4s.agents.clients.client import ExternalClient
 from c4s.agents.clients.command import CommandClient
 from c4s.cli.output import print_json, print_table
-from c4s.engine.sandbox import faults
+from c4s.engine.confine.sandbox import faults
 from c4s.errors import BadInput
 from c4s.home import home, suites_root
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
 
 API_TIMEOUT_S = 3.0
 LEAST_FREE_GB = 2.0

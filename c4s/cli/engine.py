@@ -12,8 +12,8 @@ import typer
 from c4s.cli.output import print_json
 from c4s.errors import BadInput
 from c4s.home import packs_root
-from c4s.packs.manifest import Pack
-from c4s.scene.level import Level
+from c4s.records.level import Level
+from c4s.records.pack import Pack
 
 app = typer.Typer(help="The headless engine: levels as GLB files.", no_args_is_help=True)
 
@@ -55,10 +55,10 @@ def export(
 
 
 def _write(package: str, level: Path, packs: list[Path], glb: Path) -> dict[str, Any]:
-    from c4s.engine.headless.boot import boot
-    from c4s.engine.headless.glb import write_glb
-    from c4s.engine.headless.level_io import read, references
-    from c4s.engine.headless.state import world
+    from c4s.engine.headless.glb.level import write_glb
+    from c4s.engine.headless.process.boot import boot
+    from c4s.engine.headless.world.documents import read, references
+    from c4s.engine.headless.world.state import world
 
     with tempfile.TemporaryDirectory(prefix="c4s-glb-") as folder:
         content = _content_root(level, package)
@@ -88,7 +88,7 @@ def _pack(name: str) -> Path:
 
 def _packs_of(document: Level) -> list[Path]:
     """The built packs that hold an asset which the level names."""
-    from c4s.engine.headless.level_io import references
+    from c4s.engine.headless.world.documents import references
     from c4s.packs.store import object_path
 
     wanted = {object_path(path.removesuffix("_C")) for path in references(document)}

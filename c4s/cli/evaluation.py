@@ -8,12 +8,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from c4s.agents.base import ModelClient, agent_of
-from c4s.case.package import SuiteFolder
 from c4s.cli.progress import watch
 from c4s.errors import BadInput
 from c4s.home import home, runs_root, site_root, suites_root, warehouse_root
+from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.suite import SuiteFolder
 from c4s.run.configurations import BASELINES, configuration
-from c4s.run.plan import DEFAULT_POLICY, make_plan, open_run, trial_id, trials
+from c4s.run.plan import make_plan, open_run, trial_id, trials
 from c4s.run.stages import inputs
 from warehouse.ingest import is_stored
 from warehouse.parquet import part_path

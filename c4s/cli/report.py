@@ -8,7 +8,7 @@ import typer
 
 from c4s.cli.output import print_json
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
-from c4s.run.records import Plan
+from c4s.records.plan import Plan
 from reports.site import build_site
 from warehouse.database import rebuild
 from warehouse.ingest import rebuild_from_run

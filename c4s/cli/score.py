@@ -11,8 +11,8 @@ from c4s.cli.batches import write_rows
 from c4s.cli.output import print_json, print_table
 from c4s.errors import BadInput
 from c4s.home import runs_root
-from c4s.run.folder import RunFolder
-from c4s.run.plan import DEFAULT_POLICY
+from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.folder import RunFolder
 from c4s.score.batch import score_batch
 
 SHOWN = 40

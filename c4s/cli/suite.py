@@ -7,11 +7,11 @@ from typing import Annotated
 
 import typer
 
-from c4s.case.package import Suite, SuiteFolder
 from c4s.cli.output import grouped, print_json, print_table
 from c4s.cli.progress import bars, step_line
 from c4s.errors import BadInput
 from c4s.home import packs_root, suites_root
+from c4s.records.suite import Suite, SuiteFolder
 
 app = typer.Typer(help="Suites: build, list, show, import.", no_args_is_help=True)
 importing = typer.Typer(help="Bring other layouts in as a suite.", no_args_is_help=True)
@@ -163,7 +163,7 @@ def make_cases(
     """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original."""
     from dataclasses import replace
 
-    from c4s.scene.level import Level
+    from c4s.records.level import Level
     from cases.generate import generated, sound_things
     from cases.importers.scene import LEVEL_FILE
     from cases.suite import build_suite

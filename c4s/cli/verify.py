@@ -7,12 +7,12 @@ from typing import Annotated
 
 import typer
 
-from c4s.case.package import SETTINGS
 from c4s.cli.batches import write_rows
 from c4s.cli.output import print_json, print_table
 from c4s.errors import BadInput, MachineryFault
-from c4s.scene.snapshot import read_snapshot
-from c4s.verify.verdict import Verdict
+from c4s.records.snapshot import read_snapshot
+from c4s.records.suite import SETTINGS
+from c4s.records.verdict import Verdict
 
 app = typer.Typer(help="Verify saved scenes: repair, physics, support.", no_args_is_help=True)
 Batch = Annotated[Path | None, typer.Option("--batch", help="JSON lines (optionally gzip), one row each")]
@@ -53,8 +53,8 @@ def repair(
     json_output: Json = False,
 ) -> None:
     """Actor Repair F1 of a saved scene against the truth."""
-    from c4s.verify.batch import repair_batch
     from c4s.verify.repair import verify_repair
+    from c4s.verify.repair.batch import repair_batch
 
     if batch is not None:
         if start or truth or candidate:
@@ -74,7 +74,7 @@ def physics(
     json_output: Json = False,
 ) -> None:
     """Support and penetration of a saved scene."""
-    from c4s.verify.physics import verify_physics
+    from c4s.verify.physics.verdict import verify_physics
 
     if setting not in SETTINGS:
         raise BadInput(f"unknown setting {setting!r}", todo=f"one of {', '.join(SETTINGS)}")
@@ -84,6 +84,6 @@ def physics(
 @app.command()
 def support(batch: Annotated[Path, typer.Option("--batch", help="JSON lines (optionally gzip), one row each")]) -> None:
     """The text-to-scene support rule on a batch of scenes."""
-    from c4s.verify.support_batch import support_rows
+    from c4s.verify.physics.batch import support_rows
 
     write_rows(batch, support_rows)

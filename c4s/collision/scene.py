@@ -11,7 +11,7 @@ import numpy as np
 from c4s.collision.mesh_body import Array, MeshBody, Triple, number, read_body, triple
 from c4s.collision.shape_cache import SHAPES
 from c4s.collision.shapes import Body, Shape
-from c4s.scene.transform import quat_from_rotator
+from c4s.geometry.transform import quat_from_rotator
 
 MOST_CORNERS_AT_ONCE = 200_000
 """Hull corners that are placed in one step: bounds the memory of a scene with many instances."""

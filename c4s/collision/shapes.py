@@ -18,7 +18,7 @@ import numpy as np
 from c4s.collision.hulls import FLAT, Hull, convex_hull
 from c4s.collision.mesh_body import Array as Array
 from c4s.collision.mesh_body import MeshBody
-from c4s.scene.transform import rotation_matrix
+from c4s.geometry.transform import rotation_matrix
 
 SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
 

@@ -13,7 +13,7 @@ from c4s.errors import BadInput
 from c4s.home import home
 from c4s.meter.wire import BY_NAME
 from c4s.meter.wire.base import Wire
-from c4s.model import Record
+from c4s.records.base import Record
 
 
 class ModelEndpoint(Record):

@@ -17,7 +17,7 @@ from pydantic import Field
 from c4s.errors import BadInput
 from c4s.home import home
 from c4s.meter.usage import Usage
-from c4s.model import Record
+from c4s.records.base import Record
 
 MILLION = 1_000_000
 SHIPPED = Path(__file__).with_name("prices.yaml")

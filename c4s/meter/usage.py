@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import Field
 
-from c4s.model import Record
+from c4s.records.base import Record
 
 Count = Field(default=None, ge=0)
 

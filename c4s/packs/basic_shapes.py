@@ -8,8 +8,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from c4s.packs.manifest import Asset, BoxBody, CollisionBody, HullBody, Material, MaterialSlot, SphereBody
 from c4s.packs.meshes import Mesh
+from c4s.records.pack import Asset, BoxBody, CollisionBody, HullBody, Material, MaterialSlot, SphereBody
 
 FOLDER = "/Engine/BasicShapes"
 MATERIAL = Material(path=f"{FOLDER}/BasicShapeMaterial.BasicShapeMaterial", base_color=(0.5, 0.5, 0.5), roughness=0.9)

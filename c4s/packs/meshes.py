@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.errors import BadInput
-from c4s.packs.manifest import Asset
 from c4s.packs.plain_glb import PlainPart, read_plain
+from c4s.records.pack import Asset
 
 F32 = NDArray[np.float32]
 I32 = NDArray[np.int32]

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from c4s.errors import BadInput
 from c4s.packs import basic_shapes
-from c4s.packs.manifest import Asset, Material, Pack
 from c4s.packs.meshes import Mesh, load_mesh
+from c4s.records.pack import Asset, Material, Pack
 
 
 def object_path(path: str) -> str:

@@ -18,7 +18,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from c4s.packs.manifest import Asset
+from c4s.records.pack import Asset
 
 LAYOUTS = ("row", "grid", "ring", "scatter")
 RELATIONS = ("next_to", "left_of", "right_of", "in_front_of", "behind", "around")

@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from c4s.packs.manifest import Asset
+from c4s.records.pack import Asset
 
 WORDS = (
     "ground",

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from c4s.geometry.transform import affine, transformed_box
 from c4s.planner.graph import Node
-from c4s.scene.transform import affine, transformed_box
 
 
 @dataclass

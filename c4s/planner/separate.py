@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import STRtree, box
 
+from c4s.geometry.transform import Array
 from c4s.planner.place import Entry
 from c4s.planner.tiers import is_ground
-from c4s.scene.transform import Array
 
 ROUNDS = 60
 GAP_CM = 1.0

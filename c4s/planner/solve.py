@@ -6,11 +6,11 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from c4s.packs.manifest import Asset
 from c4s.planner.graph import read_graph
 from c4s.planner.place import Entry, place
 from c4s.planner.separate import separate
 from c4s.planner.tiers import NAMES, is_ground, tier_of
+from c4s.records.pack import Asset
 
 MODES = ("separate", "exact")
 HALF_EXTENT_M = 100.0

@@ -7,7 +7,7 @@ from pathlib import Path
 import yaml
 
 from c4s.errors import BadInput
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
 
 BASELINES = ("noop", "random", "planner", "vandal", "oracle")
 VALIDATING = frozenset({"oracle"})

@@ -7,14 +7,12 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from c4s.case.package import SuiteFolder
 from c4s.errors import BadInput
 from c4s.files import digest
-from c4s.run.folder import RunFolder, TrialFolder
-from c4s.run.records import Configuration, Plan, PlannedCase
+from c4s.records.folder import RunFolder, TrialFolder
+from c4s.records.plan import Configuration, Plan, PlannedCase
+from c4s.records.suite import SuiteFolder
 
-DEFAULT_POLICY = "code4scene-published"
-"""The published protocol: the weights, tolerances and rules of every verifier's and score's published policy."""
 VERSIONED = ("prefect", "numpy", "scipy", "embreex", "python-fcl", "coal", "trimesh", "mcp", "duckdb", "pyarrow")
 
 

@@ -14,14 +14,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from c4s.case.package import AgentCase, SuiteFolder, WithheldCase
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import append_json_line, digest_file, read_json
 from c4s.home import packs_root
-from c4s.packs.manifest import Pack
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.pack import Pack
+from c4s.records.plan import Plan
+from c4s.records.score import TrialScore
+from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase
+from c4s.records.verdict import Verdict
 from c4s.run.plan import Trial
-from c4s.run.records import AttemptOutcome, Plan, TrialScore
-from c4s.verify.verdict import Verdict
 
 ATTEMPTS = 2
 SEMANTIC = ("detailed", "overview")
@@ -78,7 +80,7 @@ def _timed(trial: Trial, stage: str, started: float) -> None:
 
 def attempt(trial: Trial, number: int) -> AttemptOutcome:
     """Run attempt ``number`` (1 or 2), or read its outcome where it is already on record."""
-    from c4s.agents.attempt import run_attempt
+    from c4s.run.attempt import run_attempt
 
     folder = trial.folder.attempt(number)
     if (folder / "outcome.json").is_file():
@@ -103,9 +105,9 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
 
     The retained attempt's evidence moves to the trial's ``evidence/``; an invalid one stays with its attempt.
     """
-    from c4s.engine.evidence import collect
-    from c4s.verify.integrity import ManifestDigests, content_actors, unloadable, verify_integrity
-    from c4s.verify.views import SIZE_PX, overview_cameras
+    from c4s.evidence.cameras import SIZE_PX, overview_cameras
+    from c4s.evidence.collect import collect
+    from c4s.verify.integrity.verdict import ManifestDigests, content_actors, unloadable, verify_integrity
 
     attempt_folder = trial.folder.attempt(number)
     path = attempt_folder / "integrity.json"
@@ -180,7 +182,7 @@ def retained(trial: Trial) -> int | None:
 
 def physics(trial: Trial, plan: Plan) -> Verdict:
     """Support and penetration of the retained submission."""
-    from c4s.verify.physics import verify_physics
+    from c4s.verify.physics.verdict import verify_physics
 
     def verify(given: TrialInputs, evidence: Path) -> Verdict:
         start = None
@@ -207,8 +209,8 @@ def repair(trial: Trial, plan: Plan) -> Verdict:
 
 def semantic(trial: Trial, plan: Plan, verifier: str) -> Verdict:
     """Detailed or Overview Alignment of the retained submission by the plan's judge."""
-    from c4s.verify.detailed import verify_detailed
-    from c4s.verify.overview import verify_overview
+    from c4s.verify.semantic.detailed import verify_detailed
+    from c4s.verify.semantic.overview import verify_overview
 
     if plan.judge != "rule":
         raise MachineryFault(f"judge {plan.judge!r} is not available here", todo="use the offline judge `rule`")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from c4s.records.plan import Plan
+from c4s.records.score import TrialScore
 from c4s.run import stages
 from c4s.run.plan import Trial
-from c4s.run.records import Plan, TrialScore
 
 
 def run_trial(trial: Trial, plan: Plan) -> TrialScore:

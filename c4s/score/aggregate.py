@@ -8,10 +8,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from c4s.case.package import SETTINGS, Setting
 from c4s.errors import BadInput
-from c4s.score.numbers import mean
-from c4s.score.policy import I2S_POLICY, MODEL_POLICY, MODEL_WEIGHTS
+from c4s.protocol.numbers import mean
+from c4s.protocol.rules import I2S_POLICY, MODEL_POLICY, MODEL_WEIGHTS
+from c4s.records.suite import SETTINGS, Setting
 
 ZERO_STATUSES = frozenset({"zero_invalid_candidate", "zero_missing_submission", "zero_missing_result"})
 MEASURED_STATUSES = frozenset({"measured", "measured_with_missing_zero"})

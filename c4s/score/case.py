@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from c4s.case.package import Setting
-from c4s.run.records import CaseStatus, TrialScore
-from c4s.score.numbers import required_unit_number, unit_number
-from c4s.score.policy import CASE_POLICY, I2S_DIGITS, I2S_POLICY, I2S_WEIGHTS, T2S_DIGITS, T2S_POLICY, T2S_WEIGHTS
-from c4s.verify.verdict import Verdict
+from c4s.protocol.numbers import required_unit_number, unit_number
+from c4s.protocol.rules import CASE_POLICY, I2S_DIGITS, I2S_POLICY, I2S_WEIGHTS, T2S_DIGITS, T2S_POLICY, T2S_WEIGHTS
+from c4s.records.score import CaseStatus, TrialScore
+from c4s.records.suite import Setting
+from c4s.records.verdict import Verdict
 
 
 def t2s_case(

@@ -15,12 +15,19 @@ from typing import Any, Literal
 import yaml
 from pydantic import Field, field_validator
 
-from c4s.case.package import Setting
 from c4s.errors import BadInput
-from c4s.model import Record
-from c4s.run.plan import DEFAULT_POLICY
-from c4s.score.policy import FAMILY_WEIGHTS, I2S_WEIGHTS, OVERVIEW_WEIGHTS, PHYSICS_LEAF_WEIGHTS, T2S_WEIGHTS, Family
-from c4s.verify.repair.policy import NOMINAL, ProfileName
+from c4s.protocol.repair import NOMINAL, ProfileName
+from c4s.protocol.rules import (
+    DEFAULT_POLICY,
+    FAMILY_WEIGHTS,
+    I2S_WEIGHTS,
+    OVERVIEW_WEIGHTS,
+    PHYSICS_LEAF_WEIGHTS,
+    T2S_WEIGHTS,
+    Family,
+)
+from c4s.records.base import Record
+from c4s.records.suite import Setting
 
 _NAMES: dict[str, Mapping[str, float]] = {
     "text_to_scene": T2S_WEIGHTS,
@@ -51,7 +58,7 @@ class ScorePolicy(Record):
     text_physics_leaves: dict[str, float] | None = None
     """The same for text-to-scene, where they differ there."""
     repair_tolerances: ProfileName = NOMINAL.name
-    """Acceptance limits of Repair F1 (``c4s/verify/repair/policy.py``)."""
+    """Acceptance limits of Repair F1 (``c4s/protocol/repair.py``)."""
 
     @field_validator("text_to_scene", "image_to_scene", "overview", "physics_leaves", "text_physics_leaves")
     @classmethod

@@ -12,17 +12,18 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
-from c4s.case.package import Setting
 from c4s.errors import BadInput
-from c4s.run.folder import RunFolder, TrialFolder
-from c4s.run.records import Plan, TrialScore
+from c4s.protocol.detailed import detailed_score
+from c4s.protocol.numbers import mean
+from c4s.protocol.overview import overview_score
+from c4s.protocol.physics import physics_from_report
+from c4s.records.folder import RunFolder, TrialFolder
+from c4s.records.plan import Plan
+from c4s.records.score import TrialScore
+from c4s.records.suite import Setting
+from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
-from c4s.score.detailed import detailed_score
-from c4s.score.numbers import mean
-from c4s.score.overview import overview_score
-from c4s.score.physics import physics_from_report
 from c4s.score.policies import ScorePolicy
-from c4s.verify.verdict import Verdict
 
 COMPONENTS = (
     "detailed",

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from c4s.case.package import AgentCase
-from c4s.packs.manifest import Asset, Pack
+from c4s.records.pack import Asset, Pack
+from c4s.records.suite import AgentCase
 from c4s.toolbox.tool import ToolRefused
 
 if TYPE_CHECKING:

@@ -23,9 +23,9 @@ from typing import Any, Literal
 
 import orjson
 
-from c4s.case.package import Budget
 from c4s.errors import C4SError, MachineryFault
 from c4s.files import digest_bytes
+from c4s.records.suite import Budget
 from c4s.toolbox.arguments import plain, schema_problem
 from c4s.toolbox.record import Record, short, whole
 from c4s.toolbox.registry import TOOLS, tool_set

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-from c4s.case.package import AgentCase
-from c4s.engine.session import EngineCallError
+from c4s.engine.headless.host.session import EngineCallError
+from c4s.records.suite import AgentCase
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.measured import MeasuredScene
 from c4s.toolbox.tool import ToolRefused

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from c4s.model import Record
+from c4s.records.base import Record
 from c4s.trajectory.feedback import Feedback, read_answer
 from c4s.trajectory.lines import counted_calls, read_lines
 from c4s.trajectory.operations import families_of

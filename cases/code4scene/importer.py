@@ -7,10 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from c4s.case.package import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from c4s.errors import BadInput
 from c4s.files import write_json, write_text
-from c4s.scene.level import Level
+from c4s.records.level import Level
+from c4s.records.suite import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
 from catalog.proxy import build_proxy_pack
 

@@ -16,9 +16,9 @@ from scipy.spatial.transform import Rotation
 
 from c4s.errors import BadInput
 from c4s.files import write_json
-from c4s.packs.manifest import CollisionBody
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
-from c4s.scene.transform import rotator_from_quat
+from c4s.geometry.transform import rotator_from_quat
+from c4s.records.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.pack import CollisionBody
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
 from catalog.ingest.colours import colours_of
 from catalog.ingest.hulls import bodies

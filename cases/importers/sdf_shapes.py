@@ -11,8 +11,8 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from c4s.errors import BadInput
-from c4s.packs.manifest import CapsuleBody, CollisionBody, SphereBody
-from c4s.scene.transform import rotator_from_quat
+from c4s.geometry.transform import rotator_from_quat
+from c4s.records.pack import CapsuleBody, CollisionBody, SphereBody
 from cases.importers.sdf_frames import Matrix, numbers, pose
 from cases.importers.sdf_materials import SdfMaterials
 from cases.importers.sdf_solids import solid

@@ -5,7 +5,7 @@ It has no ceiling, so that pictures from above show the rooms.
 
 from __future__ import annotations
 
-from c4s.scene.level import Level
+from c4s.records.level import Level
 from cases.starter.level_builder import LevelBuilder, wall_run
 from catalog.starter import home
 

@@ -9,8 +9,8 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from c4s.scene.level import Level, LevelComponent, Transform, Vector
-from c4s.scene.transform import affine
+from c4s.geometry.transform import affine
+from c4s.records.level import Level, LevelComponent, Transform, Vector
 from cases.corruption import STATIC_MESH_COMPONENT, with_identities
 from cases.starter.stage import Stage, asset_path
 from catalog.shapes import BlueprintSpec, PackSpec

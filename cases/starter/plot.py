@@ -6,8 +6,8 @@ import hashlib
 import random
 from collections.abc import Iterable
 
-from c4s.scene.level import Level, Transform
-from c4s.scene.transform import normalize_axis
+from c4s.geometry.transform import normalize_axis
+from c4s.records.level import Level, Transform
 from cases.starter.stage import Stage, asset_path
 
 STACK_GAP_CM = 0.2

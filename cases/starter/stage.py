@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.scene.level import LevelActor, LevelComponent, Transform
+from c4s.records.level import LevelActor, LevelComponent, Transform
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of
 
 

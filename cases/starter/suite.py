@@ -6,8 +6,8 @@ import argparse
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from c4s.case.package import Suite
 from c4s.home import packs_root, suites_root
+from c4s.records.suite import Suite
 from cases.model import SuiteDefinition
 from cases.starter import indoor_cases, outdoor_cases
 from cases.suite import Progress, build_suite

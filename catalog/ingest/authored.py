@@ -13,9 +13,9 @@ import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 from scipy.spatial.transform import Rotation
 
-from c4s.packs.manifest import BoxBody, CapsuleBody, CollisionBody, SphereBody
-from c4s.scene.level import Vector
-from c4s.scene.transform import rotator_from_quat
+from c4s.geometry.transform import rotator_from_quat
+from c4s.records.level import Vector
+from c4s.records.pack import BoxBody, CapsuleBody, CollisionBody, SphereBody
 from catalog.ingest.hulls import Points, connected, hull
 from catalog.ingest.surface import SourcePart
 

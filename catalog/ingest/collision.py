@@ -11,7 +11,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from c4s.errors import BadInput
-from c4s.packs.manifest import CollisionBody
+from c4s.records.pack import CollisionBody
 from catalog.ingest.authored import split_authored
 from catalog.ingest.decompose import decompose
 from catalog.ingest.hulls import HullPer, bodies, hull

@@ -11,7 +11,7 @@ import numpy as np
 
 from c4s.errors import BadInput
 from c4s.files import digest, read_json, write_json
-from c4s.packs.manifest import Pack
+from c4s.records.pack import Pack
 from catalog.build import sources_digest
 from catalog.ingest.collision import How, HullChoice, collision_of
 from catalog.ingest.colours import colours_of

@@ -10,7 +10,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
-from c4s.packs.manifest import HullBody
+from c4s.records.pack import HullBody
 
 Points = NDArray[np.float64]
 HullPer = Literal["asset", "node", "piece"]

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.errors import BadInput
-from c4s.packs.manifest import CapsuleBody, CollisionBody, SphereBody
+from c4s.records.pack import CapsuleBody, CollisionBody, SphereBody
 from catalog.ingest.authored import framed_box, rotator
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.gltf_tree import GltfTree

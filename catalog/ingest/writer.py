@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, write_bytes
-from c4s.packs.manifest import Asset, CollisionBody, Material, MaterialSlot, Pack
 from c4s.packs.meshes import Mesh
+from c4s.records.pack import Asset, CollisionBody, Material, MaterialSlot, Pack
 from catalog.build import glb
 from catalog.ingest.surface import SourcePart, Surface
 from catalog.preview import write_previews

@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from c4s.files import digest_bytes, write_bytes
-from c4s.packs.manifest import Asset, BlueprintPart, BoxBody, CollisionBody, HullBody, Material, MaterialSlot, Pack
 from c4s.packs.meshes import Mesh
-from c4s.scene.level import Vector
+from c4s.records.level import Vector
+from c4s.records.pack import Asset, BlueprintPart, BoxBody, CollisionBody, HullBody, Material, MaterialSlot, Pack
 from catalog.build import glb
 from catalog.preview import write_previews
 from catalog.proxy.colours import Colour, accent, base_colour

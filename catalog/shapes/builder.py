@@ -10,9 +10,9 @@ from typing import Literal
 import numpy as np
 from scipy.spatial import ConvexHull
 
-from c4s.packs.manifest import BoxBody, CapsuleBody, CollisionBody, HullBody, SphereBody
+from c4s.geometry.transform import affine, quat_from_rotator, quat_multiply, rotator_from_quat
 from c4s.packs.meshes import Mesh
-from c4s.scene.transform import affine, quat_from_rotator, quat_multiply, rotator_from_quat
+from c4s.records.pack import BoxBody, CapsuleBody, CollisionBody, HullBody, SphereBody
 from catalog.shapes import patches
 from catalog.shapes.patches import Array, Patch, Point2, Point3
 

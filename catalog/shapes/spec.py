@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from c4s.scene.level import Vector
+from c4s.records.level import Vector
 from catalog.shapes.builder import Builder
 from catalog.shapes.textures import Texture
 

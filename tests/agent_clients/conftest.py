@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 import yaml
 
-from c4s.run.records import AttemptOutcome, Configuration
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.plan import Configuration
 
 for folder in ("toolbox", "meter", "agent_clients"):
     sys.path.insert(0, str(Path(__file__).parents[1] / folder))
@@ -40,7 +41,7 @@ def attempt(tmp_path: Path, pack: Path, monkeypatch: pytest.MonkeyPatch) -> Call
     """Run an attempt of a client against a model endpoint: its outcome and its folder."""
     from made_case import make_case
 
-    from c4s.agents.attempt import run_attempt
+    from c4s.run.attempt import run_attempt
 
     monkeypatch.setenv("C4S_HOME", str(tmp_path / "home"))
     monkeypatch.setenv("SCRIPTED_KEY", "the-real-key")

@@ -31,13 +31,14 @@ from c4s.agents.base import agent_of
 from c4s.agents.clients.client import ExternalClient
 from c4s.agents.clients.command import CommandClient
 from c4s.agents.clients.programs import find
-from c4s.case.package import AgentCase, SuiteFolder
 from c4s.errors import BadInput, C4SError
 from c4s.files import json_lines
 from c4s.home import runs_root, suites_root
+from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.plan import Configuration
+from c4s.records.suite import AgentCase, SuiteFolder
 from c4s.run import stages
-from c4s.run.plan import DEFAULT_POLICY, Plan, make_plan, open_run, trials
-from c4s.run.records import Configuration
+from c4s.run.plan import Plan, make_plan, open_run, trials
 
 CLIENTS = ("codex", "claude_code", "gemini", "opencode", "hermes", "command", "antigravity", "api")
 MODELS = {"codex": "gpt-5.6-sol", "claude_code": "claude-opus-4-5", "gemini": "gemini-2.5-pro"}

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from c4s.agents.api.conversation import KEPT_TURNS, Conversation, Turn, picture_part
 from c4s.agents.api.options import ApiOptions
 from c4s.errors import BadInput
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
 
 HEAD = [{"role": "user", "content": [{"type": "text", "text": "Build."}, picture_part(b"reference")]}]
 

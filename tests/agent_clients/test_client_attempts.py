@@ -18,11 +18,12 @@ from scripted_endpoint import ScriptedEndpoint, Use
 
 from c4s.agents.base import AgentContext, agent_of
 from c4s.agents.model import open_model
-from c4s.engine.sandbox import faults
+from c4s.engine.confine.sandbox import faults
 from c4s.errors import AgentFault, BadInput, MachineryFault
 from c4s.files import json_lines
 from c4s.meter.spending import Ledger, SpendingLimitReached
-from c4s.run.records import AttemptOutcome, Configuration
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.plan import Configuration
 from c4s.toolbox.gateway import Endpoint
 
 Attempt = Callable[..., tuple[AttemptOutcome, Path]]

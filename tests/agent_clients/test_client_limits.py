@@ -13,7 +13,7 @@ import pytest
 
 from c4s.agents.clients import confined
 from c4s.agents.clients.limits import ClientLimits
-from c4s.engine.sandbox import faults
+from c4s.engine.confine.sandbox import faults
 from c4s.errors import AgentFault
 
 pytestmark = pytest.mark.skipif(faults()["bubblewrap"] is not None, reason=f"no bubblewrap: {faults()['bubblewrap']}")

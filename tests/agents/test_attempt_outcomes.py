@@ -10,12 +10,13 @@ import pytest
 from made_case import make_case, mesh_actor
 
 from c4s.agents import base
-from c4s.agents.attempt import last_saved, run_attempt
 from c4s.agents.base import AgentContext, AgentReport
 from c4s.errors import AgentFault, BadInput
 from c4s.files import json_lines
-from c4s.run.records import AttemptOutcome, Configuration
-from c4s.scene.level import Level
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.level import Level
+from c4s.records.plan import Configuration
+from c4s.run.attempt import last_saved, run_attempt
 
 
 def attempt(

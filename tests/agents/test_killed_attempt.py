@@ -9,11 +9,11 @@ from typing import Any
 from made_case import make_case
 
 from c4s.agents import base
-from c4s.agents.attempt import run_attempt
 from c4s.agents.base import AgentContext, AgentReport
 from c4s.agents.replay import recorded_calls
 from c4s.files import read_json
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
+from c4s.run.attempt import run_attempt
 from c4s.trajectory import analyse
 
 ENDLESS = "import time\ntime.sleep(600)"

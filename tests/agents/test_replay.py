@@ -10,10 +10,11 @@ import pytest
 from made_case import make_case
 
 from c4s.agents import base
-from c4s.agents.attempt import run_attempt
 from c4s.agents.base import AgentContext, AgentReport
 from c4s.errors import BadInput
-from c4s.run.records import AttemptOutcome, Configuration
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.plan import Configuration
+from c4s.run.attempt import run_attempt
 from c4s.toolbox.client import CallRefused
 
 SCRIPT = """

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from c4s.engine.confine import Backend
-from c4s.engine.sandbox import faults
-from c4s.engine.session import EngineSession
+from c4s.engine.confine.confinement import Backend
+from c4s.engine.confine.sandbox import faults
+from c4s.engine.headless.host.session import EngineSession
 from c4s.files import write_json
 
 

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from c4s.engine.session import EngineCallError, EngineDied, EngineSession
+from c4s.engine.headless.host.session import EngineCallError, EngineDied, EngineSession
 from c4s.errors import BadInput, MachineryFault
 
 
@@ -166,7 +166,7 @@ def test_the_engine_dies_with_its_host(tmp_path: Path, backend: str, clinging: s
         [
             sys.executable,
             "-c",
-            "import sys; from pathlib import Path; from c4s.engine.session import EngineSession\n"
+            "import sys; from pathlib import Path; from c4s.engine.headless.host.session import EngineSession\n"
             f"root = Path({str(tmp_path)!r})\n"
             f"s = EngineSession.start(packs=[], content=root / 'c', scratch=root / 's', use={backend!r})\n"
             f'script = {clinging!r} + \'import re\\nprint(1)\\nre.match(r"(a+)+b", "a" * 64)\'\n'

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from c4s.engine.evidence import collect, export_level
 from c4s.errors import BadInput
+from c4s.evidence.collect import collect, export_level
 from c4s.files import digest_file, digest_tree, read_json, write_json
 
 PACKAGE = "/Game/SavedScenes/Room"

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from c4s.case.package import AgentCase
-from c4s.engine.session import EngineSession
+from c4s.engine.headless.host.session import EngineSession
+from c4s.records.suite import AgentCase
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.workbench import Workbench
 

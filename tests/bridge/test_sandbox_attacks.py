@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from bench import attacks
-from c4s.engine import sandbox
-from c4s.engine.confine import Backend
-from c4s.engine.session import EngineSession
+from c4s.engine.confine import sandbox
+from c4s.engine.confine.confinement import Backend
+from c4s.engine.headless.host.session import EngineSession
 from c4s.errors import BadInput, MachineryFault
 
 

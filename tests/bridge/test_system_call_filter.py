@@ -7,7 +7,7 @@ import struct
 
 import pytest
 
-from c4s.engine.seccomp import filter_program
+from c4s.engine.confine.seccomp import filter_program
 
 ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
 ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}

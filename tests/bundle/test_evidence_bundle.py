@@ -17,14 +17,15 @@ from bench.repair_scene import scenes
 from c4s.bundle import pack_trial, read_bundle, score_bundle
 from c4s.errors import BadInput
 from c4s.files import digest_file, write_json
-from c4s.run.folder import TrialFolder
-from c4s.run.records import AttemptOutcome, TrialScore
+from c4s.protocol.detailed import detailed_score
+from c4s.protocol.overview import overview_score
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.folder import TrialFolder
+from c4s.records.score import TrialScore
+from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
-from c4s.score.detailed import detailed_score
-from c4s.score.overview import overview_score
-from c4s.verify.physics import verify_physics
+from c4s.verify.physics.verdict import verify_physics
 from c4s.verify.repair import verify_repair
-from c4s.verify.verdict import Verdict
 
 DIMENSIONS = {
     "global_prompt_alignment": 1.0,

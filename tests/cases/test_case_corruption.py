@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from cases.checks import check_repair
 from cases.corruption import (
     KINDS,

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from c4s.case.package import SuiteFolder
 from c4s.errors import BadInput
-from c4s.packs.manifest import Pack
+from c4s.records.pack import Pack
+from c4s.records.suite import SuiteFolder
 from cases.corruption import Author, Recipe, apply, id_of
 from cases.model import RepairCase, Scene, SuiteDefinition, TextCase
 from cases.requirements import Entity, Predicate, RequirementSpec
@@ -92,7 +92,7 @@ def _check_repair(folder: SuiteFolder) -> None:
 
 
 def small_level_with_ids(folder: SuiteFolder) -> list:
-    from c4s.scene.level import Level
+    from c4s.records.level import Level
 
     return Level.read(folder.withheld("paddock-cow") / "truth.level.json").actors
 

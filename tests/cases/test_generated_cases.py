@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from c4s.errors import BadInput
-from c4s.scene.level import Level
+from c4s.records.level import Level
 from cases.checks import check_definition, check_repair
 from cases.corruption import apply
 from cases.generate import Thing, generated, sound_things

@@ -11,7 +11,7 @@ import trimesh
 
 from c4s.errors import BadInput
 from c4s.packs.store import PackStore
-from c4s.scene.level import Level, LevelActor
+from c4s.records.level import Level, LevelActor
 from cases.importers.run import import_scene
 from tests.catalog.gltf_maker import Gltf
 

@@ -13,11 +13,11 @@ import trimesh
 
 from c4s.cli.boundary import run as boundary
 from c4s.cli.main import app
-from c4s.engine.evidence import export_level
 from c4s.errors import BadInput
+from c4s.evidence.collect import export_level
+from c4s.geometry.transform import affine
 from c4s.packs.store import PackStore
-from c4s.scene.level import Level
-from c4s.scene.transform import affine
+from c4s.records.level import Level
 from cases.corruption import id_of
 from cases.importers.run import import_scene
 from cases.importers.scene import place

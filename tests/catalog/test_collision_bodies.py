@@ -19,10 +19,10 @@ from typer.testing import CliRunner
 
 from c4s.cli.main import app
 from c4s.collision import contacts
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 from c4s.errors import BadInput
-from c4s.packs.manifest import Asset, Pack
-from c4s.scene.transform import rotation_matrix
+from c4s.geometry.transform import rotation_matrix
+from c4s.records.pack import Asset, Pack
 from catalog.ingest import authored, decompose
 from catalog.ingest.collision import HullChoice
 from catalog.ingest.folder import ingest

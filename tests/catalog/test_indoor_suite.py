@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from c4s.engine.evidence import export_level
+from c4s.evidence.collect import export_level
 from c4s.files import read_json
 from c4s.packs.store import PackStore
-from c4s.verify.physics import verify_physics
-from c4s.verify.verdict import Verdict
+from c4s.records.verdict import Verdict
+from c4s.verify.physics.verdict import verify_physics
 from cases.checks import check_repair, check_scene
 from cases.corruption import SpawnActor, apply, id_of
 from cases.model import RepairCase, Scene, TextCase

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from c4s.packs.manifest import Pack
+from c4s.records.pack import Pack
 from catalog.build import build_pack
 from catalog.ingest.folder import ingest
 from catalog.preview import SIZE, contact_sheet

@@ -16,8 +16,8 @@ import pytest
 import trimesh
 from PIL import Image
 
-from c4s.engine.headless.boot import boot
-from c4s.packs.manifest import Asset, Material, MaterialSlot, Pack
+from c4s.engine.headless.process.boot import boot
+from c4s.records.pack import Asset, Material, MaterialSlot, Pack
 
 POST = "/Game/T/SM_Post"
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 
 from c4s.collision import contacts, scene_bodies
-from c4s.scene.transform import affine
+from c4s.geometry.transform import affine
 
 CORNERS = np.array([[x, y, z] for x in (-50, 50) for y in (-50, 50) for z in (-50, 50)], dtype=float)
 

@@ -15,7 +15,7 @@ from scipy.spatial import ConvexHull
 
 from c4s.collision import contacts
 from c4s.collision.depth import PROOF_CM
-from c4s.scene.transform import affine
+from c4s.geometry.transform import affine
 
 BOX = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
 KINDS = st.sampled_from(["box", "sphere", "capsule", "hull"])

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracle import exact_depth
 
-from c4s.verify.physics import verify_physics
+from c4s.verify.physics.verdict import verify_physics
 
 WAYS = [(0.0, 0.0, -1.0), *((math.cos(k * math.pi / 4), math.sin(k * math.pi / 4), 0.0) for k in range(8))]
 STEPS = np.linspace(0.0, 5.0, 11)

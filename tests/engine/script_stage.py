@@ -7,8 +7,8 @@ from pathlib import Path
 
 import trimesh
 
-from c4s.packs.manifest import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.pack import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
 
 SIZES_CM = {
     "House": (600, 500, 400),

@@ -18,14 +18,14 @@ from typing import Any
 import pytest
 from script_stage import SIZES_CM, make_pack, start_level
 
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 
 SCRIPTS = sorted((Path(__file__).parent / "scripts").glob("*.py"))
 CLEAN = """
 import json, sys
 from hashlib import sha256
 from pathlib import Path
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 content, pack, out, names = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4:]
 unreal = boot([pack], content)
 from c4s.editor.dependencies import export_dependencies

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from c4s.engine.headless import state
-from c4s.engine.headless.boot import boot
-from c4s.engine.headless.glb import write_glb
-from c4s.packs.manifest import Asset, Material, MaterialSlot, Pack
+from c4s.engine.headless.glb.level import write_glb
+from c4s.engine.headless.process.boot import boot
+from c4s.engine.headless.world import state
+from c4s.records.pack import Asset, Material, MaterialSlot, Pack
 
 CUBE = "/Engine/BasicShapes/Cube"
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 
 
 def test_a_capture_actor_draws_into_its_target(tmp_path: Path):

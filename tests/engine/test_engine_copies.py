@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from c4s.engine.headless import render_scene
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.pictures import take
+from c4s.engine.headless.process.boot import boot
 
 CUBE = "/Engine/BasicShapes/Cube"
 VIEW = {"location_cm": [-300, 0, 50], "rotation_deg": [0, 0, 0], "fov_deg": 90, "width": 32, "height": 24}
@@ -13,7 +13,7 @@ VIEW = {"location_cm": [-300, 0, 50], "rotation_deg": [0, 0, 0], "fov_deg": 90, 
 
 def shown(folder: Path) -> dict[str, int]:
     """Pixels of each actor."""
-    return render_scene.take([VIEW], [str(folder / "view.png")], "base_color", False)[0]["visible"]
+    return take.take([VIEW], [str(folder / "view.png")], "base_color", False)[0]["visible"]
 
 
 def test_a_copied_mesh_is_drawn_and_counted(tmp_path):

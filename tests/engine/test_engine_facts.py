@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 
 SHAPES = ("Cube", "Sphere", "Cylinder")
 CLASSES = (
@@ -152,7 +152,7 @@ def test_both_readers_give_the_same_snapshot(content, edits):
     unreal = boot([], content)
     from c4s.editor import snapshot
     from c4s.editor.facts import Reader
-    from c4s.engine.headless.facts import DirectReader
+    from c4s.engine.headless.process.facts import DirectReader
 
     edit = Editor(unreal)
     for number, each in enumerate([*edits, ("mesh", "Cube", 0.0, 0.0)]):
@@ -168,7 +168,7 @@ def test_both_readers_give_the_same_snapshot(content, edits):
 def test_an_engine_reads_its_own_state(content):
     boot([], content)
     snapshot = importlib.import_module("c4s.editor.snapshot")
-    facts = importlib.import_module("c4s.engine.headless.facts")
+    facts = importlib.import_module("c4s.engine.headless.process.facts")
     before = snapshot.make_reader
     try:
         facts.attach()

@@ -15,10 +15,10 @@ import pytest
 import trimesh
 from scipy.spatial.transform import Rotation
 
-from c4s.engine.headless.boot import boot
-from c4s.engine.headless.glb import write_glb
-from c4s.engine.headless.render_lights import candela_of, lights_of
-from c4s.engine.headless.state import world
+from c4s.engine.headless.glb.level import write_glb
+from c4s.engine.headless.pictures.lights import candela_of, lights_of
+from c4s.engine.headless.process.boot import boot
+from c4s.engine.headless.world.state import world
 from c4s.errors import BadInput
 
 

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from c4s.engine.headless import state
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
+from c4s.engine.headless.world import state
 from c4s.errors import BadInput
-from c4s.packs.manifest import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.pack import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
 
 ACTORS = 6700
 SECONDS = 2.0

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 from c4s.engine.headless.unreal import build
 
 u = build()

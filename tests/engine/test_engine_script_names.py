@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 
 
 @pytest.fixture

@@ -9,8 +9,8 @@ from types import ModuleType
 
 import pytest
 
-from c4s.engine.headless import state
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
+from c4s.engine.headless.world import state
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from types import ModuleType
 
 import pytest
 
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 
 
 @pytest.fixture

@@ -14,8 +14,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "toolbox"))
 from made_case import START, make_case, make_pack, mesh_actor
 
-from c4s.engine.session import EngineSession
-from c4s.scene.level import Level
+from c4s.engine.headless.host.session import EngineSession
+from c4s.records.level import Level
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
 from c4s.toolbox.gateway import Endpoint, Gateway

@@ -9,10 +9,10 @@ import pytest
 from made_case import START, path_of
 from prey import Prey
 
-from c4s.agents.attempt import last_saved
 from c4s.files import digest_file
-from c4s.judge.inventory import inventory
-from c4s.judge.looks import is_made_of, material_index
+from c4s.run.attempt import last_saved
+from c4s.semantics.inventory import inventory
+from c4s.semantics.looks import is_made_of, material_index
 from c4s.toolbox.client import CallRefused
 from reports.site import _environment
 

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from c4s.errors import BadInput
-from c4s.verify.detailed import verify_detailed
-from c4s.verify.overview import verify_overview
+from c4s.verify.semantic.detailed import verify_detailed
+from c4s.verify.semantic.overview import verify_overview
 from tests.shared import SHARED
 
 ALLEY = SHARED / "upstream/tests/fixtures/synthetic-alley.bundle.json"

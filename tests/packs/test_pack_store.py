@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
-from c4s.packs.manifest import Asset, MaterialSlot, Pack
 from c4s.packs.meshes import load_mesh, read_parts
 from c4s.packs.store import PackStore, object_path
+from c4s.records.pack import Asset, MaterialSlot, Pack
 
 
 @pytest.mark.parametrize("name", ["Cube", "Sphere", "Cylinder", "Cone", "Plane"])

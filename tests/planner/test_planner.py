@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
-from c4s.agents.composing import compose
-from c4s.agents.mending import mends
-from c4s.agents.palette import asked_counts, palette
-from c4s.packs.manifest import Asset
+from c4s.agents.baselines.composing import compose
+from c4s.agents.baselines.mending import mends
+from c4s.agents.baselines.palette import asked_counts, palette
 from c4s.planner import ground_tiles, render_plan, solve, tiers, validate
+from c4s.records.pack import Asset
 
 
 def _asset(name: str, width: float, depth: float, height: float) -> Asset:

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from c4s.engine.evidence import collect
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
+from c4s.evidence.collect import collect
 from c4s.files import read_json
 from c4s.home import cache_root
 
@@ -37,7 +37,7 @@ def _room(unreal: Any) -> tuple[Any, Any, Any]:
 
 def test_a_key_stands_for_all_that_a_picture_shows(tmp_path: Path) -> None:
     unreal = boot([], tmp_path / "content")
-    from c4s.engine.headless.render_keys import picture_keys
+    from c4s.engine.headless.pictures.keys import picture_keys
 
     def key(mode: str = "lit", **camera: Any) -> str:
         return picture_keys([{**CAMERA, **camera}], mode)[0]

@@ -11,7 +11,7 @@ from PIL import Image
 _CODE = """
 import sys
 from pathlib import Path
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 folder = Path(sys.argv[1])
 unreal = boot([], folder / "content")
 spawn = unreal.EditorLevelLibrary.spawn_actor_from_class
@@ -21,8 +21,8 @@ floor.set_actor_scale3d(unreal.Vector(20, 20, 1))
 sun = spawn(unreal.DirectionalLight, unreal.Vector(), unreal.Rotator(pitch=-60, yaw=10))
 spawn(unreal.SkyLight, unreal.Vector())
 from c4s.engine.headless import render_scene
-from c4s.engine.headless.render_lights import lights_of
-from c4s.engine.headless.state import world
+from c4s.engine.headless.pictures.lights import lights_of
+from c4s.engine.headless.world.state import world
 
 def told(name):
     lights = lights_of(tuple(world().light_sources()))

@@ -10,24 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from c4s.engine.headless import render_scene
-from c4s.engine.headless.boot import boot
-from c4s.engine.headless.render import (
-    Camera,
-    Fog,
-    Grade,
-    Instance,
-    Lights,
-    LocalLight,
-    Picture,
-    Renderer,
-    Sky,
-    Sun,
-    SurfaceMaterial,
-)
-from c4s.engine.headless.render_lights import grade_of, kelvin_rgb
+from c4s.engine.headless.pictures import take
+from c4s.engine.headless.pictures.lights import grade_of, kelvin_rgb
+from c4s.engine.headless.process.boot import boot
+from c4s.geometry.transform import affine
 from c4s.packs.meshes import Mesh
-from c4s.scene.transform import affine
+from c4s.render import Camera, Fog, Grade, Instance, Lights, LocalLight, Picture, Renderer, Sky, Sun, SurfaceMaterial
 
 DARK = {"sky": Sky(intensity=0.0), "ambient": (0.0, 0.0, 0.0), "camera_fill": 0.0, "exposure_ev": 0.0}
 OVERHEAD = Lights(sun=Sun((0.0, 0.0, -1.0), (1.0, 1.0, 1.0), 2.0), **DARK)
@@ -131,7 +119,7 @@ def test_depth_and_mask_agree_with_the_plane_that_is_there() -> None:
     renderer = Renderer([_square()], [tilt], OVERHEAD, 1)
     picture = renderer.render(camera)
     renderer.close()
-    from c4s.scene.transform import rotation_matrix
+    from c4s.geometry.transform import rotation_matrix
 
     turn, normal = rotation_matrix(camera.rotation_deg), tilt.matrix[:3, 2]
     half = np.tan(np.radians(30.0))
@@ -201,7 +189,7 @@ def test_the_engine_reads_lights_fog_and_post_process(tmp_path: Path) -> None:
     def picture(name: str) -> np.ndarray:
         from PIL import Image
 
-        render_scene.take([VIEW], [str(tmp_path / name)], "lit", False)
+        take.take([VIEW], [str(tmp_path / name)], "lit", False)
         return np.asarray(Image.open(tmp_path / name)).astype(int)
 
     sun = spawn(unreal.DirectionalLight, unreal.Vector(), unreal.Rotator(pitch=-50, yaw=10))
@@ -228,7 +216,7 @@ def test_the_engine_reads_lights_fog_and_post_process(tmp_path: Path) -> None:
 
 def test_three_processes_at_once_write_the_same_bytes(tmp_path: Path) -> None:
     code = (
-        "import sys, hashlib\nfrom pathlib import Path\nfrom c4s.engine.headless.boot import boot\n"
+        "import sys, hashlib\nfrom pathlib import Path\nfrom c4s.engine.headless.process.boot import boot\n"
         "from c4s.engine.headless import render_scene\nfolder = Path(sys.argv[1])\n"
         "unreal = boot([], folder / 'content')\ncube = unreal.load_asset('/Engine/BasicShapes/Cube')\n"
         "for n in range(30):\n    unreal.EditorLevelLibrary.spawn_actor_from_object(cube, "

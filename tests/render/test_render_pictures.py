@@ -14,20 +14,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from c4s.engine.headless.render import (
-    Camera,
-    Instance,
-    Lights,
-    LocalLight,
-    Picture,
-    Renderer,
-    Sky,
-    Sun,
-    SurfaceMaterial,
-)
 from c4s.errors import BadInput
+from c4s.geometry.transform import affine, look_at, rotation_matrix
 from c4s.packs.meshes import Mesh
-from c4s.scene.transform import affine, look_at, rotation_matrix
+from c4s.render import Camera, Instance, Lights, LocalLight, Picture, Renderer, Sky, Sun, SurfaceMaterial
 
 RED = SurfaceMaterial(base_color=(0.8, 0.05, 0.05))
 GREEN = SurfaceMaterial(base_color=(0.05, 0.7, 0.05))
@@ -360,13 +350,13 @@ def test_cameras_and_lights_that_make_no_sense_are_refused() -> None:
 
 
 def test_importing_the_renderer_loads_no_compiler() -> None:
-    code = "import sys, c4s.engine.headless.render; print('numba' in sys.modules)"
+    code = "import sys, c4s.render; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
 
 
 def test_kept_code_in_a_read_only_folder_is_used_and_not_touched(tmp_path: Path) -> None:
-    from c4s.engine.headless.render.compiled import code_folder
+    from c4s.render.compiled import code_folder
 
     _take([], Camera((0, 0, 0), width=4, height=4))
     here = code_folder()
@@ -378,11 +368,11 @@ def test_kept_code_in_a_read_only_folder_is_used_and_not_touched(tmp_path: Path)
     for path in [kept, *kept.rglob("*")]:
         path.chmod(stat.S_IRUSR | stat.S_IXUSR)
     code = (
-        "from c4s.engine.headless.render import *\n"
-        "from c4s.engine.headless.render import compiled\n"
+        "from c4s.render import *\n"
+        "from c4s.render import compiled\n"
         "compiled._writable = lambda folder: False\n"
         "Renderer([], [], Lights(), 1).render(Camera((0, 0, 0), width=4, height=4))\n"
-        "from c4s.engine.headless.render.develop import combine_rows as kernel\n"
+        "from c4s.render.develop import combine_rows as kernel\n"
         "print(compiled.code_folder(), sum(kernel.stats.cache_hits.values()))"
     )
     done = subprocess.run(

@@ -9,11 +9,12 @@ from pathlib import Path
 import pytest
 
 from c4s.agents import base
-from c4s.agents.attempt import run_attempt
 from c4s.agents.base import AgentContext, AgentReport
-from c4s.engine.evidence import collect
 from c4s.errors import BadInput
-from c4s.run.records import AttemptOutcome, Configuration
+from c4s.evidence.collect import collect
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.plan import Configuration
+from c4s.run.attempt import run_attempt
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "toolbox"))
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from odd import wrong
 
 from c4s.engine.bridge import MAX_REQUEST_BYTES
-from c4s.engine.session import EngineSession
+from c4s.engine.headless.host.session import EngineSession
 
 REQUESTS: list[dict[str, Any]] = [
     {"type": "execute_python_script", "params": {"script": "print(1)", "wait_s": 0.01}},

@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from odd import wrong
 
-from c4s.engine.headless import level_io
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
+from c4s.engine.headless.world import documents
 from c4s.errors import BadInput
 
 PACKAGE = "/Game/Start/Odd"
@@ -169,13 +169,13 @@ def test_a_million_actors_get_a_clear_answer_within_bounds(tmp_path: Path) -> No
     with path.open("wb") as file:
         file.truncate(200 << 20)
     with pytest.raises(BadInput, match="200 MiB, more than 64"):
-        level_io.read(path)
+        documents.read(path)
     plain = '{"name":"A","label":"A","class_path":"C","guid":""},'
     for count, answer in (
         (1_000_000, "1000001 records, more than 600000"),
         (100_001, "100001 actors, more than 100000"),
     ):
         path.write_text(json.dumps(document([])).replace("[]", "[" + (plain * count)[:-1] + "]"))
-        assert path.stat().st_size < level_io.MOST_BYTES
+        assert path.stat().st_size < documents.MOST_BYTES
         with pytest.raises(BadInput, match=answer):
-            level_io.read(path)
+            documents.read(path)

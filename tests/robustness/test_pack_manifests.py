@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from odd import wrong
 
 from c4s.errors import BadInput
-from c4s.packs.manifest import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
 from c4s.packs.store import PackStore
+from c4s.records.pack import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
 
 PACK = Pack(
     pack_id="odd",

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from c4s.engine.headless import level_io
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
+from c4s.engine.headless.world import documents
 
 SAVED = "/Game/SavedScenes/odd"
 NAN, INFINITY = float("nan"), float("inf")
@@ -107,11 +107,11 @@ def test_half_characters_are_no_text(unreal):
 def test_a_chain_is_as_long_as_one_that_opens_again(unreal, capfd):
     keep, top = unreal.AttachmentRule.KEEP_WORLD, cube(unreal)
     last, attached = top, 0
-    for _ in range(level_io.DEEPEST + 5):
+    for _ in range(documents.DEEPEST + 5):
         below = cube(unreal)
         attached += below.attach_to_actor(last, "", keep, keep, keep)
         last = below if below.get_attach_parent_actor() is not None else last
-    assert attached == level_io.DEEPEST and "more than 100 deep" in capfd.readouterr().out
+    assert attached == documents.DEEPEST and "more than 100 deep" in capfd.readouterr().out
     assert not top.attach_to_actor(cube(unreal), "", keep, keep, keep), "it would grow at its upper end"
     assert save(unreal)
 

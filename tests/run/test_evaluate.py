@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from c4s.home import runs_root
-from c4s.run.records import Plan
+from c4s.records.plan import Plan
 from tests.run.conftest import Command, environment
 from warehouse.database import rows
 

@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
+from c4s.protocol.overview import overview_score, severe_cap_eligible
 from c4s.score.aggregate import aggregate, ranks, setting_of
 from c4s.score.batch import score_batch
-from c4s.score.overview import overview_score, severe_cap_eligible
 
 T2S, INDOOR, OUTDOOR = "text-to-scene", "image-to-scene/indoor", "image-to-scene/outdoor"
 

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from c4s.cli.batches import read_rows, write_rows
 from c4s.errors import BadInput
 from c4s.score.batch import KINDS, score_batch, score_row
-from c4s.verify.batch import repair_row
-from c4s.verify.support_batch import support_row
+from c4s.verify.physics.batch import support_row
+from c4s.verify.repair.batch import repair_row
 from tests.verify_repair.repair_scenes import actor, scene
 
 SCALARS = st.sampled_from(

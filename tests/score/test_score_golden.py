@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from c4s.protocol.physics import physics_from_report
 from c4s.score.batch import KINDS, score_batch
-from c4s.score.physics import physics_from_report
 from tests.shared import SHARED
 
 GOLDEN = SHARED / "golden"

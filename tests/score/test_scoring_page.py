@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from c4s.score.batch import KINDS
-from c4s.score.policies import POLICIES
-from c4s.score.policy import (
+from c4s.protocol.repair import REPAIR_POLICY
+from c4s.protocol.rules import (
     CASE_POLICY,
     I2S_FLOATING_METRIC,
     INTEGRITY_POLICY,
@@ -19,7 +18,8 @@ from c4s.score.policy import (
     SEMANTIC_CASE_POLICY,
     T2S_FLOATING_METRIC,
 )
-from c4s.verify.repair.policy import REPAIR_POLICY
+from c4s.score.batch import KINDS
+from c4s.score.policies import POLICIES
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "scoring.md").read_text(encoding="utf-8")

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from made_case import make_case, make_pack
 
-from c4s.engine.session import EngineSession
+from c4s.engine.headless.host.session import EngineSession
 from c4s.files import json_lines
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient

@@ -8,10 +8,10 @@ from pathlib import Path
 import trimesh
 from PIL import Image
 
-from c4s.case.package import AgentCase, Budget, PackRef
 from c4s.files import digest_file, write_bytes, write_json
-from c4s.packs.manifest import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
-from c4s.scene.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.level import Level, LevelActor, LevelComponent, Transform
+from c4s.records.pack import Asset, BlueprintPart, BoxBody, Material, MaterialSlot, Pack
+from c4s.records.suite import AgentCase, Budget, PackRef
 
 START = "/Game/Test/Maps/Room"
 BOXES = {  # id: (category, size in metres x y z, description)

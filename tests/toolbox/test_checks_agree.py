@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from c4s.collision import contacts
-from c4s.verify.physics import verify_physics
+from c4s.verify.physics.verdict import verify_physics
 
 PLACES = [
     ("Ground", "floor_tile", (0, 0, -10), (0, 0, 0)),

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from c4s.agents.briefing import briefing
-from c4s.case.package import AgentCase, Budget
+from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.page import tools_page
 from c4s.toolbox.registry import TOOLS
 from c4s.toolbox.skill import PARTS, skill_text

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 import yaml
 
-from c4s.packs.manifest import Asset, Pack
+from c4s.records.pack import Asset, Pack
 from c4s.toolbox.catalog import CaseCatalog, Entry
 from catalog.build import starter_pack
 from catalog.ingest.vocabulary import kind_of, readable, search_words

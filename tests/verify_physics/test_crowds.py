@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from c4s.collision import scene_bodies, scene_contacts
-from c4s.verify.physics import MOST_LISTED, verify_physics
+from c4s.verify.physics.verdict import MOST_LISTED, verify_physics
 
 KINDS = {
     "box": [{"kind": "box", "center": [0, 0, 0], "half_extent": [20, 30, 40]}],

@@ -16,8 +16,8 @@ from typer.testing import CliRunner
 from c4s.cli.main import app
 from c4s.collision import Contact
 from c4s.errors import BadInput
-from c4s.verify.penetration import adaptive_tolerance_cm
-from c4s.verify.physics import verify_physics
+from c4s.verify.physics.penetration import adaptive_tolerance_cm
+from c4s.verify.physics.verdict import verify_physics
 
 NAN = float("nan")
 

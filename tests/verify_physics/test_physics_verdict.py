@@ -8,8 +8,8 @@ import pytest
 
 from c4s.collision import Contact
 from c4s.errors import BadInput
-from c4s.verify.physics import verify_physics
-from c4s.verify.roles import roles
+from c4s.verify.actors.roles import roles
+from c4s.verify.physics.verdict import verify_physics
 
 CUBE = "/Game/P/SM_Crate.SM_Crate"
 I2S = "image-to-scene/indoor"

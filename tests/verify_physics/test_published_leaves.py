@@ -9,9 +9,9 @@ import pytest
 from test_physics_verdict import I2S, actor, leaves, snapshot
 
 from c4s.collision import Contact
-from c4s.score.physics import physics_from_report
-from c4s.verify.edited import edited_actors
-from c4s.verify.physics import report, verify_physics
+from c4s.protocol.physics import physics_from_report
+from c4s.verify.physics.edited import edited_actors
+from c4s.verify.physics.verdict import report, verify_physics
 
 NAN = float("nan")
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from c4s.verify.roles import needs_no_support, roles
+from c4s.verify.actors.roles import needs_no_support, roles
 
 PLATE = (200, 200, 50)
 

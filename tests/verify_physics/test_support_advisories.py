@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.verify.physics import verify_physics
-from c4s.verify.support import text_to_scene_support
+from c4s.verify.physics.support import text_to_scene_support
+from c4s.verify.physics.verdict import verify_physics
 
 
 def box(name: str, bottom: float, half: float = 10.0, x: float = 0.0, **more: Any) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import json
 
 import pytest
 
-from c4s.verify.support_batch import support_rows
+from c4s.verify.physics.batch import support_rows
 from tests.shared import SHARED
 
 GOLDEN = SHARED / "golden/physics_support.jsonl.gz"

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from c4s.verify.integrity import ManifestDigests, unloadable, verify_integrity
+from c4s.verify.integrity.verdict import ManifestDigests, unloadable, verify_integrity
 from tests.verify_repair.repair_scenes import actor, scene
 
 PACKS = {"office": "a" * 64}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from copy import deepcopy
 from typing import Any
 
+from c4s.records.verdict import Verdict
 from c4s.verify.repair import repair_verdict
-from c4s.verify.verdict import Verdict
 from tests.verify_repair.repair_scenes import Scene, actor, moved, scene, with_actor, without
 
 ROOM = scene(

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from c4s.errors import BadInput
-from c4s.verify.batch import repair_batch
 from c4s.verify.repair import repair, verify_repair
+from c4s.verify.repair.batch import repair_batch
 from tests.shared import SHARED
 
 GOLDEN = SHARED / "golden" / "repair_f1.jsonl.gz"

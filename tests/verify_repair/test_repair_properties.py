@@ -13,8 +13,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
-from c4s.verify.batch import repair_row
 from c4s.verify.repair import repair_verdict
+from c4s.verify.repair.batch import repair_row
 from tests.verify_repair.repair_scenes import Scene, actor, scene, with_actor
 
 KINDS = ["Chair", "Box", "Lamp"]

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from c4s.verify.batch import repair_row
+from c4s.verify.repair.batch import repair_row
 from tests.verify_repair.repair_scenes import Scene, actor, moved, scene
 
 ROOM = scene(

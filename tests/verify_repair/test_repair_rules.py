@@ -13,8 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
-from c4s.verify.batch import repair_batch
 from c4s.verify.repair import RELAXED, STRICT, repair, repair_verdict, verify_repair
+from c4s.verify.repair.batch import repair_batch
 from tests.verify_repair.repair_scenes import Scene, actor, moved, renamed, scene, with_actor, without
 
 ROOM = scene(

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from c4s.case.package import SETTINGS
 from c4s.errors import BadInput
+from c4s.records.suite import SETTINGS
 from c4s.score.aggregate import aggregate
 from warehouse.database import ask, rebuild, rows
 from warehouse.frames import export

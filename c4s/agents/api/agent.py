@@ -23,7 +23,7 @@ from c4s.agents.base import AgentContext, AgentReport
 from c4s.agents.briefing import briefing, reference_pictures
 from c4s.errors import AgentFault, MachineryFault
 from c4s.files import append_json_line, digest_bytes
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
 from c4s.toolbox.client import GatewayClient
 from c4s.toolbox.run import POLLING
 

@@ -6,8 +6,8 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from c4s.model import Record
-from c4s.run.records import Configuration
+from c4s.records.base import Record
+from c4s.records.plan import Configuration
 
 
 class ApiOptions(Record):

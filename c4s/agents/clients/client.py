@@ -15,7 +15,7 @@ from c4s.agents.briefing import briefing, reference_pictures
 from c4s.agents.clients import confined
 from c4s.agents.clients.programs import Install, Program, find
 from c4s.errors import AgentFault, MachineryFault
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
 
 SERVER = "c4s"
 """Name of the tool server in every client's configuration."""

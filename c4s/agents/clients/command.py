@@ -18,7 +18,7 @@ from c4s.agents.clients.confined import Command
 from c4s.agents.clients.programs import Program
 from c4s.errors import BadInput
 from c4s.meter.wire import BY_NAME
-from c4s.run.records import Configuration
+from c4s.records.plan import Configuration
 
 _PLACE = re.compile(r"\{(\w+)\}")
 

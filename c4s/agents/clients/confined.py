@@ -23,7 +23,7 @@ from urllib.parse import urlsplit
 
 from c4s.agents.clients import inside
 from c4s.agents.clients.limits import ClientLimits, ClientWatch
-from c4s.engine.sandbox import faults
+from c4s.engine.confine.sandbox import faults
 from c4s.errors import AgentFault, MachineryFault
 
 HOME = Path("/home/agent")

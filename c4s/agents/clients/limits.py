@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from c4s.engine.confine import Limits
-from c4s.engine.watch import overfull
+from c4s.engine.confine.confinement import Limits
+from c4s.engine.confine.watch import overfull
 
 _PAGE = os.sysconf("SC_PAGE_SIZE")
 _TICKS = os.sysconf("SC_CLK_TCK")

@@ -10,11 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
-from c4s.verify.repair.entries import Record
-from c4s.verify.repair.kinds import descriptor
-from c4s.verify.repair.materials import material_set, slot_map
-from c4s.verify.repair.policy import GUARD, Tolerances
-from c4s.verify.repair.vectors import Vector3, angle_deg, valid_vector
+from c4s.protocol.repair import GUARD, Tolerances
+from c4s.verify.actors.entries import Record
+from c4s.verify.actors.kinds import descriptor
+from c4s.verify.actors.materials import material_set, slot_map
+from c4s.verify.actors.vectors import Vector3, angle_deg, valid_vector
 
 Quantity: TypeAlias = Literal["distance", "angle", "ratio"]
 

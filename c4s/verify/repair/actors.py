@@ -11,9 +11,9 @@ from typing import Any, Literal, TypeAlias
 import msgspec
 
 from c4s.errors import BadInput
-from c4s.verify.repair.entries import Entry, PlainEntry, Record, posed_locations
-from c4s.verify.repair.kinds import Descriptor, Kind
-from c4s.verify.repair.vectors import Vector3, valid_vector
+from c4s.verify.actors.entries import Entry, PlainEntry, Record, posed_locations
+from c4s.verify.actors.kinds import Descriptor, Kind
+from c4s.verify.actors.vectors import Vector3, valid_vector
 
 Role: TypeAlias = Literal["input", "truth", "candidate"]
 

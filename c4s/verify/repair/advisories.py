@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from c4s.protocol.repair import NOMINAL
+from c4s.verify.actors.difference import same_but_for_identity, target_differences
+from c4s.verify.actors.materials import slot_map
 from c4s.verify.repair.acceptance import measure
 from c4s.verify.repair.counts import RepairResult
-from c4s.verify.repair.difference import same_but_for_identity, target_differences
 from c4s.verify.repair.explanation import best_attempt
-from c4s.verify.repair.materials import slot_map
-from c4s.verify.repair.policy import NOMINAL
 
 _LEVEL_MARK = ":PersistentLevel."
 _BOX_TESTS = {"bounds_center", "bounds_extent"}

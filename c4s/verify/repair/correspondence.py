@@ -19,11 +19,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from c4s.scene.transform import quat_from_rotator
+from c4s.geometry.transform import quat_from_rotator
+from c4s.protocol.repair import ANGLE_COST, FIELD_COST, GUARD, SAME_LOCATION_CM, SAME_ROTATION_DEG, SAME_SCALE
+from c4s.verify.actors.difference import changed_fields, property_differences, transform_differences
 from c4s.verify.repair.actors import Actor
 from c4s.verify.repair.assignment import maximum_matching, minimum_cost
-from c4s.verify.repair.difference import changed_fields, property_differences, transform_differences
-from c4s.verify.repair.policy import ANGLE_COST, FIELD_COST, GUARD, SAME_LOCATION_CM, SAME_ROTATION_DEG, SAME_SCALE
 
 Method: TypeAlias = Literal["unchanged_semantic", "changed_structural_assignment", "pose_anchored_asset_change"]
 _CELL_CM = 50.0

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from c4s.protocol.repair import NOMINAL, Tolerances
+from c4s.verify.actors.kinds import Kinds
 from c4s.verify.repair.acceptance import Errors, measure
 from c4s.verify.repair.actors import Actor, by_identity, prepare, scene_actors
 from c4s.verify.repair.assignment import minimum_cost
 from c4s.verify.repair.correspondence import Correspondence, Pair, correspond
-from c4s.verify.repair.kinds import Kinds
-from c4s.verify.repair.policy import NOMINAL, Tolerances
 from c4s.verify.repair.targets import Target, find_targets
 
 

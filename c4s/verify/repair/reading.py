@@ -16,8 +16,8 @@ import msgspec
 
 from c4s.errors import BadInput
 from c4s.files import digest_bytes, parse_json
+from c4s.verify.actors.entries import read_texts
 from c4s.verify.repair.actors import Scene
-from c4s.verify.repair.entries import read_texts
 
 
 class _Document(msgspec.Struct):

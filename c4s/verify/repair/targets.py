@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from c4s.errors import BadInput
-from c4s.verify.repair.difference import same_but_for_identity, target_differences
-from c4s.verify.repair.entries import Entry, Record
-from c4s.verify.repair.kinds import Descriptor, descriptor, is_semantic, short_class
+from c4s.verify.actors.difference import same_but_for_identity, target_differences
+from c4s.verify.actors.entries import Entry, Record
+from c4s.verify.actors.kinds import Descriptor, descriptor, is_semantic, short_class
 
 Operation: TypeAlias = Literal["add", "remove", "repair"]
 

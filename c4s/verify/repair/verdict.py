@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import Any, Literal
 
 from c4s.errors import BadInput
+from c4s.protocol.repair import NOMINAL, PROFILES, REPAIR_POLICY
+from c4s.records.verdict import Verdict
 from c4s.verify.repair.actors import scene_actors
 from c4s.verify.repair.advisories import advisories
 from c4s.verify.repair.counts import RepairResult, count, prepare_case
 from c4s.verify.repair.explanation import false_positive_rows, target_rows
-from c4s.verify.repair.policy import NOMINAL, PROFILES, REPAIR_POLICY
 from c4s.verify.repair.reading import read_snapshots, without_cycle_search
-from c4s.verify.verdict import Verdict
 
 
 def counts_record(result: RepairResult) -> dict[str, Any]:

@@ -9,9 +9,9 @@ import pytest
 import trimesh
 from query_scene import BODIES, FOLDER, Scene, path_of
 
-from c4s.engine.headless.boot import boot
+from c4s.engine.headless.process.boot import boot
 from c4s.files import write_bytes
-from c4s.packs.manifest import Asset, Material, MaterialSlot, Pack
+from c4s.records.pack import Asset, Material, MaterialSlot, Pack
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import ModuleType
 from typing import Any
 
-from c4s.packs.manifest import BoxBody, CapsuleBody, HullBody, SphereBody
+from c4s.records.pack import BoxBody, CapsuleBody, HullBody, SphereBody
 
 FOLDER = "/Game/Q"
 BODIES: dict[str, list[Any]] = {

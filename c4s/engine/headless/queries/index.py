@@ -9,15 +9,15 @@ import numpy as np
 from c4s.collision.mesh_body import MeshBody, read_body
 from c4s.collision.shape_cache import SHAPES
 from c4s.collision.shapes import Body
-from c4s.engine.headless import state
-from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.queries import changes
 from c4s.engine.headless.queries.solids import Array
 from c4s.engine.headless.queries.triangles import Rows, Triangles, segment_meets
-from c4s.packs.manifest import Asset, BoxBody, CapsuleBody, CollisionBody, HullBody
+from c4s.engine.headless.world import state
+from c4s.engine.headless.world.pose import Pose, compose
+from c4s.records.pack import Asset, BoxBody, CapsuleBody, CollisionBody, HullBody
 
 if TYPE_CHECKING:
-    from c4s.engine.headless.world import World
+    from c4s.engine.headless.world.world import World
 
 _ROOM = 256
 WORLD_CM = 8.8e12

@@ -145,7 +145,7 @@ class SceneCaptureComponent2D(SceneCaptureComponent):
             raise Exception(f"{self._name}: capture source {source} is not drawn by the headless engine")
         if self.get_editor_property("projection_type") is not CameraProjectionMode.PERSPECTIVE:
             raise Exception(f"{self._name}: only perspective captures are drawn by the headless engine")
-        from c4s.engine.headless import render_scene
+        from c4s.engine.headless.pictures import take
 
         pose, settings = self._world_pose(), self.get_editor_property("post_process_settings")
         view: dict[str, Any] = {
@@ -161,7 +161,7 @@ class SceneCaptureComponent2D(SceneCaptureComponent):
             )
         with TemporaryDirectory() as folder:
             file = Path(folder) / "capture.png"
-            render_scene.take([view], [str(file)], "lit" if source in _LIT else "base_color", False)
+            take.take([view], [str(file)], "lit" if source in _LIT else "base_color", False)
             with Image.open(file) as picture:
                 target._pixels = np.array(picture.convert("RGB"), dtype=np.uint8)
 

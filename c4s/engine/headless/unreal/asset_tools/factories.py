@@ -7,14 +7,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.asset_tools import operations
 from c4s.engine.headless.unreal.asset_tools.paths import new_object_path
 from c4s.engine.headless.unreal.assets import AssetObject, Material, MaterialInstanceConstant
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, as_class, public
 from c4s.engine.headless.unreal.structs import StructBase
-from c4s.packs import manifest
+from c4s.engine.headless.world.state import world
+from c4s.records import pack
 
 
 @public
@@ -84,7 +84,7 @@ class AssetTools(Object):
             return None
         kind = as_class(asset_class)._python_type if asset_class is not None else None
         if isinstance(factory, MaterialFactoryNew) and kind in (None, Material):
-            made: AssetObject = Material._at(target, created=True)._bind(manifest.Material(path=target))
+            made: AssetObject = Material._at(target, created=True)._bind(pack.Material(path=target))
         elif isinstance(factory, MaterialInstanceConstantFactoryNew) and kind in (None, MaterialInstanceConstant):
             made = MaterialInstanceConstant._at(target, created=True)
         else:

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.asset_tools.paths import in_folder, load, new_object_path, package_of
 from c4s.engine.headless.unreal.asset_tools.registry import REGISTRY, AssetData
 from c4s.engine.headless.unreal.assets import (
@@ -21,6 +20,7 @@ from c4s.engine.headless.unreal.assets import (
 )
 from c4s.engine.headless.unreal.containers import Array, Map, Name, Set
 from c4s.engine.headless.unreal.core import Class, Object, Package, as_class
+from c4s.engine.headless.world.state import world
 
 
 def _folder(path: object) -> str:

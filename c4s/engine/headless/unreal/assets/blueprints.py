@@ -6,7 +6,7 @@ from typing import Any
 
 from c4s.engine.headless.unreal.assets.base import AssetObject
 from c4s.engine.headless.unreal.core import Class, api, public
-from c4s.packs.manifest import Asset
+from c4s.records.pack import Asset
 
 
 @public

@@ -10,8 +10,8 @@ from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Object, Prop, public
 from c4s.engine.headless.unreal.enums import CollisionTraceFlag
 from c4s.engine.headless.unreal.structs import ClosedStruct, Rotator, Vector
-from c4s.packs import manifest
-from c4s.packs.manifest import Asset
+from c4s.records import pack
+from c4s.records.pack import Asset
 
 
 def _unseen(kind: str, default: Any) -> Prop:
@@ -94,12 +94,12 @@ def aggregate(asset: Asset) -> KAggregateGeom:
     capsules: list[KSphylElem] = []
     hulls: list[KConvexElem] = []
     for body in asset.collision:
-        if isinstance(body, manifest.BoxBody):
+        if isinstance(body, pack.BoxBody):
             x, y, z = (2 * h for h in body.half_extent)
             boxes.append(KBoxElem._of_fields(Vector(*body.center), Rotator._of(body.rotation_deg), x, y, z))
-        elif isinstance(body, manifest.SphereBody):
+        elif isinstance(body, pack.SphereBody):
             spheres.append(KSphereElem._of_fields(Vector(*body.center), body.radius))
-        elif isinstance(body, manifest.CapsuleBody):
+        elif isinstance(body, pack.CapsuleBody):
             capsules.append(
                 KSphylElem._of_fields(Vector(*body.center), Rotator._of(body.rotation_deg), body.radius, body.length)
             )

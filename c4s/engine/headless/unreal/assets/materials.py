@@ -14,7 +14,7 @@ from c4s.engine.headless.unreal.core import Object, Prop, api, public
 from c4s.engine.headless.unreal.enums import BlendMode
 from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.structs import LinearColor
-from c4s.packs import manifest
+from c4s.records import pack
 
 _VECTORS = {"basecolor": "base_color", "color": "base_color", "tint": "base_color", "emissivecolor": "emissive"}
 _SCALARS = {"roughness": "roughness", "metallic": "metallic", "opacity": "opacity"}
@@ -32,7 +32,7 @@ def parameter_field(name: object, vector: bool) -> str | None:
 class MaterialInterface(AssetObject):
     """Base of materials and their instances."""
 
-    def _surface(self) -> manifest.Material:
+    def _surface(self) -> pack.Material:
         raise Exception(f"{self._name}: this material has no surface")
 
     def _origin_path(self) -> str:
@@ -63,15 +63,15 @@ class Material(MaterialInterface):
         "blend_mode": Prop("BlendMode", BlendMode.BLEND_OPAQUE),
     }
 
-    def _bind(self, record: manifest.Material, origin: str | None = None) -> Any:
+    def _bind(self, record: pack.Material, origin: str | None = None) -> Any:
         self._material = record
         self._origin = origin or record.path
         self._expressions: list[Any] = []
         self._parameters: dict[str, str] = {}
         return self
 
-    def _surface(self) -> manifest.Material:
-        record: manifest.Material = self._material
+    def _surface(self) -> pack.Material:
+        record: pack.Material = self._material
         return record
 
     def _origin_path(self) -> str:
@@ -124,9 +124,9 @@ class _Overriding(MaterialInterface):
             raise Exception(f"{self._name}: a material instance cannot be its own parent")
         self._values["parent"] = parent
 
-    def _surface(self) -> manifest.Material:
+    def _surface(self) -> pack.Material:
         parent = self._parent()
-        base = parent._surface() if parent is not None else manifest.Material(path=self._path())
+        base = parent._surface() if parent is not None else pack.Material(path=self._path())
         update: dict[str, Any] = {"path": self._path(), "class_path": self._class_path()}
         for name, colour in self._vectors.items():
             field = self._field(name, True)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.engine.headless.pose import IDENTITY, Pose, compose, relative_to
 from c4s.engine.headless.queries.changes import note
 from c4s.engine.headless.unreal.components.base import ActorComponent
 from c4s.engine.headless.unreal.core import Object, api
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
-from c4s.scene.level import Vector as Row
+from c4s.engine.headless.world.pose import IDENTITY, Pose, compose, relative_to
+from c4s.records.level import Vector as Row
 
 Bounds = tuple[Row, Row]
 DEEPEST = 100

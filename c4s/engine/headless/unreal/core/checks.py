@@ -239,7 +239,7 @@ def _is_object(kind: str) -> bool:
 
 def _without(title: str, name: str, result: str) -> Any:
     """The empty result of a function that was given no object, which is logged."""
-    from c4s.engine.headless.state import world
+    from c4s.engine.headless.world.state import world
 
     world().log.error(f"{camel(title)}: {camel(name)} is not valid.")
     if result in ("None", "Any") or "None" in _alternatives(result):

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.containers import Array
@@ -16,6 +15,7 @@ from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
 from c4s.engine.headless.unreal.subsystems.replacing import convert
 from c4s.engine.headless.unreal.subsystems.spawning import actors, choose, chosen, spawn_from_class, spawn_from_object
+from c4s.engine.headless.world.state import world
 
 
 @public

@@ -11,7 +11,7 @@ from c4s.engine.headless.unreal.core import Object, api, deprecated, public
 from c4s.engine.headless.unreal.enums import CollisionTraceFlag
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
 from c4s.engine.headless.unreal.subsystems.replacing import parts_of, replace_materials, replace_meshes
-from c4s.packs.manifest import HullBody
+from c4s.records.pack import HullBody
 
 
 @public

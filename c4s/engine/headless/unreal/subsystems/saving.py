@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Object, Package, api, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.subsystems.levels import open_map, save_current
+from c4s.engine.headless.world.state import world
 
 
 def _dirty_assets() -> list[AssetObject]:

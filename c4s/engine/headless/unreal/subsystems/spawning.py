@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from c4s.engine.headless.pose import Pose
-from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import Blueprint, StaticMesh
 from c4s.engine.headless.unreal.components import finite
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class, Object, as_class, subclass_of
 from c4s.engine.headless.unreal.structs import Rotator, Vector
+from c4s.engine.headless.world.pose import Pose
+from c4s.engine.headless.world.state import world
 
 ABSTRACT = ("Light", "Info", "Volume", "SceneCapture")
 """Actor classes that cannot be placed."""

@@ -6,12 +6,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from c4s.engine.headless.queries.channels import BLOCK_ALL, Channel, Profile, profile
-from c4s.engine.headless.state import world
 from c4s.engine.headless.unreal.components.scene import SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Object, Prop, api
 from c4s.engine.headless.unreal.enums import CollisionEnabled
 from c4s.engine.headless.unreal.traces.enums import CollisionChannel, CollisionResponseType
+from c4s.engine.headless.world.state import world
 
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.actors import Actor

@@ -9,7 +9,7 @@ import numpy as np
 
 from c4s.engine.headless.unreal.core import Object
 from c4s.engine.headless.unreal.structs import Box, Color, LinearColor, Matrix, Plane, Quat, Rotator, Transform, Vector
-from c4s.scene.transform import look_at, quat_from_rotator
+from c4s.geometry.transform import look_at, quat_from_rotator
 
 _SMALL = 1e-8
 

@@ -1,0 +1,321 @@
+"""The host's side of an engine process: the queue of its jobs, what they print, and how it ends.
+
+One thread talks to the engine. A job's output comes through a pipe of its own, which is the engine's standard output
+and error for as long as the job runs, whoever in the process writes to it. What has left the engine is kept here, where
+agent code cannot reach it, so a job's log survives a crash, and no script can change what another printed.
+"""
+
+from __future__ import annotations
+
+import array
+import fcntl
+import os
+import selectors
+import socket
+import termios
+import threading
+import time
+from collections import OrderedDict, deque
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import orjson
+
+from c4s.engine.headless import channel
+from c4s.engine.headless.host.joblog import JobLog
+from c4s.garbage import put_off
+
+KEPT_JOBS = 512
+KEPT_VALUES = 16
+"""Jobs whose value can still be read; the values of older ones are dropped."""
+MAX_LOG_BYTES = 256 << 20
+WATCH_S = 0.5
+_SEND_S = 60.0
+_CHUNK = 1 << 18
+_TAIL_BYTES = 4000
+
+
+class Job:
+    """One piece of work for the engine's main thread."""
+
+    def __init__(self, number: int, request: Mapping[str, Any], log: JobLog) -> None:
+        self.number = number
+        self.id = f"job-{number}"
+        self.request = request
+        self.log = log
+        self.done = threading.Event()
+        self.started: float | None = None
+        """``time.monotonic()`` of its start."""
+        self.value: bytes | None = None
+        """What it returned, as JSON."""
+        self.error: str | None = None
+        self.fault: str | None = None
+        """Class name of the exception behind ``error``."""
+        self.ended = False
+        """Whether the engine ended before the job did."""
+        self.abandoned = False
+
+    def reply(self, offset: int = 0) -> dict[str, Any]:
+        """The state of the job as a bridge reply."""
+        finished = self.done.is_set()
+        reply: dict[str, Any] = {
+            "status": "running",
+            "job_id": self.id,
+            "result": self.log.read(offset, complete=finished),
+        }
+        if finished and self.error is None:
+            reply |= {"status": "ok", "value": orjson.Fragment(self.value or b"null")}
+        elif finished:
+            reply |= {"status": "error", "error": self.error, "fault": self.fault}
+            if self.ended:
+                reply["engine_ended"] = True
+        return reply
+
+
+class EngineGone(Exception):
+    """The engine has ended; the text says how."""
+
+
+class JobBoard:
+    """The jobs of one engine process, on the host.
+
+    Args:
+        connection: the host's end of the channel.
+        output: the read end of the pipe that the engine's own output goes to between jobs.
+        folder: where the logs lie; no engine sees it.
+        watch: called about twice a second; a text that it returns ends the engine and says why.
+        end: waits for the process (no longer than a moment, not at all when told True), kills it if it still runs,
+            and says how it ended.
+    """
+
+    def __init__(
+        self,
+        connection: socket.socket,
+        output: int,
+        folder: Path,
+        watch: Callable[[], str | None],
+        end: Callable[[bool], str],
+    ) -> None:
+        self._connection, self._output, self._folder, self._watch, self._end = connection, output, folder, watch, end
+        self.log = JobLog(folder / "engine.log")
+        """What the engine prints outside of jobs."""
+        self.ready = threading.Event()
+        """Set when the engine serves, refuses, or has ended."""
+        self.refusal: dict[str, str] | None = None
+        """The bad input for which the engine did not start."""
+        self.gone: str | None = None
+        """How the engine ended; None while it runs."""
+        self.running: Job | None = None
+        self._waiting: deque[Job] = deque()
+        self._jobs: OrderedDict[str, Job] = OrderedDict()
+        self._lock = threading.Lock()
+        self._count, self._stopping, self._printing = 0, False, -1
+        self._incoming = channel.Incoming()
+        self._sending = threading.Lock()
+        connection.settimeout(_SEND_S)
+        self._wake_end, self._wake = os.pipe()
+        self._thread = threading.Thread(target=self._work, name="engine-jobs", daemon=True)
+        self._thread.start()
+
+    def submit(self, request: Mapping[str, Any]) -> Job:
+        """Queue work for the engine."""
+        with self._lock:
+            self._count += 1
+            job = Job(self._count, request, JobLog(self._folder / f"job-{self._count}.log"))
+            self._jobs[job.id] = job
+            while len(self._jobs) > KEPT_JOBS and next(iter(self._jobs.values())).done.is_set():
+                self._jobs.popitem(last=False)
+            for old in list(self._jobs.values())[-KEPT_VALUES - 8 : -KEPT_VALUES]:
+                old.value = None
+            if self.gone is None:
+                self._waiting.append(job)
+                os.write(self._wake, b"j")
+                return job
+        self._finish(job, self.gone, "EngineDied", ended=True)
+        return job
+
+    def job(self, job_id: str) -> Job | None:
+        """A job by its id, if it is still known."""
+        with self._lock:
+            return self._jobs.get(job_id)
+
+    def status(self) -> dict[str, Any]:
+        """Whether the engine is idle, busy or dead; answered without asking it, so it holds for one that hangs."""
+        with self._lock:
+            running, gone = self.running, self.gone
+            state = "dead" if gone is not None else "busy" if running is not None or self._waiting else "idle"
+            told: dict[str, Any] = {
+                "state": state,
+                "busy": state == "busy",
+                "job_id": running.id if running else None,
+                "waiting": len(self._waiting),
+            }
+        if running is not None and running.started is not None:
+            told["running_s"] = round(time.monotonic() - running.started, 3)
+        if gone is not None:
+            told["error"] = gone
+        return told
+
+    def abandon(self, job: Job) -> None:
+        """Ask a job to end: at its next Python instruction when it runs, at once when it waits. Best effort."""
+        with self._lock:
+            job.abandoned = True
+            running, waiting = self.running is job and self.gone is None, job in self._waiting
+            if waiting:
+                self._waiting.remove(job)
+        if running:
+            with suppress(OSError):  # an engine that is ending finishes the job by that
+                self._send({"abandon": job.number})
+        if waiting:
+            self._finish(job, "abandoned", "JobAbandoned")
+
+    def _send(self, message: Mapping[str, Any], descriptor: int | None = None) -> None:
+        with self._sending:
+            channel.send(self._connection, orjson.dumps(message), descriptor)
+
+    def stop(self) -> None:
+        """Tell the engine to end behind the jobs that are queued now."""
+        with self._lock:
+            if self.gone is None:
+                self._stopping = True
+                os.write(self._wake, b"s")
+
+    def join(self) -> None:
+        """Wait until the engine has ended and all that it printed is kept."""
+        self._thread.join()
+
+    def _work(self) -> None:
+        try:
+            with selectors.DefaultSelector() as selector:
+                for source in (self._wake_end, self._output, self._connection):
+                    selector.register(source, selectors.EVENT_READ)
+                self._serve(selector)
+        except (EngineGone, ValueError, OSError) as why:
+            reason = str(why)
+        self._bury(reason)
+
+    def _serve(self, selector: selectors.BaseSelector) -> None:
+        """Until the engine is gone: start jobs, keep what they print, take their results."""
+        watched = time.monotonic()
+        while True:
+            ready = {key.fd for key, _ in selector.select(WATCH_S)}
+            if time.monotonic() - watched >= WATCH_S:
+                watched = time.monotonic()
+                reason = self._watch()
+                if reason is not None:
+                    raise EngineGone(reason)
+            if self._wake_end in ready:
+                os.read(self._wake_end, _CHUNK)
+            if self._output in ready and not _pour(self._output, self.log):
+                selector.unregister(self._output)
+            if self._printing in ready and self.running is not None and not _pour(self._printing, self.running.log):
+                selector.unregister(self._printing)
+            for log in (self.log, *([self.running.log] if self.running else [])):
+                if log.size > MAX_LOG_BYTES:
+                    raise EngineGone(f"it printed more than {MAX_LOG_BYTES >> 20} MiB")
+            if self._connection.fileno() in ready:
+                data = self._connection.recv(_CHUNK)
+                if not data:
+                    raise EngineGone("")
+                for message in self._incoming.feed(data):
+                    self._take(message, selector)
+            if self.running is None and self.ready.is_set():
+                self._start_next(selector)
+
+    def _take(self, message: bytes, selector: selectors.BaseSelector) -> None:
+        """A message of the engine: that it serves, that it refuses its input, or the result of the running job."""
+        head, _, value = message.partition(b"\n")
+        fields, job = _object(head), self.running
+        if not self.ready.is_set():
+            self.refusal = fields.get("refused")
+            self.ready.set()
+        elif job is not None and fields.get("job") == job.number:
+            _pour(self._printing, job.log, _available(self._printing))
+            if self._printing in selector.get_map():
+                selector.unregister(self._printing)
+            channel.close(self._printing)
+            self._printing = -1
+            with self._lock:
+                self.running = None
+            self._finish(job, fields.get("error"), fields.get("fault"), value)
+
+    def _start_next(self, selector: selectors.BaseSelector) -> None:
+        with self._lock:
+            if not self._waiting:
+                if self._stopping:
+                    self._stopping = False
+                    self._send({"stop": True})
+                return
+            job = self.running = self._waiting.popleft()
+        job.started = time.monotonic()
+        self._printing, writing = os.pipe()
+        try:
+            selector.register(self._printing, selectors.EVENT_READ)
+            self._send({"job": job.number, **job.request}, writing)
+        finally:
+            channel.close(writing)
+
+    def _finish(self, job: Job, error: Any, fault: Any, value: bytes = b"", *, ended: bool = False) -> None:
+        job.error, job.fault = (None if text is None else str(text) for text in (error, fault))
+        if error is None:
+            try:
+                with put_off():
+                    orjson.loads(value)
+                job.value = value
+            except orjson.JSONDecodeError as wrong:
+                job.error, job.fault = f"the value that it returned is not JSON: {wrong}", "ValueError"
+        job.ended = ended
+        job.log.close()
+        job.done.set()
+
+    def _bury(self, reason: str) -> None:
+        """The engine has ended, or must: take what it still printed, and give every job its answer."""
+        how = self._end(bool(reason))
+        running = self.running
+        if self._printing >= 0 and running is not None:
+            _pour(self._printing, running.log, _available(self._printing))
+            channel.close(self._printing)
+        _pour(self._output, self.log, _available(self._output))
+        tails = [log.tail(_TAIL_BYTES) for log in ([running.log] if running else []) + [self.log]]
+        with self._lock:
+            self.gone = " ".join(
+                part for part in (f"the engine ended with {how}", f"({reason})" if reason else "", *tails) if part
+            )
+            left = ([running] if running else []) + list(self._waiting)
+            self.running = None
+            self._waiting.clear()
+        for job in left:
+            self._finish(job, self.gone, "EngineDied", ended=True)
+        self.ready.set()
+        self.log.close()
+        channel.close(self._output, self._wake_end, self._wake)
+        self._connection.close()
+
+
+def _object(message: bytes) -> dict[str, Any]:
+    """A message as its fields. ``ValueError`` when it is none."""
+    value = orjson.loads(message)
+    if not isinstance(value, dict):
+        raise ValueError("the engine sent what is no message")
+    return value
+
+
+def _available(descriptor: int) -> int:
+    """Bytes that a pipe holds now."""
+    amount = array.array("i", [0])
+    fcntl.ioctl(descriptor, termios.FIONREAD, amount)
+    return amount[0]
+
+
+def _pour(descriptor: int, log: JobLog, amount: int | None = None) -> bool:
+    """Move what a pipe holds (one reading, or ``amount`` bytes) into a log. False at the pipe's end."""
+    left = _CHUNK if amount is None else amount
+    while left:
+        data = os.read(descriptor, min(left, _CHUNK))
+        if not data:
+            return False
+        log.write(data)
+        left = 0 if amount is None else left - len(data)
+    return True

@@ -1,0 +1,271 @@
+"""A headless engine process and the bridge to it, for as long as the host needs it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+from collections.abc import Mapping, Sequence
+from contextlib import ExitStack, suppress
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from c4s.engine.bridge import FAILED, BridgeFault, SocketBridge
+from c4s.engine.confine import sandbox
+from c4s.engine.confine.confinement import Backend, Limits
+from c4s.engine.confine.watch import Watch
+from c4s.engine.headless.host import kernels
+from c4s.engine.headless.host.jobs import JobBoard
+from c4s.engine.headless.host.server import BridgeServer
+from c4s.errors import BadInput, C4SError, MachineryFault
+
+START_TIMEOUT_S = 120.0
+_STOP_TIMEOUT_S = 5.0
+_POLL_S = 10.0
+_SOCKET = "bridge.sock"
+_WITHHELD = "withheld"
+
+
+class EngineCallError(C4SError):
+    """A function called in the engine raised: its message, and the name of the exception as ``kind``."""
+
+    def __init__(self, message: str, *, function: str, kind: str) -> None:
+        self.kind = kind
+        self.detail = message
+        super().__init__(message.strip().rpartition("\n")[2] or kind, where=function)
+
+
+class EngineDied(MachineryFault):
+    """The engine process ended by itself, or was ended for what it did.
+
+    ``during`` is the kind of request that it was working on, ``lines`` what the job had printed.
+    """
+
+    def __init__(self, what: str, *, during: str, where: str, lines: Sequence[str] = ()) -> None:
+        self.during, self.lines = during, list(lines)
+        super().__init__(what, where=where)
+
+
+class EngineSession:
+    """One engine process. Use it as a context manager, or call ``close``."""
+
+    def __init__(
+        self,
+        process: subprocess.Popen[bytes],
+        listener: socket.socket,
+        connection: socket.socket,
+        output: int,
+        paths: sandbox.Paths,
+        folders: tuple[Path, Path],
+        limits: Limits,
+    ) -> None:
+        self._process, self._socket_folder, self.logs = process, *folders
+        """``logs`` holds ``engine.log`` and ``job-<n>.log``; the engine cannot reach it."""
+        self.bridge = SocketBridge(self._socket_folder / _SOCKET)
+        self._board = JobBoard(
+            connection, output, self.logs, Watch(process.pid, paths.read_write, limits).breach, self._end
+        )
+        self._server = BridgeServer(listener, self._board, paths.work)
+
+    @classmethod
+    def start(
+        cls,
+        *,
+        packs: Sequence[Path],
+        content: Path,
+        scratch: Path,
+        levels: Sequence[Path] = (),
+        start_map: str | None = None,
+        content_read_only: bool = False,
+        limits: Limits | None = None,
+        use: Backend | None = None,
+    ) -> EngineSession:
+        """Start an engine and wait until it serves.
+
+        The engine sees the pack folders and the level files (read-only), ``content`` and ``scratch`` (writable unless
+        ``content_read_only``), the Python runtime, and nothing else. What it prints is kept in ``<scratch>.logs``.
+        Raises ``BadInput`` for what cannot be loaded, ``MachineryFault`` when there is no sandbox or the engine does
+        not come up.
+        """
+        packs, levels = [path.resolve() for path in packs], [path.resolve() for path in levels]
+        content, scratch = content.resolve(), scratch.resolve()
+        logs = scratch.with_name(f"{scratch.name}.logs")
+        _check(packs, levels, content, scratch, logs)
+        for folder in (content, scratch, logs):
+            folder.mkdir(parents=True, exist_ok=True)
+        chosen, limits, compiled = use or sandbox.backend(), limits or Limits(), kernels.compiled()
+        readable = (*packs, *levels, compiled, *((content,) if content_read_only else ()))
+        paths = sandbox.Paths(readable, (scratch,) if content_read_only else (content, scratch), scratch)
+        with ExitStack() as undo:
+            socket_folder = Path(tempfile.mkdtemp(prefix="c4s-"))
+            undo.callback(shutil.rmtree, socket_folder)
+            listener = undo.enter_context(socket.socket(socket.AF_UNIX))
+            listener.bind(str(socket_folder / _SOCKET))
+            listener.listen(64)
+            near, far = socket.socketpair()
+            undo.enter_context(near)
+            output, writing = os.pipe()
+            undo.callback(os.close, output)
+            try:
+                process = sandbox.start(
+                    "c4s.engine.headless.process.main",
+                    {
+                        "channel": far.fileno(),
+                        "packs": [str(path) for path in packs],
+                        "content": str(content),
+                        "levels": [str(path) for path in levels],
+                        "start_map": start_map,
+                        "scratch": str(scratch),
+                    },
+                    paths=paths,
+                    output=writing,
+                    keep_open=[far.fileno()],
+                    limits=limits,
+                    use=chosen,
+                    environment=kernels.linked(compiled, scratch),
+                )
+            finally:
+                far.close()
+                os.close(writing)
+            undo.pop_all()
+        session = cls(process, listener, near, output, paths, (socket_folder, logs), limits)
+        try:
+            session._wait_until_ready()
+        except BaseException:
+            session.kill()
+            raise
+        return session
+
+    def _wait_until_ready(self) -> None:
+        if not self._board.ready.wait(START_TIMEOUT_S):
+            raise MachineryFault(f"the engine did not start in {START_TIMEOUT_S:g} s", where=str(self.logs))
+        refusal = self._board.refusal
+        if refusal is not None:
+            raise BadInput(refusal["what"], where=refusal["where"], todo=refusal["todo"])
+        if self._board.gone is not None:
+            raise EngineDied(self._board.gone, during="start", where=str(self.logs))
+
+    @property
+    def pid(self) -> int:
+        """Process id of the engine (of bubblewrap, where that runs it: it dies with it and the engine with it)."""
+        return self._process.pid
+
+    @property
+    def alive(self) -> bool:
+        """Whether the process runs."""
+        return self._process.poll() is None
+
+    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 300.0) -> dict[str, Any]:
+        """One bridge request; its reply whatever its status. ``EngineDied`` when the process has ended."""
+        try:
+            reply = self.bridge.request(kind, params, timeout_s=timeout_s)
+        except BridgeFault as fault:
+            if self._board.gone is None:
+                raise
+            raise EngineDied(self._board.gone, during=kind, where=str(self.logs)) from fault
+        if reply.get("engine_ended") or reply.get("state") == "dead":
+            raise EngineDied(
+                str(reply["error"]),
+                during=kind,
+                where=str(self.logs),
+                lines=reply.get("result", {}).get("python_logs", ()),
+            )
+        return reply
+
+    def execute(self, script: str, timeout_s: float = 600.0) -> dict[str, Any]:
+        """Run a script to its end and return the final reply with all its lines under ``result.python_logs``.
+
+        A script that is still running after ``timeout_s`` is abandoned, and its last reply says ``running``.
+        """
+        return self._run("execute_python_script", {"script": script}, timeout_s)
+
+    def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
+        """Run ``c4s.editor.<module>.<function>(**params)`` in the engine and return its value.
+
+        Raises ``EngineCallError`` when the function raised, ``MachineryFault`` when it took longer than ``timeout_s``.
+        """
+        reply = self._run("call_function", {"function": function, "params": params}, timeout_s)
+        if reply["status"] == "running":
+            raise MachineryFault(f"no result in {timeout_s:g} s", where=function)
+        if reply["status"] in FAILED:
+            raise EngineCallError(str(reply.get("error")), function=function, kind=str(reply.get("fault")))
+        return reply.get("value")
+
+    def _run(self, kind: str, params: Mapping[str, Any], timeout_s: float) -> dict[str, Any]:
+        deadline = time.monotonic() + timeout_s
+        reply = self.request(kind, {**params, "wait_s": min(_POLL_S, timeout_s)}, timeout_s + _POLL_S)
+        lines: list[str] = []
+        while "job_id" in reply:
+            page = reply["result"]
+            lines += page["python_logs"]
+            late = time.monotonic() >= deadline
+            if not page["more"] and (reply["status"] != "running" or late):
+                break
+            wait_s = 0.0 if page["more"] or late else min(_POLL_S, deadline - time.monotonic())
+            reply = self.request(
+                "read_job_log", {"job_id": reply["job_id"], "offset": page["next_offset"], "wait_s": max(0.0, wait_s)}
+            )
+        if reply.get("status") == "running":
+            self.request("abandon_job", {"job_id": reply["job_id"]})
+        if "result" in reply:
+            reply["result"]["python_logs"] = lines
+        return reply
+
+    def close(self) -> None:
+        """Ask the engine to end, and end it if it does not, or is busy."""
+        if self.alive and self._board.status()["state"] == "idle":
+            self._board.stop()
+            with suppress(subprocess.TimeoutExpired):
+                self._process.wait(_STOP_TIMEOUT_S)
+        self.kill()
+
+    def kill(self) -> None:
+        """End the process at once and remove its socket; what it printed is kept."""
+        if self.alive:
+            os.killpg(self._process.pid, signal.SIGKILL)
+        self._process.wait()
+        self._board.join()
+        self._server.close()
+        shutil.rmtree(self._socket_folder, ignore_errors=True)
+
+    def _end(self, at_once: bool) -> str:
+        """Wait for the process a moment, end it if it does not, and say how it ended."""
+        try:
+            code = self._process.wait(0.0 if at_once else _STOP_TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            os.killpg(self._process.pid, signal.SIGKILL)
+            code = self._process.wait()
+        return _exit_text(code)
+
+    def __enter__(self) -> EngineSession:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+
+def _check(packs: Sequence[Path], levels: Sequence[Path], content: Path, scratch: Path, logs: Path) -> None:
+    for pack in packs:
+        if not (pack / "pack.json").is_file():
+            raise BadInput("no asset pack here", where=str(pack), todo="build it with `c4s catalog build`")
+    for level in levels:
+        if not level.is_file():
+            raise BadInput("no such level file", where=str(level))
+    if logs.is_relative_to(content):
+        raise MachineryFault("the engine's logs would lie in its content, where it could change them", where=str(logs))
+    for path in (*packs, *levels, content, scratch):
+        if _WITHHELD in path.parts:
+            raise MachineryFault("withheld files are never shown to an engine that may run agent code", where=str(path))
+
+
+def _exit_text(code: int) -> str:
+    if code < 0:
+        return signal.Signals(-code).name
+    return signal.Signals(code - 128).name if code > 128 and code - 128 in list(signal.Signals) else f"exit code {code}"

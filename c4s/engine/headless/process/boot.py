@@ -1,0 +1,49 @@
+"""Start a headless engine in this process and install its ``unreal`` module."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from types import ModuleType
+
+from c4s.engine.headless.unreal import build, libraries
+from c4s.engine.headless.world import state
+from c4s.engine.headless.world.world import World, known_levels
+from c4s.errors import BadInput
+from c4s.packs.store import PackStore
+
+
+def boot(
+    pack_folders: Sequence[Path],
+    content: Path,
+    levels: Sequence[Path] = (),
+    start_map: str | None = None,
+    scratch: Path | None = None,
+) -> ModuleType:
+    """Build the world and install ``unreal`` in ``sys.modules``.
+
+    Args:
+        pack_folders: folders that hold a ``pack.json``.
+        content: writable root; a level ``/Game/A/B`` lies at ``<content>/Game/A/B.level.json``.
+        levels: read-only level documents, known by their own package name.
+        start_map: package to open; without it an untitled empty level is open.
+        scratch: the project's ``Saved`` folder (default: ``<content>/Saved``).
+
+    Raises:
+        BadInput: a pack or level is missing or wrong, or there is no such start map.
+    """
+    content.mkdir(parents=True, exist_ok=True)
+    world = World(PackStore(pack_folders), content, known_levels(levels))
+    world.scratch = scratch if scratch is not None else content / "Saved"
+    state.install(world)
+    if start_map is not None and world.load_map(start_map) is None:
+        raise BadInput("no such start map", where=start_map, todo="give its level document in `levels`")
+    module = build()
+    sys.modules["unreal"] = module
+    return module
+
+
+def tick(delta_seconds: float) -> None:
+    """Call the functions that scripts registered to run after each tick."""
+    libraries.tick(delta_seconds)

@@ -1,0 +1,87 @@
+"""What the snapshot asks, answered from the engine's own state: as through ``unreal``, without its checks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.editor.facts import Part, Reader, Stand
+from c4s.engine.headless.unreal.components import InstancedStaticMeshComponent, SceneComponent, StaticMeshComponent
+from c4s.engine.headless.world.pose import Pose, compose
+from c4s.engine.headless.world.state import world
+from c4s.geometry.transform import rotator_from_quat
+
+
+def _row(values: Any) -> list[float]:
+    return [float(value) for value in values]
+
+
+def _place(pose: Pose) -> dict[str, Any]:
+    pitch, yaw, roll = rotator_from_quat(pose.quat)
+    return {
+        "location_cm": _row(pose.location),
+        "rotation_deg": [pitch + 0.0, yaw + 0.0, roll + 0.0],
+        "quaternion_xyzw": _row(pose.quat),
+        "scale": _row(pose.scale),
+    }
+
+
+class DirectReader(Reader):
+    """Reads actors and static mesh components directly, other components through ``unreal``."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._level = world().map_path()
+
+    def parts(self, actor: Any) -> list[Any]:
+        return [part for part in actor._components if isinstance(part, SceneComponent)]
+
+    def part(self, component: Any) -> Part:
+        if not isinstance(component, StaticMeshComponent):
+            return super().part(component)
+        pose = component._world_pose()
+        instances = None
+        if isinstance(component, InstancedStaticMeshComponent):
+            instances = [_place(compose(each, pose)) for each in component._instances]
+        mesh = component._mesh
+        slots = [self.material(component._material(i)) for i in range(component._slot_count())]
+        return Part(
+            str(component._name),
+            self.paths[component._class()],
+            True,
+            component._collides(),
+            mesh,
+            slots,
+            _place(pose),
+            instances,
+        )
+
+    def material(self, material: Any) -> tuple[str | None, str | None]:
+        return (None, None) if material is None else (self.paths[material], self.paths[material._class()])
+
+    def stand(self, actor: Any) -> Stand:
+        pose = actor._pose()
+        origin, extent = actor._bounds(False)
+        above = actor._root()._parent
+        parent = above._outer if above is not None else None
+        return Stand(
+            str(actor._name),
+            self.paths[actor._class()],
+            str(actor._label),
+            f"{self._level}:PersistentLevel.{actor._name}",
+            actor._guid.upper(),
+            [str(tag) for tag in actor._values.get("tags", ())],
+            (str(parent._path()), str(parent._label)) if parent is not None else None,
+            _row(pose.location),
+            _row(pose.rotation_deg),
+            _row(pose.quat),
+            _row(pose.scale),
+            _row(origin),
+            _row(extent),
+        )
+
+
+def attach() -> None:
+    """Make ``c4s.editor.snapshot`` read here."""
+    from c4s.editor import snapshot
+
+    snapshot.make_reader = DirectReader

@@ -1,0 +1,295 @@
+"""The offline rule judge: decides what the scene's state decides, and calls everything else UNKNOWN.
+
+It is deterministic, reads no pictures and no text that the agent under test wrote. See ``docs/rule-judge.md`` for what
+each kind of requirement means to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from c4s.protocol.bundle import Entity, Predicate, Requirements
+from c4s.semantics.inventory import Facts, Thing, inventory
+from c4s.semantics.looks import has_color, is_made_of, material_index
+from c4s.semantics.measures import RELATIONS, SYNONYMS, encircles, is_cluster, is_ring, is_row, is_scattered
+from c4s.semantics.quantities import limits
+from c4s.semantics.words import tokens
+
+Status = Literal["MATCH", "MISMATCH", "UNKNOWN"]
+SHARE = 0.5
+"""A collection satisfies a relation or look when at least half of its members do; the share is the score."""
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A decision with its evidence. ``score`` is in [0, 1], and 0 when unknown."""
+
+    status: Status
+    score: float
+    reason: str
+    actors: list[str] = field(default_factory=list)
+    measures: dict[str, Any] = field(default_factory=dict)
+
+
+def unknown(reason: str, actors: Sequence[str] = ()) -> Decision:
+    """Not decidable from the state."""
+    return Decision("UNKNOWN", 0.0, reason, list(actors))
+
+
+def decided(holds: bool, reason: str, things: Sequence[Thing] = (), **measures: Any) -> Decision:
+    """A definite yes or no."""
+    return Decision("MATCH" if holds else "MISMATCH", float(holds), reason, actor_names(things), measures)
+
+
+def shared(things: Sequence[Thing], holding: Sequence[Thing], reason: str, *, any_suffices: bool) -> Decision:
+    """A yes or no from the share of things that satisfy a test, with that share as the score."""
+    share = len(holding) / len(things)
+    score = float(share > 0) if any_suffices else share
+    return Decision(
+        "MATCH" if score >= SHARE else "MISMATCH",
+        score,
+        reason,
+        actor_names(holding),
+        {"satisfying": len(holding), "of": len(things)},
+    )
+
+
+def actor_names(things: Sequence[Thing], most: int = 50) -> list[str]:
+    """Names of the things' actors, without repeats, at most 50."""
+    return list(dict.fromkeys(thing.actor for thing in things))[:most]
+
+
+def conjunction(decisions: Sequence[Decision]) -> Decision:
+    """All of them: a known no decides, else an unknown leaves it open, else the lowest score."""
+    for status in ("MISMATCH", "UNKNOWN"):
+        found = [d for d in decisions if d.status == status]
+        if found:
+            return min(found, key=lambda d: d.score)
+    return min(decisions, key=lambda d: d.score)
+
+
+def disjunction(decisions: Sequence[Decision]) -> Decision:
+    """Any of them: a known yes decides, else an unknown leaves it open."""
+    for status in ("MATCH", "UNKNOWN"):
+        found = [d for d in decisions if d.status == status]
+        if found:
+            return max(found, key=lambda d: d.score)
+    return max(decisions, key=lambda d: d.score)
+
+
+def negation(decision: Decision) -> Decision:
+    """The opposite of a decision."""
+    if decision.status == "UNKNOWN":
+        return decision
+    return Decision(
+        "MISMATCH" if decision.status == "MATCH" else "MATCH",
+        1.0 - decision.score,
+        f"not: {decision.reason}",
+        decision.actors,
+        decision.measures,
+    )
+
+
+class RuleJudge:
+    """Decides the predicates of one bundle on one scene."""
+
+    def __init__(self, requirements: Requirements, snapshot: Mapping[str, Any], catalog: Mapping[str, Facts]) -> None:
+        self.requirements = requirements
+        self.things = inventory(snapshot, catalog)
+        self.closed = all(thing.facts is not None and not thing.basic_shape for thing in self.things)
+        """Every placed object is a known catalog asset, so what is not named is not there."""
+        self._materials = material_index(catalog)
+        self._grounded: dict[str, list[Thing]] = {}
+        self._decisions: dict[str, Decision] = {}
+
+    def ground(self, entity_id: str) -> list[Thing]:
+        """The things that an entity names."""
+        if entity_id not in self._grounded:
+            entity = self.requirements.entities.get(entity_id)
+            phrases = entity.phrases if entity else ()
+            self._grounded[entity_id] = [thing for thing in self.things if thing.is_a(phrases)]
+        return self._grounded[entity_id]
+
+    def decide(self, predicate_id: str) -> Decision:
+        """The decision on a predicate of the bundle."""
+        if predicate_id not in self._decisions:
+            self._decisions[predicate_id] = unknown("the requirement refers to itself")
+            predicate = self.requirements.predicates[predicate_id]
+            found = self._decide(predicate)
+            self._decisions[predicate_id] = negation(found) if predicate.negative else found
+        return self._decisions[predicate_id]
+
+    def _decide(self, predicate: Predicate) -> Decision:
+        if predicate.type in ("logic", "set") and predicate.operands:
+            return self._logic(predicate)
+        deciders: dict[str, Callable[[Predicate], Decision]] = {
+            "existence": self._existence,
+            "presence": self._existence,
+            "quantity": self._quantity,
+            "count": self._quantity,
+            "set": self._existence,
+            "attribute": self._looks,
+            "material": self._looks,
+            "spatial_relation": self._relation,
+            "distribution": self._distribution,
+        }
+        decide = deciders.get(predicate.type)
+        return decide(predicate) if decide else unknown(f"a {predicate.type} requirement has to be seen")
+
+    def _logic(self, predicate: Predicate) -> Decision:
+        missing = [operand for operand in predicate.operands if operand not in self.requirements.predicates]
+        if missing:
+            return unknown(f"unknown operand {missing[0]}")
+        parts = [self.decide(operand) for operand in predicate.operands]
+        if predicate.operator in ("any_of", "or"):
+            return disjunction(parts)
+        if predicate.operator in ("all_of", "and"):
+            return conjunction(parts)
+        if predicate.operator in ("not", "none_of"):
+            return negation(disjunction(parts))
+        return unknown(f"unknown operator {predicate.operator}")
+
+    def _presence(self, entity_ids: Sequence[str]) -> tuple[list[Thing], Decision | None]:
+        """Things of the entities, or the decision when there are none."""
+        things = list(dict.fromkeys(thing for entity_id in entity_ids for thing in self.ground(entity_id)))
+        if things:
+            return things, None
+        if not self.things:
+            return [], decided(False, "the scene holds no object")
+        entities = [self.requirements.entities[i] for i in entity_ids if i in self.requirements.entities]
+        if not entities:
+            return [], unknown("the requirement names no entity")
+        named = " / ".join(" ".join(entity.phrases[0]) for entity in entities if entity.phrases)
+        if not all(entity.is_object for entity in entities):
+            return [], unknown(f"{named} is a region that has to be seen")
+        if self.closed:
+            return [], decided(False, f"no object of the scene is a {named}")
+        return [], unknown(f"no object is named {named}, but some objects are primitives or not in the catalog")
+
+    def _existence(self, predicate: Predicate) -> Decision:
+        things, absent = self._presence(predicate.subjects)
+        if absent:
+            return absent
+        parts = [decided(True, "placed", things, count=len(things))]
+        if predicate.quantity:
+            parts.append(self._count(things, predicate.quantity))
+        if predicate.qualifiers:
+            parts.append(self._qualified(things, predicate))
+        if predicate.relation and predicate.references:
+            parts.append(self._relation(predicate))
+        return conjunction(parts)
+
+    def _quantity(self, predicate: Predicate) -> Decision:
+        things, absent = self._presence(predicate.subjects)
+        if absent and absent.status == "UNKNOWN":
+            return absent
+        return self._count(things, predicate.quantity or {})
+
+    def _count(self, things: Sequence[Thing], quantity: Mapping[str, Any]) -> Decision:
+        wanted = limits(quantity)
+        if wanted is None:
+            return unknown(f"{quantity.get('qualitative') or quantity.get('mode')} is no count", actor_names(things))
+        low, high = wanted
+        return decided(
+            low <= len(things) <= high,
+            "counted",
+            things,
+            count=len(things),
+            at_least=low,
+            **({} if high == float("inf") else {"at_most": high}),
+        )
+
+    def _looks(self, predicate: Predicate) -> Decision:
+        things, absent = self._presence(predicate.subjects)
+        if absent:
+            return absent
+        return self._qualified(things, predicate) if predicate.qualifiers else unknown("no attribute is named")
+
+    def _qualified(self, things: Sequence[Thing], predicate: Predicate) -> Decision:
+        """Whether the things show every qualifier of the predicate."""
+        individual = all(not entity.collection for entity in self._entities(predicate.subjects))
+        return conjunction([self._shows(things, kind, words, individual) for kind, words in predicate.qualifiers])
+
+    def _shows(self, things: Sequence[Thing], kind: str, words: str, individual: bool) -> Decision:
+        answers: list[bool | None]
+        if kind == "material":
+            answers = [is_made_of(thing, words, self._materials) for thing in things]
+        elif kind == "color":
+            answers = [has_color(thing, words, self._materials) for thing in things]
+        else:
+            answers = [True if thing.says(tokens(words)) else None for thing in things]
+        holding = [thing for thing, answer in zip(things, answers, strict=True) if answer]
+        if individual and holding:
+            return shared(things, holding, f"{kind} {words}", any_suffices=True)
+        if None in answers and len(holding) < len(things):
+            return unknown(f"{kind} {words} is not said by the assets", actor_names(things))
+        return shared(things, holding, f"{kind} {words}", any_suffices=individual)
+
+    def _entities(self, ids: Sequence[str]) -> list[Entity]:
+        return [self.requirements.entities[i] for i in ids if i in self.requirements.entities]
+
+    def _relation(self, predicate: Predicate) -> Decision:
+        word = "_".join(str(predicate.relation or "").lower().replace("-", "_").split())
+        relation = SYNONYMS.get(word)
+        subjects, absent = self._presence(predicate.subjects)
+        if absent:
+            return absent
+        if not predicate.references:
+            return unknown("the relation names no reference", actor_names(subjects))
+        references, missing = self._presence(predicate.references)
+        if missing:
+            return missing
+        if relation is None:
+            return unknown(f"the relation {word or 'given'} is not decidable by geometry", actor_names(subjects))
+        if relation.endswith("_inverse"):
+            subjects, references, relation = references, subjects, relation.removesuffix("_inverse")
+        if relation == "between_references":
+            subjects, references, relation = references, subjects, "between"
+        others = [thing for thing in references if thing not in set(subjects)] or references
+        if relation == "around":
+            return self._around(subjects, others)
+        test = RELATIONS[relation]
+        holding = [thing for thing in subjects if test(thing, [o for o in others if o is not thing])]
+        individual = all(not entity.collection for entity in self._entities(predicate.subjects))
+        return shared(subjects, holding, f"{relation} {len(others)} reference(s)", any_suffices=individual)
+
+    def _around(self, subjects: Sequence[Thing], references: Sequence[Thing]) -> Decision:
+        if len(subjects) < 3:
+            holding = [
+                thing
+                for thing in subjects
+                if any(np.all(thing.low[:2] <= o.low[:2]) and np.all(thing.high[:2] >= o.high[:2]) for o in references)
+            ]
+            return decided(bool(holding), "one box holds the references' plan", holding)
+        holds, gap = encircles(subjects, references)
+        return decided(holds, "stand around the references", subjects, largest_gap_deg=round(gap, 1))
+
+    def _distribution(self, predicate: Predicate) -> Decision:
+        things, absent = self._presence(predicate.subjects)
+        if absent:
+            return absent
+        words = {
+            word
+            for text in (predicate.relation or "", *(name for _, name in predicate.qualifiers), predicate.text)
+            for word in tokens(text)
+        }
+        points = np.array([thing.centre[:2] for thing in things])
+        if len(things) < 3:
+            return unknown("fewer than three objects have no distribution", actor_names(things))
+        if words & {"row", "line", "lined", "queue"}:
+            holds, value = is_row(points)
+            return decided(holds, "in a row", things, spread_share=round(value, 4))
+        if words & {"ring", "circle", "circular"}:
+            holds, value = is_ring(points)
+            return decided(holds, "in a ring", things, radius_variation=round(value, 4))
+        if words & {"cluster", "clustered", "grouped", "huddled", "bunched"}:
+            holds, value = is_cluster(things)
+            return decided(holds, "clustered", things, nearest_cm=round(value, 1))
+        if words & {"scattered", "scatter", "spread", "dotted", "strewn"}:
+            holds, value = is_scattered(points)
+            return decided(holds, "scattered", things, clark_evans=round(value, 4))
+        return unknown("the distribution has to be seen", actor_names(things))

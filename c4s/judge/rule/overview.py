@@ -1,0 +1,155 @@
+"""The rule judge's overview dimensions. Each is a mean of named parts; what cannot be decided is worth 0."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from c4s.judge.rule.judge import RuleJudge
+from c4s.protocol.bundle import Entity
+from c4s.protocol.numbers import mean
+from c4s.semantics.inventory import Thing
+from c4s.semantics.quantities import needed
+from c4s.semantics.views import Views
+
+STYLE_TYPES = frozenset({"attribute", "material", "style_bundle", "environment", "atmosphere", "scene_identity"})
+SPATIAL_TYPES = frozenset({"spatial_relation", "distribution", "composition", "boundary"})
+STRETCH = 4.0
+"""A thing is stretched out of shape when its largest scale factor exceeds its smallest by more than this factor."""
+BURIED = 0.5
+LIKE_SIZE = 8.0
+"""A thing is swallowed when another's box, of up to 8 times its volume, holds more than half of its own box.
+What is much larger is a room or a yard that things may stand in."""
+GRID = 4
+"""Occupancy is counted over a grid of this many cells a side."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """One part of a dimension: its value in [0, 1] (0 when unknown) and what it rests on."""
+
+    name: str
+    value: float
+    known: bool
+    detail: dict[str, Any]
+
+
+def dimensions(judge: RuleJudge, views: Views) -> dict[str, list[Part]]:
+    """The parts of the four prompt dimensions, by dimension name."""
+    seen = [thing for thing in judge.things if views.sees(thing.actor)]
+    objects = [entity for entity in judge.requirements.entities.values() if entity.is_object]
+    return {
+        "global_prompt_alignment": [_named_objects(judge, views, objects)],
+        "composition_and_layout": [
+            _requirements("spatial_requirements", judge, SPATIAL_TYPES, bool(seen)),
+            _occupancy(seen),
+            _unswallowed(seen),
+        ],
+        "style_atmosphere_coherence": [_requirements("style_requirements", judge, STYLE_TYPES, bool(seen))],
+        "completeness_and_polish": [_counts(judge, views, objects), _visible(judge.things, seen)],
+    }
+
+
+def structural_integrity(things: Sequence[Thing]) -> Part:
+    """Share of things that are finite, not flattened to nothing and not stretched; 0 in an empty scene."""
+    sound = [thing for thing in things if _sound(thing)]
+    return Part(
+        "undistorted",
+        len(sound) / len(things) if things else 0.0,
+        bool(things),
+        {"things": len(things), "distorted": [t.actor for t in things if not _sound(t)][:50]},
+    )
+
+
+def _sound(thing: Thing) -> bool:
+    scale = np.abs(thing.scale)
+    size = thing.high - thing.low
+    return bool(
+        np.isfinite(size).all() and np.sort(size)[1] > 0.1 and scale.min() > 0 and scale.max() / scale.min() <= STRETCH
+    )
+
+
+def _named_objects(judge: RuleJudge, views: Views, objects: Sequence[Entity]) -> Part:
+    """Share of the prompt's named objects of which at least one is placed and clearly visible."""
+    shown = {entity.id: any(views.sees(thing.actor) for thing in judge.ground(entity.id)) for entity in objects}
+    return Part(
+        "visible_named_objects",
+        sum(shown.values()) / len(objects) if objects else 0.0,
+        bool(objects),
+        {"objects": len(objects), "missing": [key for key, found in shown.items() if not found]},
+    )
+
+
+def _requirements(name: str, judge: RuleJudge, types: frozenset[str], anything: bool) -> Part:
+    """Mean decision score of the bundle's requirements of some types; unknown ones count 0."""
+    nodes = [node for node in judge.requirements.scored if judge.requirements.predicates[node].type in types]
+    decisions = [judge.decide(node) for node in nodes]
+    value = mean(d.score for d in decisions) if nodes and anything else 0.0
+    return Part(
+        name,
+        value,
+        any(d.status != "UNKNOWN" for d in decisions),
+        {"requirements": len(nodes), "unknown": sum(d.status == "UNKNOWN" for d in decisions)},
+    )
+
+
+def _occupancy(things: Sequence[Thing]) -> Part:
+    """How evenly things fill their common plan: the entropy of their cells, against the most they could fill."""
+    if len(things) < 2:
+        return Part("plan_occupancy", 0.0, bool(things), {"things": len(things)})
+    points = np.array([thing.centre[:2] for thing in things])
+    span = np.maximum(np.ptp(points, axis=0), 1.0)
+    cells = np.minimum(((points - points.min(axis=0)) / span.max() * GRID).astype(int), GRID - 1)
+    shares = np.unique(cells, axis=0, return_counts=True)[1] / len(things)
+    most = math.log(min(len(things), GRID * GRID))
+    return Part("plan_occupancy", float(-(shares * np.log(shares)).sum() / most), True, {"cells": len(shares)})
+
+
+def _unswallowed(things: Sequence[Thing]) -> Part:
+    """Share of things of which no other thing of like size (up to 8 times its volume) holds more than half."""
+    if not things:
+        return Part("unswallowed", 0.0, False, {"things": 0})
+    low, high = (np.array([getattr(thing, side) for thing in things]) for side in ("low", "high"))
+    owners = np.unique([thing.actor for thing in things], return_inverse=True)[1]
+    volumes = np.prod(np.maximum(high - low, 0.1), axis=1)
+    swallowed = []
+    for i, thing in enumerate(things):
+        like = (volumes >= volumes[i]) & (volumes <= LIKE_SIZE * volumes[i]) & (owners != owners[i])
+        common = np.prod(np.maximum(np.minimum(high[like], high[i]) - np.maximum(low[like], low[i]), 0.0), axis=1)
+        if (common > BURIED * volumes[i]).any():
+            swallowed.append(thing.actor)
+    return Part("unswallowed", 1 - len(swallowed) / len(things), True, {"swallowed": swallowed[:50]})
+
+
+def _counts(judge: RuleJudge, views: Views, objects: Sequence[Entity]) -> Part:
+    """Mean over the named objects of visible count / needed count, at most 1 each."""
+    quantities = {
+        subject: predicate.quantity
+        for predicate in judge.requirements.predicates.values()
+        if predicate.quantity
+        for subject in predicate.subjects
+    }
+    ratios = {}
+    for entity in objects:
+        count = sum(views.sees(thing.actor) for thing in judge.ground(entity.id))
+        ratios[entity.id] = min(1.0, count / needed(quantities.get(entity.id), collection=entity.collection))
+    return Part(
+        "object_counts",
+        mean(ratios.values()) if ratios else 0.0,
+        bool(ratios),
+        {"short": [key for key, ratio in ratios.items() if ratio < 1]},
+    )
+
+
+def _visible(things: Sequence[Thing], seen: Sequence[Thing]) -> Part:
+    """Share of the placed things that are clearly visible in a view."""
+    return Part(
+        "visible_things",
+        len(seen) / len(things) if things else 0.0,
+        bool(things),
+        {"things": len(things), "seen": len(seen)},
+    )

@@ -1,0 +1,120 @@
+"""Which family a requirement belongs to: by what is attached to it, by its type, by the requirement graph (scorer
+fact 5)."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from c4s.errors import BadInput
+from c4s.protocol.numbers import records
+from c4s.protocol.rules import FAMILY_OF_TYPE, FAMILY_WEIGHTS, Family
+
+
+def word(value: Any) -> str:
+    """A name as it is compared: trimmed, case-folded."""
+    return str(value).strip().casefold()
+
+
+def predicate_type(requirement: Mapping[str, Any]) -> str:
+    """The requirement's type in lower case; ``presence`` is ``existence``, none is ``unknown``."""
+    kind = requirement.get("predicate_type")
+    if kind is None:
+        kind = section(section(requirement, "evaluation_binding"), "parameters").get("predicate_type")
+    text = word(kind or "unknown")
+    return "existence" if text == "presence" else text
+
+
+def section(value: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    """A part of a record, empty when it is no object."""
+    found = value.get(name)
+    return found if isinstance(found, Mapping) else {}
+
+
+def family_of(requirement: Mapping[str, Any]) -> Family | None:
+    """Family of a requirement: the one attached to it, else by its type; None when the type has none.
+
+    Raises ``BadInput`` when an unknown family is attached.
+    """
+    attached = requirement.get("semantic_family")
+    if attached is None:
+        return FAMILY_OF_TYPE.get(predicate_type(requirement))
+    for family in FAMILY_WEIGHTS:
+        if word(attached) == family:
+            return family
+    raise BadInput(f"unknown semantic family {attached!r}", todo=f"one of {', '.join(FAMILY_WEIGHTS)}")
+
+
+def node_name(requirement: Mapping[str, Any], number: int) -> str:
+    """Name of a requirement: its node, else its own id, else its place in the list."""
+    return str(
+        requirement.get("node_id")
+        or requirement.get("requirement_id")
+        or requirement.get("id")
+        or f"requirement_{number}"
+    )
+
+
+def _list(graph: Mapping[str, Any], name: str) -> Sequence[Any]:
+    found = graph.get(name) or ()
+    if not isinstance(found, (list, tuple)):
+        raise BadInput(f"the graph's {name} must be a list")
+    return found
+
+
+def _scope_edges(graph: Mapping[str, Any]) -> list[tuple[str, Any]]:
+    """Scope edges as (parent, child); without those that name no parent."""
+    edges = (edge for edge in _list(graph, "edges") if isinstance(edge, Mapping))
+    return [
+        (str(edge["source_id"]), edge.get("target_id"))
+        for edge in edges
+        if word(edge.get("edge_type", "")) == "scope" and edge.get("source_id") is not None
+    ]
+
+
+def families_from_graph(graph: Mapping[str, Any]) -> dict[str, Family]:
+    """Family of each predicate node. A logic node has one only if all families in its scope are one.
+
+    The scope is followed through logic nodes only; nodes of a type without a family say nothing.
+    """
+    types = {
+        str(node["id"]): word(node["predicate_type"])
+        for node in _list(graph, "nodes")
+        if isinstance(node, Mapping) and node.get("id") is not None and node.get("predicate_type") is not None
+    }
+    scoped: dict[str, list[str]] = defaultdict(list)
+    for parent, child in _scope_edges(graph):
+        if child is not None:
+            scoped[parent].append(str(child))
+    known: dict[str, frozenset[Family]] = {}
+
+    def families(node: str, above: frozenset[str]) -> frozenset[Family]:
+        if node in known or node in above:
+            return known.get(node, frozenset())
+        kind = types.get(node, "")
+        if kind == "logic":
+            inner = [families(child, above | {node}) for child in scoped[node]]
+            known[node] = frozenset().union(*inner)
+        else:
+            own = FAMILY_OF_TYPE.get(kind) if kind != "presence" else None
+            known[node] = frozenset({own}) if own else frozenset()
+        return known[node]
+
+    found = {node: families(node, frozenset()) for node in types}
+    return {node: next(iter(shared)) for node, shared in found.items() if len(shared) == 1}
+
+
+def attach_families(graph: Mapping[str, Any], requirements: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """Requirements with their node's family, and a mark on those whose scoped children replace them."""
+    families = families_from_graph(graph)
+    parents = {parent for parent, _ in _scope_edges(graph)}
+    attached = []
+    for number, requirement in enumerate(records(requirements, "requirements")):
+        row, node = dict(requirement), node_name(requirement, number)
+        if node in families:
+            row["semantic_family"] = families[node]
+        if node in parents:
+            row["semantic_replaced_by_children"] = True
+        attached.append(row)
+    return attached

@@ -1,0 +1,142 @@
+"""The pack manifest: a folder of meshes with what the engine, the catalog and the verifiers need to know of them.
+
+A pack is a folder with ``pack.json`` (this model) and the files that it names. Local coordinates of an asset are
+Unreal's: centimetres, left-handed, Z up, origin at the pivot. Meshes on disk are glTF/GLB (metres, Y up, right-handed),
+OBJ or DAE; ``c4s.packs.meshes`` converts them.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from c4s.records.base import Record
+from c4s.records.level import Transform, Vector
+
+
+class BoxBody(Record):
+    """A box: centre (cm), rotation ([pitch, yaw, roll] degrees), half extents (cm)."""
+
+    kind: Literal["box"] = "box"
+    center: Vector
+    rotation_deg: Vector = (0.0, 0.0, 0.0)
+    half_extent: Vector
+
+
+class SphereBody(Record):
+    """A sphere: centre and radius in cm."""
+
+    kind: Literal["sphere"] = "sphere"
+    center: Vector
+    radius: float
+
+
+class CapsuleBody(Record):
+    """A capsule along its local Z: centre, rotation, radius, and the length of the cylinder part (cm)."""
+
+    kind: Literal["capsule"] = "capsule"
+    center: Vector
+    rotation_deg: Vector = (0.0, 0.0, 0.0)
+    radius: float
+    length: float
+
+
+class HullBody(Record):
+    """A convex hull given by its vertices (cm)."""
+
+    kind: Literal["hull"] = "hull"
+    vertices: list[Vector]
+
+
+CollisionBody = Annotated[BoxBody | SphereBody | CapsuleBody | HullBody, Field(discriminator="kind")]
+
+
+class Material(Record):
+    """A material asset. Colours are linear RGB in [0, 1]."""
+
+    path: str
+    """``/Game/<Pack>/Materials/M_X.M_X``."""
+    class_path: str = "/Script/Engine.Material"
+    base_color: Vector = (0.5, 0.5, 0.5)
+    roughness: float = 0.8
+    metallic: float = 0.0
+    emissive: Vector = (0.0, 0.0, 0.0)
+    opacity: float = 1.0
+    texture: str | None = None
+    """Base-colour texture, a file relative to the pack folder; it multiplies ``base_color``."""
+    alpha: Literal["opaque", "mask", "blend"] = "opaque"
+    """What the texture's alpha does: nothing; cuts holes where it is below ``alpha_cutoff``; or scales the opacity."""
+    alpha_cutoff: float = 0.5
+    normal_texture: str | None = None
+    """Tangent-space normals as in glTF (green points to the picture's top), a file of the pack."""
+    roughness_metal_texture: str | None = None
+    """As in glTF: green multiplies ``roughness``, blue ``metallic``; a file of the pack."""
+    emissive_texture: str | None = None
+    """It multiplies ``emissive``; a file of the pack."""
+
+
+class MaterialSlot(Record):
+    """Slot of a mesh: its name and the path of its default material. Faces name their slot by index."""
+
+    name: str
+    material: str
+
+
+class BlueprintPart(Record):
+    """One component of a Blueprint asset, relative to the Blueprint's pivot."""
+
+    name: str
+    asset: str
+    """Path of the static mesh."""
+    relative: Transform = Transform()
+
+
+class Asset(Record):
+    """One asset of a pack: a static mesh, or a Blueprint composed of meshes of the same pack."""
+
+    id: str
+    """Catalog id, unique in the pack: lower-case, ``_`` between words."""
+    name: str
+    """Readable name."""
+    kind: Literal["static_mesh", "blueprint"] = "static_mesh"
+    path: str
+    """``/Game/<Pack>/.../SM_X.SM_X``; a Blueprint's class is this path with ``_C`` behind it."""
+    category: str
+    description: str = ""
+    tags: list[str] = Field(default_factory=list)
+    bounds_min_cm: Vector
+    bounds_max_cm: Vector
+    """Local AABB of the mesh (a Blueprint: of all parts)."""
+    mesh: str | None = None
+    """Mesh file relative to the pack folder (static meshes only)."""
+    mesh_sha256: str | None = None
+    mesh_scale: float = 1.0
+    """Factor from the file's units (glTF: metres) to metres."""
+    slots: list[MaterialSlot] = Field(default_factory=list)
+    collision: list[CollisionBody] = Field(default_factory=list)
+    collision_source: Literal["authored", "hull", "decomposition", "none"] = "authored"
+    parts: list[BlueprintPart] = Field(default_factory=list)
+    preview: str | None = None
+    """Preview picture relative to the pack folder."""
+
+    @property
+    def size_m(self) -> Vector:
+        """Width (X), depth (Y) and height (Z) in metres."""
+        low, high = self.bounds_min_cm, self.bounds_max_cm
+        return ((high[0] - low[0]) / 100, (high[1] - low[1]) / 100, (high[2] - low[2]) / 100)
+
+
+class Pack(Record):
+    """A pack: its assets and materials."""
+
+    schema_version: Literal["c4s.pack.v1"] = "c4s.pack.v1"
+    pack_id: str
+    """Folder-safe id; the content folder is ``/Game/<content_folder>``."""
+    content_folder: str
+    title: str
+    license: str
+    description: str = ""
+    assets: list[Asset]
+    materials: list[Material] = Field(default_factory=list)
+    category_descriptions: dict[str, str] = Field(default_factory=dict)

@@ -1,0 +1,48 @@
+"""What a run will do, frozen before it starts."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import Field
+
+from c4s.records.base import Record
+from c4s.records.suite import Setting
+
+
+class Configuration(Record):
+    """An agent configuration: client, model and options. ``name`` is its identity in tables."""
+
+    name: str
+    client: str
+    """``noop``, ``random``, ``planner``, ``vandal``, ``oracle``, or the name of an agent client."""
+    model: str | None = None
+    options: dict[str, Any] = Field(default_factory=dict)
+
+
+class PlannedCase(Record):
+    """A scheduled case with the digests that identify its content."""
+
+    case_id: str
+    setting: Setting
+    scene_id: str
+    agent_digest: str
+    withheld_digest: str
+
+
+class Plan(Record):
+    """What a run will do, frozen before it starts. Nothing volatile (path, port, time) is part of it."""
+
+    schema_version: Literal["c4s.plan.v1"] = "c4s.plan.v1"
+    run_id: str
+    suite_id: str
+    suite_digest: str
+    configurations: list[Configuration]
+    cases: list[PlannedCase]
+    repeats: int = 1
+    policy: str
+    judge: str
+    """``rule`` for the offline rule judge, else the judge model's id."""
+    engine: str
+    """``headless`` or ``unreal``."""
+    versions: dict[str, str]

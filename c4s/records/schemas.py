@@ -1,0 +1,46 @@
+"""The JSON Schemas of c4s's file formats: ``python -m c4s.records.schemas [FOLDER]`` writes them (default ``docs/schemas``)."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from pydantic import BaseModel
+
+from c4s.files import write_json
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.level import Level
+from c4s.records.pack import Pack
+from c4s.records.plan import Configuration, Plan
+from c4s.records.score import TrialScore
+from c4s.records.snapshot import SceneSnapshot
+from c4s.records.suite import AgentCase, Suite, WithheldCase
+from c4s.records.verdict import Verdict
+
+FORMATS: dict[str, type[BaseModel]] = {
+    "scene-snapshot": SceneSnapshot,
+    "level": Level,
+    "pack": Pack,
+    "suite": Suite,
+    "agent-case": AgentCase,
+    "withheld-case": WithheldCase,
+    "plan": Plan,
+    "configuration": Configuration,
+    "attempt-outcome": AttemptOutcome,
+    "verdict": Verdict,
+    "trial-score": TrialScore,
+}
+
+
+def write_schemas(folder: Path) -> list[Path]:
+    """Write one schema a format; returns the files."""
+    files = []
+    for name, model in FORMATS.items():
+        files.append(folder / f"{name}.schema.json")
+        write_json(files[-1], model.model_json_schema(by_alias=True))
+    return files
+
+
+if __name__ == "__main__":
+    for written in write_schemas(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/schemas")):
+        print(written)

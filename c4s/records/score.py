@@ -1,0 +1,41 @@
+"""A trial's score with its parts."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from c4s.records.base import Record
+from c4s.records.suite import Setting
+
+CaseStatus = Literal[
+    "measured",
+    "measured_with_missing_zero",
+    "zero_invalid_candidate",
+    "zero_missing_submission",
+    "zero_missing_result",
+    "pending",
+]
+
+
+class TrialScore(Record):
+    """A trial's case score with its parts. ``status`` keeps the reasons for a zero apart."""
+
+    schema_version: Literal["c4s.score.v1"] = "c4s.score.v1"
+    case_id: str
+    setting: Setting
+    configuration: str
+    repeat: int
+    status: CaseStatus
+    score: float | None
+    reason: str = ""
+    detailed: float | None = None
+    known_coverage: float | None = None
+    overview: float | None = None
+    physics: float | None = None
+    repair_precision: float | None = None
+    repair_recall: float | None = None
+    repair_f1: float | None = None
+    policy: str
+    judge: str
+    engine: str
+    retained_attempt: int | None = None

@@ -1,0 +1,148 @@
+"""The case package and the suite, as they lie on disk.
+
+::
+
+    <suite>/suite.json                       Suite: the frozen list of cases
+    <suite>/agent/<case>/case.json           AgentCase: all that an agent may see ...
+    <suite>/agent/<case>/start.level.json    ... the level it starts from (image-to-scene: the corrupted copy)
+    <suite>/agent/<case>/references/*.png    ... reference views (image-to-scene)
+    <suite>/withheld/<case>/case.json        WithheldCase
+    <suite>/withheld/<case>/truth.level.json       the original scene; for text-to-scene the scene that the oracle saves
+    <suite>/withheld/<case>/input.snapshot.json    exported from start.level.json (image-to-scene)
+    <suite>/withheld/<case>/truth.snapshot.json    exported from truth.level.json
+    <suite>/withheld/<case>/views/{start,truth}/*.png   what the reports show beside a submission
+    <suite>/withheld/<case>/recipe.json, cameras.json, requirements.bundle.json   in the published formats
+
+``agent/`` and ``withheld/`` are two trees that are never under one mount. Packs are named by id and digest and lie
+under ``c4s.home.packs_root()``.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+from pydantic import Field
+
+from c4s.errors import BadInput
+from c4s.files import digest_tree
+from c4s.records.base import Record
+
+Setting = Literal["text-to-scene", "image-to-scene/indoor", "image-to-scene/outdoor"]
+SETTINGS: tuple[Setting, ...] = ("text-to-scene", "image-to-scene/indoor", "image-to-scene/outdoor")
+
+
+class Budget(Record):
+    """Limits of one attempt."""
+
+    tool_calls: int = Field(gt=0)
+    wall_minutes: float = Field(gt=0)
+
+
+class PackRef(Record):
+    """A pack that a case needs."""
+
+    pack_id: str
+    digest: str
+    """SHA-256 of the pack manifest's canonical JSON (which holds the digests of its files)."""
+
+
+class AgentCase(Record):
+    """What an agent may see of a case."""
+
+    schema_version: Literal["c4s.case.v1"] = "c4s.case.v1"
+    case_id: str
+    setting: Setting
+    title: str = ""
+    prompt: str
+    start_map: str
+    """Package path of the start level, ``/Game/...``."""
+    budget: Budget
+    packs: list[PackRef]
+    catalog: list[str]
+    """Paths of the assets that the case offers (its catalog)."""
+    plate_m: float | None = None
+    """Side of the square build plate in metres (text-to-scene)."""
+    reference_views: list[str] = Field(default_factory=list)
+    """Files relative to the case's agent folder."""
+
+
+class WithheldCase(Record):
+    """What only the evaluator sees of a case."""
+
+    schema_version: Literal["c4s.withheld.v1"] = "c4s.withheld.v1"
+    case_id: str
+    scene_id: str
+    """Source scene: the bootstrap cluster."""
+    minimum_actors: int = 1
+    """Integrity: the submission must hold at least this many actors."""
+    operations: list[str] = Field(default_factory=list)
+    """Corruption kinds in order (image-to-scene)."""
+    operation_group: Literal["Restore", "Lifecycle", "Layout", "Symmetry", "Transform"] | None = None
+    difficulty: Literal["easy", "medium", "hard"] | None = None
+    proxy_assets: bool = False
+    """The catalog's assets stand in for content that is not here."""
+
+
+class SuiteCase(Record):
+    """One line of a suite."""
+
+    case_id: str
+    setting: Setting
+    agent_digest: str
+    withheld_digest: str
+
+
+class Suite(Record):
+    """A frozen list of cases."""
+
+    schema_version: Literal["c4s.suite.v1"] = "c4s.suite.v1"
+    suite_id: str
+    title: str
+    description: str = ""
+    packs: list[PackRef]
+    cases: list[SuiteCase]
+
+
+class SuiteFolder:
+    """A built suite on disk."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+
+    def suite(self) -> Suite:
+        """The suite record; ``BadInput`` when there is none."""
+        if not (self.root / "suite.json").is_file():
+            raise BadInput("no such suite", where=str(self.root), todo="build it with `c4s suite build`")
+        return Suite.read(self.root / "suite.json")
+
+    def agent(self, case_id: str) -> Path:
+        """Folder that an agent may read."""
+        return self.root / "agent" / case_id
+
+    def withheld(self, case_id: str) -> Path:
+        """Folder that only the evaluator reads."""
+        return self.root / "withheld" / case_id
+
+    def agent_case(self, case_id: str) -> AgentCase:
+        """The agent's side of a case."""
+        return AgentCase.read(self.agent(case_id) / "case.json")
+
+    def withheld_case(self, case_id: str) -> WithheldCase:
+        """The evaluator's side of a case."""
+        return WithheldCase.read(self.withheld(case_id) / "case.json")
+
+    def freeze(self, suite_id: str, title: str, description: str, packs: list[PackRef]) -> Suite:
+        """Digest both trees of every case and write ``suite.json``."""
+        cases = [
+            SuiteCase(
+                case_id=path.name,
+                setting=self.agent_case(path.name).setting,
+                agent_digest=digest_tree(path),
+                withheld_digest=digest_tree(self.withheld(path.name)),
+            )
+            for path in sorted((self.root / "agent").iterdir())
+        ]
+        suite = Suite(suite_id=suite_id, title=title, description=description, packs=packs, cases=cases)
+        suite.write(self.root / "suite.json")
+        return suite

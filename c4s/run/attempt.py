@@ -1,0 +1,263 @@
+"""One attempt: an engine, a gateway, an agent, and what is kept of it.
+
+``<attempt>/`` holds ``trajectory.jsonl``, ``usage.jsonl``, ``manifest.json`` (pack digests that the engine mounted),
+``submission/`` (the content that the engine saved), ``scratch/`` (engine log, job logs, screenshots), ``agent/`` (the
+client's own files), and ``outcome.json``, which is written last: an attempt with it is done, one without it is repeated
+and the remains are kept beside it as ``<attempt>.interrupted-<n>``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import stat
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, agent_of
+from c4s.agents.model import ModelAccess, open_model
+from c4s.engine.bridge import BridgeFault
+from c4s.engine.content import content_fault
+from c4s.engine.headless.host.session import EngineDied, EngineSession
+from c4s.errors import AgentFault, BadInput, MachineryFault
+from c4s.files import append_json_line, digest_tree, json_lines, write_json
+from c4s.meter.record import sums
+from c4s.meter.spending import SpendingLimitReached
+from c4s.records.attempt import AttemptOutcome, EndedBy
+from c4s.records.level import Level
+from c4s.records.pack import Pack
+from c4s.records.plan import Configuration
+from c4s.records.suite import AgentCase
+from c4s.toolbox.catalog import CaseCatalog
+from c4s.toolbox.client import RunStopped
+from c4s.toolbox.gateway import Gateway
+from c4s.toolbox.run import Run
+from c4s.toolbox.workbench import Workbench
+
+GRACE_S = 30.0
+"""How long an agent may take to stop after its run has ended (seconds)."""
+MOST_SAVES_BYTES = 4 << 20
+_PACKAGE = re.compile(r"/Game(/[A-Za-z0-9_-]+)+")
+
+
+def run_attempt(
+    case: AgentCase,
+    agent_folder: Path,
+    configuration: Configuration,
+    attempt: int,
+    folder: Path,
+    packs: Sequence[Path],
+    withheld: Path | None,
+    ledger: Path | None = None,
+) -> AttemptOutcome:
+    """Run one attempt and write its ``outcome.json``; an outcome that is there is returned as it is.
+
+    Args:
+        case: the agent's side of the case.
+        agent_folder: the case's agent folder, with ``start.level.json``.
+        configuration: which agent.
+        attempt: 1 or 2.
+        folder: the attempt's folder.
+        packs: pack folders of the case.
+        withheld: the case's withheld folder; for the client ``oracle`` alone (``BadInput`` for any other).
+        ledger: spending file of the whole run, which holds its limit; no limit is kept without it.
+
+    What the agent does wrong is an outcome. A ``MachineryFault`` passes through and leaves no outcome: the trial stays
+    pending. An engine that dies or goes silent after agent code ran in it is the agent's doing.
+    """
+    if (folder / "outcome.json").is_file():
+        return AttemptOutcome.read(folder / "outcome.json")
+    if (withheld is not None) != (configuration.client == "oracle"):
+        raise BadInput("the withheld folder is for the oracle, and only for it", where=configuration.name)
+    agent = agent_of(configuration)
+    if isinstance(agent, ModelClient):
+        agent.ready(configuration)
+    _set_aside(folder)
+    (folder / "agent").mkdir(parents=True)
+    catalog = CaseCatalog.load(case, packs)
+    write_json(
+        folder / "manifest.json",
+        {"packs": {pack.name: Pack.read(pack / "pack.json").sha256() for pack in packs}, "engine": "headless"},
+    )
+    (folder / "usage.jsonl").touch()
+    (folder / "trajectory.jsonl").touch()
+    levels, truth_package = [agent_folder / "start.level.json"], None
+    if withheld is not None:
+        truth_package = f"/Game/Oracle/{re.sub('[^A-Za-z0-9_-]', '_', case.case_id)}"
+        levels.append(_readable_truth(withheld, folder / "oracle", truth_package))
+    content, scratch = folder / "submission", folder / "scratch"
+    stopping = _Stopping()
+    with (
+        _model(agent, configuration, folder, ledger, stopping) as model,
+        Gateway() as gateway,
+        EngineSession.start(
+            packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
+        ) as engine,
+    ):
+        bench = Workbench(case, agent_folder, catalog, engine, scratch)
+        run = Run(f"{case.case_id}-{attempt}", bench, case.budget, folder / "trajectory.jsonl")
+        context = AgentContext(
+            case,
+            agent_folder,
+            gateway.open_run(run),
+            configuration,
+            attempt,
+            folder / "agent",
+            truth_package,
+            model,
+            lambda seconds: run.ended.wait(seconds) or run.over_calls,
+        )
+        stopping.run = run
+        report, error = _work(agent, context, run)
+        gateway.close_run(run)
+    if model is not None and model.run.limit_message:
+        raise SpendingLimitReached(
+            model.run.limit_message,
+            where=f"{configuration.name}/{case.case_id}",
+            todo="raise the limit and run the same command again",
+        )
+    for record in report.usage:
+        append_json_line(folder / "usage.jsonl", record)
+    outcome = _outcome(run, report, error, content, attempt)
+    outcome.write(folder / "outcome.json")
+    return outcome
+
+
+class _Stopping:
+    """Ends the run from the server's side; the meter calls it when the spending limit is reached."""
+
+    run: Run | None = None
+
+    def __call__(self) -> None:
+        if self.run is not None:
+            self.run.end("killed", "the spending limit is reached")
+
+
+@contextmanager
+def _model(
+    agent: Agent, configuration: Configuration, folder: Path, ledger: Path | None, stopping: _Stopping
+) -> Iterator[ModelAccess | None]:
+    """A meter for an agent that uses a model; None for one that does not."""
+    if not isinstance(agent, ModelClient):
+        yield None
+        return
+    with open_model(
+        configuration,
+        agent.endpoint,
+        agent.wire_of(configuration),
+        usage=folder / "usage.jsonl",
+        ledger=ledger,
+        at_limit=stopping,
+    ) as access:
+        yield access
+
+
+def _set_aside(folder: Path) -> None:
+    """Move the remains of an attempt that was cut off out of the way, and keep them."""
+    if folder.exists():
+        number = 1
+        while (kept := folder.with_name(f"{folder.name}.interrupted-{number}")).exists():
+            number += 1
+        folder.rename(kept)
+
+
+def _readable_truth(withheld: Path, folder: Path, package: str) -> Path:
+    """A copy of the truth under a package name of its own: engines refuse files of a withheld tree."""
+    truth = Level.read(withheld / "truth.level.json").model_copy(update={"package": package})
+    truth.write(folder / "truth.level.json")
+    return folder / "truth.level.json"
+
+
+def _work(agent: Agent, context: AgentContext, run: Run) -> tuple[AgentReport, BaseException | None]:
+    """Let the agent work in a thread until it is done or its run ends: its report, and what it raised."""
+    reports: list[AgentReport] = []
+    errors: list[BaseException] = []
+
+    def work() -> None:
+        try:
+            reports.append(agent.run(context))
+        except BaseException as error:
+            errors.append(error)
+        finally:
+            done.set()
+
+    done = threading.Event()
+    thread = threading.Thread(target=work, name=f"agent-{run.run_id}", daemon=True)
+    thread.start()
+    run.ended_or(done)
+    if run.end_reason is not None:
+        done.wait(GRACE_S)
+    return (reports[0] if reports else AgentReport()), (errors[0] if errors else None)
+
+
+def _outcome(run: Run, report: AgentReport, error: BaseException | None, content: Path, attempt: int) -> AttemptOutcome:
+    """The attempt's outcome. Raises what was the machinery's fault."""
+    ended_by: EndedBy = "finished"
+    message = report.message
+    if run.fault is not None:
+        if not (isinstance(run.fault, EngineDied | BridgeFault) and run.bench.ran_script):
+            raise (
+                run.fault
+                if isinstance(run.fault, MachineryFault)
+                else MachineryFault(f"a tool failed: {type(run.fault).__name__}: {run.fault}", where=run.run_id)
+            ) from run.fault
+        ended_by, message = "agent_error", f"agent code ended the engine: {run.fault}"
+    elif run.end_reason == "wall_budget":
+        ended_by, message = "wall_budget", run.end_message
+    elif run.end_reason == "killed":
+        ended_by, message = "killed", run.end_message
+    elif run.over_calls:
+        ended_by, message = "call_budget", "the agent went on after its tool call budget was spent"
+    elif isinstance(error, AgentFault) and not isinstance(error, RunStopped):
+        ended_by, message = "agent_error", error.line()
+    elif error is not None:
+        raise error
+    unsound = content_fault(content)
+    if unsound is not None:
+        ended_by, message = "agent_error", f"agent code left what cannot be submitted: {unsound}"
+    submission = last_saved(content) if unsound is None else None
+    with (content.parent / "usage.jsonl").open(encoding="utf-8") as lines:
+        used = sums(list(json_lines(lines)))
+    return AttemptOutcome(
+        attempt=attempt,
+        ended_by=ended_by,
+        submission=submission,
+        submission_sha256=digest_tree(content) if submission is not None else None,
+        tool_calls=run.calls,
+        wall_s=round(run.wall_s, 3),
+        input_tokens=used["input_tokens"],
+        output_tokens=used["output_tokens"],
+        cost_usd=used["cost_usd"],
+        client_version=report.client_version,
+        message=" ".join(message.split())[:2000],
+    )
+
+
+def last_saved(content: Path) -> str | None:
+    """The last package in ``saves.jsonl`` whose level lies in ``content``.
+
+    Agent code can write to this folder: what is no plain line with a sound package name, or leads out of the folder
+    by a link, is no save.
+    """
+    try:
+        handle = os.open(content / "saves.jsonl", os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+    except OSError:
+        return None
+    with os.fdopen(handle, "rb") as source:
+        if not stat.S_ISREG(os.fstat(handle).st_mode):
+            return None
+        lines = source.read(MOST_SAVES_BYTES).decode("utf-8", "replace").splitlines()
+    for line in reversed(lines):
+        try:
+            saved = json.loads(line)
+        except (ValueError, RecursionError):
+            continue
+        package = saved.get("package") if isinstance(saved, dict) else None
+        if isinstance(package, str) and _PACKAGE.fullmatch(package):
+            level = content / f"{package[1:]}.level.json"
+            if level.is_file() and level.resolve().is_relative_to(content.resolve()):
+                return package
+    return None
