@@ -176,7 +176,8 @@ def sources_digest() -> str:
     import c4s.packs
 
     folders = [Path(__file__).parent, Path(c4s.packs.__file__).parent]
-    return digest([[path.name, digest_file(path)] for folder in folders for path in sorted(folder.rglob("*.py"))])
+    files = [path for folder in folders for path in sorted(folder.rglob("*.py"))]
+    return digest([[path.name, digest_file(path)] for path in (*files, Path(pack.__file__))])
 
 
 def ensure_pack(pack_id: str, root: Path) -> Pack:

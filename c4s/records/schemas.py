@@ -1,4 +1,7 @@
-"""The JSON Schemas of c4s's file formats: ``python -m c4s.records.schemas [FOLDER]`` writes them (default ``docs/schemas``)."""
+"""The JSON Schemas of c4s's file formats.
+
+``python -m c4s.records.schemas [FOLDER]`` writes them (default ``docs/schemas``).
+"""
 
 from __future__ import annotations
 

@@ -125,7 +125,7 @@ def test_a_level_that_could_not_be_read_is_not_written(unreal, capfd, monkeypatc
         ("MOST_BYTES", "more than 0"),
     ):
         with monkeypatch.context() as small:
-            small.setattr(level_io, limit, 3)
+            small.setattr(documents, limit, 3)
             assert not save(unreal)
         assert complaint in capfd.readouterr().out
     assert save(unreal)

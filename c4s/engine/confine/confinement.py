@@ -1,8 +1,8 @@
 """What the engine process does to itself before it runs anything else: limits, privileges, Landlock, system calls.
 
-The host (``c4s.engine.confine.sandbox``) starts the process in an empty environment, under bubblewrap or bare; this module
-closes the rest from inside, in one thread, before any agent code. It imports the standard library and two parts of its
-own only.
+The host (``c4s.engine.confine.sandbox``) starts the process in an empty environment, under bubblewrap or bare; this
+module closes the rest from inside, in one thread, before any agent code. It imports the standard library and two parts
+of its own only.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ _LAST_CAPABILITY = 63
 class Limits:
     """Limits of one engine process. Sizes in bytes, CPU time in seconds over all its threads.
 
-    The kernel enforces the first four; ``c4s.engine.confine.watch`` ends an engine that passes one of the others, which are
-    about resident memory, threads, and the number and size of all files in the folders that it may write to.
+    The kernel enforces the first four; ``c4s.engine.confine.watch`` ends an engine that passes one of the others,
+    which are about resident memory, threads, and the number and size of all files in the folders that it may write to.
     """
 
     address_space: int = 8 << 30

@@ -21,7 +21,7 @@ from c4s.files import digest, write_text
 from c4s.home import cache_root, home
 
 _PACKAGE = Path(c4s.__file__).resolve().parent
-_SOURCES = _PACKAGE / "engine" / "headless" / "render"
+_SOURCES = _PACKAGE / "render"
 _TIMEOUT_S = 1200
 _WARM = """
 from c4s.render.compiled import code_folder

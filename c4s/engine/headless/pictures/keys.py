@@ -21,7 +21,7 @@ from c4s.files import digest, digest_file
 if TYPE_CHECKING:
     from c4s.engine.headless.world.world import World
 
-_SOURCES = ("editor", "engine/headless", "packs", "scene")
+_SOURCES = ("editor", "engine/headless", "geometry", "packs", "records", "render")
 _LIBRARIES = ("embreex", "numba", "numpy", "pillow", "trimesh")
 
 

@@ -24,7 +24,7 @@ from typing import Any, TextIO
 from c4s.engine.headless import channel
 
 _TICK_S = 1 / 60
-_OWN_FILES = frozenset({__file__, str(Path(__file__).with_name("process.py"))})
+_OWN_FILES = frozenset({__file__, str(Path(__file__).with_name("main.py"))})
 
 Order = tuple[dict[str, Any], int]
 

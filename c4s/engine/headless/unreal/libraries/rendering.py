@@ -50,8 +50,8 @@ class RenderingLibrary(Object):
         cls,
         world_context_object: Object | None,
         texture_render_target: TextureRenderTarget2D,
-        clear_color: LinearColor = _BLACK,
-    ) -> None:  # type: ignore[assignment]
+        clear_color: LinearColor = _BLACK,  # type: ignore[assignment]
+    ) -> None:
         """Fill with one colour."""
         texture_render_target._fill(LinearColor.cast(clear_color))
 
