@@ -36,6 +36,7 @@ from mcp.server.lowlevel import Server
 
 from bench.row import Row
 from c4s.files import json_lines
+from c4s.protocol.settings import TEXT_TO_SCENE
 from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
@@ -74,7 +75,7 @@ def new_run(name: str, folder: Path, calls: int = 100_000) -> Run:
     case = AgentCase.parse(
         {
             "case_id": name,
-            "setting": "text-to-scene",
+            "setting": TEXT_TO_SCENE,
             "prompt": "-",
             "start_map": "/Game/B/M",
             "packs": [],

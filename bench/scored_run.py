@@ -11,9 +11,9 @@ from c4s.protocol.detailed import detailed_score
 from c4s.protocol.overview import overview_score
 from c4s.protocol.physics import physics_from_report
 from c4s.protocol.rules import DEFAULT_POLICY, FAMILY_WEIGHTS, OVERVIEW_WEIGHTS
+from c4s.protocol.settings import SETTINGS, Setting, is_construction
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
-from c4s.records.suite import SETTINGS, Setting
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
 
@@ -111,7 +111,7 @@ def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: s
     }
     if valid:
         verdicts["physics"] = _physics(rng)
-        if setting == "text-to-scene":
+        if is_construction(setting):
             verdicts |= {"detailed": _detailed(rng), "overview": _overview(rng)}
         else:
             verdicts["repair"] = _repair(rng)

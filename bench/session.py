@@ -20,6 +20,7 @@ from typing import Any
 from bench.row import Row
 from c4s.engine.headless.host.session import EngineSession
 from c4s.files import write_json
+from c4s.protocol.settings import OUTDOOR_REPAIR
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.catalog import CaseCatalog
@@ -110,7 +111,7 @@ def session(root: Path, actors: int) -> dict[str, Any]:
     case = AgentCase.parse(
         {
             "case_id": "bench",
-            "setting": "image-to-scene/outdoor",
+            "setting": OUTDOOR_REPAIR,
             "prompt": "-",
             "start_map": PACKAGE,
             "packs": [],

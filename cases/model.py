@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from c4s.protocol.settings import Setting
 from c4s.records.level import Level, Vector
-from c4s.records.suite import Budget, Setting
+from c4s.records.suite import Budget
 from cases.corruption import Corruption, Operation
 from cases.requirements import RequirementSpec
 

@@ -174,10 +174,11 @@ def build_pack(spec: PackSpec, root: Path) -> Pack:
 def sources_digest() -> str:
     """SHA-256 of all that decides what a pack is built into: the sources of the builders and of the pack models."""
     import c4s.packs
+    import c4s.records.pack
 
     folders = [Path(__file__).parent, Path(c4s.packs.__file__).parent]
     files = [path for folder in folders for path in sorted(folder.rglob("*.py"))]
-    return digest([[path.name, digest_file(path)] for path in (*files, Path(pack.__file__))])
+    return digest([[path.name, digest_file(path)] for path in (*files, Path(c4s.records.pack.__file__))])
 
 
 def ensure_pack(pack_id: str, root: Path) -> Pack:

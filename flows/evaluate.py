@@ -13,6 +13,7 @@ from prefect.task_runners import ThreadPoolTaskRunner
 from c4s.errors import MachineryFault
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.protocol.settings import is_construction
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.configurations import configuration
@@ -34,7 +35,7 @@ def _submit(trial: Trial, plan: Plan, warehouse: Path) -> list[PrefectFuture[Any
     valid_1 = integrity.submit(trial, plan, 1, ran_1)
     ran_2 = attempt.submit(trial, 2, valid_1)
     valid = integrity.submit(trial, plan, 2, ran_2, valid_1)
-    if trial.case.setting == "text-to-scene":
+    if is_construction(trial.case.setting):
         verdicts = [
             physics.submit(trial, plan, valid),
             *(semantic.submit(trial, plan, valid, name) for name in ("detailed", "overview")),

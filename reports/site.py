@@ -9,15 +9,11 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from c4s.files import digest_bytes, write_bytes, write_text
+from c4s.protocol.settings import SETTING_TITLES
 from reports import data
 from reports.text import number, percent, slug
 
 HERE = Path(__file__).parent
-SETTING_NAMES = {
-    "text-to-scene": "Text to scene",
-    "image-to-scene/indoor": "Image to scene, indoor",
-    "image-to-scene/outdoor": "Image to scene, outdoor",
-}
 FINDINGS_SHOWN = 60
 
 
@@ -30,7 +26,7 @@ def _environment() -> Environment:
         lstrip_blocks=True,
     )
     environment.filters.update(number=number, percent=percent, slug=slug)
-    environment.globals["setting_names"] = SETTING_NAMES
+    environment.globals["setting_names"] = SETTING_TITLES
     return environment
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
+from c4s.protocol.settings import Setting
 from c4s.records.base import Record
 from c4s.records.score import CaseStatus
-from c4s.records.suite import Setting
 
 Visibility = Literal["public", "private"]
 

@@ -7,8 +7,8 @@ from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
+from c4s.protocol.settings import Setting, is_construction
 from c4s.records.base import Record
-from c4s.records.suite import Setting
 
 MANIFEST = "bundle.json"
 
@@ -168,6 +168,6 @@ class Manifest(Record):
         if self.candidate_integrity.status == "invalid":
             return []
         scenes = self.scenes or Scenes()
-        needed = () if self.task.setting == "text-to-scene" else ("candidate", "input", "ground_truth")
+        needed = () if is_construction(self.task.setting) else ("candidate", "input", "ground_truth")
         missing = [f"scenes.{name}" for name in needed if not getattr(scenes, name)]
         return missing + ([] if self.physics and self.physics.report else ["physics.report"])

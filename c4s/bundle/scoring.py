@@ -16,6 +16,7 @@ from c4s.protocol.detailed import detailed_from_report
 from c4s.protocol.overview import overview_score
 from c4s.protocol.physics import physics_from_report
 from c4s.protocol.rules import INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY
+from c4s.protocol.settings import is_construction
 from c4s.records.score import TrialScore
 from c4s.records.snapshot_schema import scene_fault
 from c4s.records.verdict import Verdict
@@ -52,7 +53,7 @@ def score_bundle(bundle: EvidenceBundle, *, minimum_actors: int = MINIMUM_ACTORS
     if submitted:
         verdicts["integrity"] = _integrity(bundle, candidate, minimum_actors)
     if submitted and verdicts["integrity"].status == "valid":
-        if setting == "text-to-scene":
+        if is_construction(setting):
             verdicts |= {
                 "physics": _physics(bundle, candidate),
                 "detailed": _detailed(bundle),
@@ -115,7 +116,7 @@ def _physics(bundle: EvidenceBundle, scene: Any) -> Verdict:
             rate = text_to_scene_support(scene).rate
         except ValueError as error:
             raise BadInput(f"support cannot be measured: {error}", where=str(bundle.root)) from None
-    total = physics_from_report(report, rate, whole_scene=bundle.manifest.task.setting == "text-to-scene")
+    total = physics_from_report(report, rate, whole_scene=is_construction(bundle.manifest.task.setting))
     return Verdict(
         verifier="physics",
         status="measured",

@@ -11,6 +11,7 @@ from c4s.bundle.manifest import INTEGRITY_LEAVES, MANIFEST, Manifest
 from c4s.errors import BadInput
 from c4s.files import digest_file, write_json
 from c4s.protocol.rules import OVERVIEW_VIEWS
+from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.folder import TrialFolder
 from c4s.records.score import TrialScore
@@ -122,7 +123,7 @@ def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld:
         "scenes": scenes,
         "physics": {"report": writer.json("physics/physical_safety.json", report)},
     }
-    if score.setting != "text-to-scene":
+    if not is_construction(score.setting):
         if withheld is None:
             raise BadInput("an image-to-scene bundle needs the case's withheld folder", where=score.case_id)
         scenes["input"] = writer.copy("scenes/input.scene.json", withheld / "input.snapshot.json")

@@ -10,8 +10,8 @@ import typer
 from c4s.cli.batches import write_rows
 from c4s.cli.output import print_json, print_table
 from c4s.errors import BadInput, MachineryFault
+from c4s.protocol.settings import SETTINGS, TEXT_TO_SCENE
 from c4s.records.snapshot import read_snapshot
-from c4s.records.suite import SETTINGS
 from c4s.records.verdict import Verdict
 
 app = typer.Typer(help="Verify saved scenes: repair, physics, support.", no_args_is_help=True)
@@ -69,7 +69,7 @@ def repair(
 @app.command()
 def physics(
     snapshot: Annotated[Path, typer.Option(help="snapshot of the saved scene")],
-    setting: Annotated[str, typer.Option(help=", ".join(SETTINGS))] = "text-to-scene",
+    setting: Annotated[str, typer.Option(help=", ".join(SETTINGS))] = TEXT_TO_SCENE,
     start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene (image-to-scene)")] = None,
     json_output: Json = False,
 ) -> None:

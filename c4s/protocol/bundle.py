@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.semantics.words import phrases_of
+from c4s.protocol.words import phrases_of
 
 
 @dataclass(frozen=True)

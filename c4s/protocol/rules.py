@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Final, Literal, TypeAlias
 
-from c4s.records.suite import Setting
+from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, TEXT_TO_SCENE, Setting
 
 T2S_POLICY: Final = "text-to-scene-human-aligned"
 I2S_POLICY: Final = "i2s-actor-f1-0.8-physics-0.2-case-macro.v1"
@@ -21,9 +21,9 @@ SEMANTIC_FAMILY_POLICY: Final = "family-clause-macro-equal-atomic"
 SEMANTIC_CASE_SCHEMA: Final = "scenebenchmark-semantic-case-score.v4"
 
 CASE_POLICY: Final[dict[Setting, str]] = {
-    "text-to-scene": T2S_POLICY,
-    "image-to-scene/indoor": I2S_POLICY,
-    "image-to-scene/outdoor": I2S_POLICY,
+    TEXT_TO_SCENE: T2S_POLICY,
+    INDOOR_REPAIR: I2S_POLICY,
+    OUTDOOR_REPAIR: I2S_POLICY,
 }
 
 T2S_WEIGHTS: Final = {"detailed": 0.20, "physics": 0.20, "overview": 0.60}

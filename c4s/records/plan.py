@@ -6,8 +6,8 @@ from typing import Any, Literal
 
 from pydantic import Field
 
+from c4s.protocol.settings import Setting
 from c4s.records.base import Record
-from c4s.records.suite import Setting
 
 
 class Configuration(Record):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
+from c4s.protocol.settings import Setting
 from c4s.records.base import Record
-from c4s.records.suite import Setting
 
 CaseStatus = Literal[
     "measured",

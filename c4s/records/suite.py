@@ -26,10 +26,8 @@ from pydantic import Field
 
 from c4s.errors import BadInput
 from c4s.files import digest_tree
+from c4s.protocol.settings import Setting
 from c4s.records.base import Record
-
-Setting = Literal["text-to-scene", "image-to-scene/indoor", "image-to-scene/outdoor"]
-SETTINGS: tuple[Setting, ...] = ("text-to-scene", "image-to-scene/indoor", "image-to-scene/outdoor")
 
 
 class Budget(Record):

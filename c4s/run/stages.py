@@ -17,6 +17,7 @@ from typing import Any
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import append_json_line, digest_file, read_json
 from c4s.home import packs_root
+from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan
@@ -122,7 +123,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     started, given = time.perf_counter(), inputs(trial)
     evidence = trial.folder.evidence
     authored = []
-    if given.case.setting != "text-to-scene":
+    if not is_construction(given.case.setting):
         authored = [{**view, **SIZE_PX} for view in read_json(given.withheld_folder / "cameras.json")["views"]]
 
     def cameras(snapshot: dict[str, Any]) -> list[dict[str, Any]]:
@@ -186,7 +187,7 @@ def physics(trial: Trial, plan: Plan) -> Verdict:
 
     def verify(given: TrialInputs, evidence: Path) -> Verdict:
         start = None
-        if given.case.setting != "text-to-scene":
+        if not is_construction(given.case.setting):
             start = read_json(given.withheld_folder / "input.snapshot.json")
         return verify_physics(given.case.setting, read_json(evidence / "snapshot.json"), start)
 
@@ -265,7 +266,7 @@ def _verdict(trial: Trial, verifier: str, verify: Any) -> Verdict:
 
 def needed(trial: Trial) -> tuple[str, ...]:
     """Verifiers of the trial's setting beyond integrity."""
-    return ("physics", *SEMANTIC) if trial.case.setting == "text-to-scene" else ("physics", "repair")
+    return ("physics", *SEMANTIC) if is_construction(trial.case.setting) else ("physics", "repair")
 
 
 def score(trial: Trial, plan: Plan) -> TrialScore:

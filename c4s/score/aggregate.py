@@ -11,19 +11,19 @@ from typing import Any
 from c4s.errors import BadInput
 from c4s.protocol.numbers import mean
 from c4s.protocol.rules import I2S_POLICY, MODEL_POLICY, MODEL_WEIGHTS
-from c4s.records.suite import SETTINGS, Setting
+from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, SETTINGS, TEXT_TO_SCENE, Setting
 
 ZERO_STATUSES = frozenset({"zero_invalid_candidate", "zero_missing_submission", "zero_missing_result"})
 MEASURED_STATUSES = frozenset({"measured", "measured_with_missing_zero"})
 _T2S, _INDOOR, _OUTDOOR = SETTINGS
 _ALIASES: dict[str, Setting] = {
-    "text-to-scene": _T2S,
+    TEXT_TO_SCENE: _T2S,
     "t2s": _T2S,
-    "image-to-scene/indoor": _INDOOR,
+    INDOOR_REPAIR: _INDOOR,
     "indoor": _INDOOR,
     "i2s-indoor": _INDOOR,
     "image-to-scene-indoor": _INDOOR,
-    "image-to-scene/outdoor": _OUTDOOR,
+    OUTDOOR_REPAIR: _OUTDOOR,
     "outdoor": _OUTDOOR,
     "i2s-outdoor": _OUTDOOR,
     "image-to-scene-outdoor": _OUTDOOR,

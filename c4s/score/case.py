@@ -8,8 +8,8 @@ from typing import Any
 
 from c4s.protocol.numbers import required_unit_number, unit_number
 from c4s.protocol.rules import CASE_POLICY, I2S_DIGITS, I2S_POLICY, I2S_WEIGHTS, T2S_DIGITS, T2S_POLICY, T2S_WEIGHTS
+from c4s.protocol.settings import Setting, is_construction
 from c4s.records.score import CaseStatus, TrialScore
-from c4s.records.suite import Setting
 from c4s.records.verdict import Verdict
 
 
@@ -94,7 +94,7 @@ def case_score(
         "engine": engine,
         "retained_attempt": retained_attempt,
     }
-    parts = ("detailed", "overview") if setting == "text-to-scene" else ("repair",)
+    parts = ("detailed", "overview") if is_construction(setting) else ("repair",)
     if missing_result:
         return _zero(base, setting, "zero_missing_result", "the result is missing")
     if not submitted:
@@ -108,7 +108,7 @@ def case_score(
         verdict = verdicts.get(name)
         if verdict is None or verdict.status in ("error", "valid", "invalid"):
             return _pending(base, name, verdict)
-    return _measured(base, setting, verdicts, weights or (T2S_WEIGHTS if setting == "text-to-scene" else I2S_WEIGHTS))
+    return _measured(base, setting, verdicts, weights or (T2S_WEIGHTS if is_construction(setting) else I2S_WEIGHTS))
 
 
 def _pending(base: dict[str, Any], verifier: str, verdict: Verdict | None) -> TrialScore:
@@ -119,7 +119,7 @@ def _pending(base: dict[str, Any], verifier: str, verdict: Verdict | None) -> Tr
 def _zero(base: dict[str, Any], setting: Setting, status: CaseStatus, reason: str) -> TrialScore:
     names = (
         ("detailed", "overview", "known_coverage")
-        if setting == "text-to-scene"
+        if is_construction(setting)
         else ("repair_precision", "repair_recall", "repair_f1")
     )
     return TrialScore(**base, status=status, score=0.0, reason=reason, physics=0.0, **dict.fromkeys(names, 0.0))
@@ -133,7 +133,7 @@ def _measured(
     base: dict[str, Any], setting: Setting, verdicts: Mapping[str, Verdict], weights: Mapping[str, float]
 ) -> TrialScore:
     physics = _value(verdicts["physics"])
-    if setting == "text-to-scene":
+    if is_construction(setting):
         row = t2s_case(
             valid=True,
             detailed=_value(verdicts["detailed"]),

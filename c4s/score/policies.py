@@ -26,8 +26,8 @@ from c4s.protocol.rules import (
     T2S_WEIGHTS,
     Family,
 )
+from c4s.protocol.settings import Setting, is_construction
 from c4s.records.base import Record
-from c4s.records.suite import Setting
 
 _NAMES: dict[str, Mapping[str, float]] = {
     "text_to_scene": T2S_WEIGHTS,
@@ -83,11 +83,11 @@ class ScorePolicy(Record):
 
     def weights(self, setting: Setting) -> dict[str, float]:
         """Component weights of a setting's case score."""
-        return self.text_to_scene if setting == "text-to-scene" else self.image_to_scene
+        return self.text_to_scene if is_construction(setting) else self.image_to_scene
 
     def leaves(self, setting: Setting) -> dict[str, float]:
         """Weights of the physics leaves in a setting."""
-        own = self.text_physics_leaves if setting == "text-to-scene" else None
+        own = self.text_physics_leaves if is_construction(setting) else None
         return own or self.physics_leaves
 
 

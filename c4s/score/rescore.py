@@ -17,10 +17,10 @@ from c4s.protocol.detailed import detailed_score
 from c4s.protocol.numbers import mean
 from c4s.protocol.overview import overview_score
 from c4s.protocol.physics import physics_from_report
+from c4s.protocol.settings import TEXT_TO_SCENE, Setting
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from c4s.records.suite import Setting
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
 from c4s.score.policies import ScorePolicy
@@ -36,7 +36,7 @@ COMPONENTS = (
     "score",
 )
 """Fields of a trial's score that a policy may change."""
-_PARTS = {"text-to-scene": ("physics", "detailed", "overview")}
+_PARTS = {TEXT_TO_SCENE: ("physics", "detailed", "overview")}
 _REPAIR_PARTS = ("physics", "repair")
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.geometry.transform import affine, transformed_box
-from c4s.semantics.words import has_phrase, names_object, phrases_of
+from c4s.protocol.words import has_phrase, names_object, phrases_of
 
 Array: TypeAlias = NDArray[np.float64]
 Facts: TypeAlias = Mapping[str, Any]

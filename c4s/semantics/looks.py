@@ -6,8 +6,8 @@ import colorsys
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from c4s.protocol.words import tokens, word_set
 from c4s.semantics.inventory import Facts, Thing, leaf, trusted
-from c4s.semantics.words import tokens, word_set
 
 MATERIAL_WORDS: dict[str, frozenset[str]] = {
     "wood": word_set("wood wooden timber oak pine plank walnut birch bamboo log"),

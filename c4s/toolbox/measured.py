@@ -10,6 +10,7 @@ import numpy as np
 
 from c4s.collision import SceneBodies, scene_bodies
 from c4s.geometry.transform import Array
+from c4s.protocol.settings import Setting, is_construction
 from c4s.records.verdict import Verdict
 from c4s.toolbox.gaps import gaps_below
 from c4s.verify.actors.roles import bounds_of, roles
@@ -25,7 +26,7 @@ class MeasuredScene:
         snapshot: the level as the engine exported it; nobody changes it.
     """
 
-    def __init__(self, setting: str, snapshot: Mapping[str, Any]) -> None:
+    def __init__(self, setting: Setting, snapshot: Mapping[str, Any]) -> None:
         self.setting, self.snapshot = setting, snapshot
         self.actors: list[Mapping[str, Any]] = snapshot["actors"]
 
@@ -59,12 +60,12 @@ class MeasuredScene:
 
     def gaps_cm(self, actors: Collection[int]) -> dict[int, float | None]:
         """``gaps_below`` of some actors (positions); text-to-scene has the ground plane besides."""
-        return gaps_below(self.snapshot, self.bodies, set(actors), ground_plane=self.setting == "text-to-scene")
+        return gaps_below(self.snapshot, self.bodies, set(actors), ground_plane=is_construction(self.setting))
 
     @cached_property
     def scored_as_floating(self) -> frozenset[str]:
         """Object names of the actors that the verdict counts as floating."""
-        if self.setting == "text-to-scene" and "physics" not in self.__dict__:
+        if is_construction(self.setting) and "physics" not in self.__dict__:
             return self._floating_boxes()
         leaf = self.physics.measurements["leaf_results"][0]
         return frozenset(leaf["floating_actors"])

@@ -9,6 +9,7 @@ from typing import Any
 
 from c4s.errors import BadInput
 from c4s.files import write_json, write_text
+from c4s.protocol.settings import is_construction
 from c4s.records.level import Level
 from c4s.records.suite import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
@@ -32,7 +33,7 @@ def import_code4scene(folder: Path, out: Path, packs_root: Path, progress: Calla
     shutil.rmtree(fresh.root, ignore_errors=True)
     rows, packs = [], []
     for task in tasks:
-        if task.setting == "text-to-scene":
+        if is_construction(task.setting):
             pack, count = _text_case(task, fresh, packs_root, progress)
             packs.append(pack)
             rows.append(

@@ -11,7 +11,8 @@ from typing import Any
 import yaml
 
 from c4s.errors import BadInput
-from c4s.records.suite import Budget, Setting
+from c4s.protocol.settings import Setting
+from c4s.records.suite import Budget
 from catalog.proxy import PaletteEntry
 
 KINDS = {"scene_generation", "scene_repair"}

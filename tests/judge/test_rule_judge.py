@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from c4s.errors import BadInput
 from c4s.judge.rule.judge import RuleJudge
 from c4s.protocol.bundle import read_requirements
+from c4s.protocol.words import head, names_object, phrases_of, singular
 from c4s.semantics.quantities import limits
-from c4s.semantics.words import head, names_object, phrases_of, singular
 from tests.shared import SHARED
 
 ALLEY = SHARED / "upstream/tests/fixtures/synthetic-alley.bundle.json"

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
-from c4s.records.suite import SETTINGS
+from c4s.protocol.settings import SETTINGS
 from c4s.score.aggregate import aggregate
 from warehouse.database import ask, rebuild, rows
 from warehouse.frames import export

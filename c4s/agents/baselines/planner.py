@@ -6,6 +6,7 @@ from c4s.agents.base import SUBMISSION_NAME, AgentContext, AgentReport
 from c4s.agents.baselines.composing import compose
 from c4s.agents.baselines.mending import mends
 from c4s.agents.baselines.palette import description
+from c4s.protocol.settings import is_construction
 from c4s.toolbox.client import CallRefused, GatewayClient
 
 TIERS = ("ground", "structures", "props", "details")
@@ -18,7 +19,7 @@ class Planner:
     def run(self, context: AgentContext) -> AgentReport:
         """Play one case through the tools, as any agent would."""
         with context.connect() as tools:
-            if context.case.setting == "text-to-scene":
+            if is_construction(context.case.setting):
                 message = _construct(tools, context.case.prompt, context.case.plate_m or DEFAULT_PLATE_M)
             else:
                 message = _mend(tools)

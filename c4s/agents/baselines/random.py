@@ -10,6 +10,7 @@ from typing import Any
 
 from c4s.agents.base import SUBMISSION_NAME, AgentContext, AgentReport
 from c4s.errors import AgentFault
+from c4s.protocol.settings import is_construction
 from c4s.toolbox.client import CallRefused, GatewayClient
 
 PLACED, EDITED = 40, 8
@@ -26,7 +27,7 @@ class RandomAgent:
         chance = random.Random(f"{context.case.case_id}/{context.attempt}")
         refused: list[str] = []
         with context.connect() as tools:
-            if context.case.setting == "text-to-scene":
+            if is_construction(context.case.setting):
                 self._place(context, tools, chance, refused)
             else:
                 self._edit(context, tools, chance, refused)

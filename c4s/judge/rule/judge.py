@@ -13,11 +13,11 @@ from typing import Any, Literal
 import numpy as np
 
 from c4s.protocol.bundle import Entity, Predicate, Requirements
+from c4s.protocol.words import tokens
 from c4s.semantics.inventory import Facts, Thing, inventory
 from c4s.semantics.looks import has_color, is_made_of, material_index
 from c4s.semantics.measures import RELATIONS, SYNONYMS, encircles, is_cluster, is_ring, is_row, is_scattered
 from c4s.semantics.quantities import limits
-from c4s.semantics.words import tokens
 
 Status = Literal["MATCH", "MISMATCH", "UNKNOWN"]
 SHARE = 0.5

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.protocol.rules import GROUND_SPAN_CM, PROXY_HUGE_CM, PROXY_ORIGINS, PROXY_RATIO, PROXY_SHARE, PROXY_SPAN_CM
-from c4s.verify.physics.support import measured_vector
+from c4s.verify.actors.measured import measured_vector
 
 Role = Literal["non_solid", "unresolved", "support_surface", "environment_proxy", "scored_solid"]
 

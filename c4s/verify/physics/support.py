@@ -23,6 +23,7 @@ from c4s.collision.depth import BodyTable
 from c4s.collision.scene import SceneBodies
 from c4s.collision.shapes import Array, Body, box_body
 from c4s.protocol.rules import GAP_CM, TINY_CM
+from c4s.verify.actors.measured import measured_vector
 
 EXCLUDED_CLASSES = frozenset(
     {
@@ -95,25 +96,6 @@ class Support:
     def rate(self) -> float | None:
         """Share of tested actors that float, rounded to 4 places; None when none was tested."""
         return round(self.floating / self.evaluated, 4) if self.evaluated else None
-
-
-def measured_vector(record: Any, field: str) -> tuple[float, float, float]:
-    """Three finite numbers of a record's field; ``ValueError`` otherwise (strings are no numbers, booleans are)."""
-    values = record.get(field) if isinstance(record, Mapping) else None
-    if type(values) is list and len(values) == 3:
-        x, y, z = values
-        if type(x) is type(y) is type(z) is float and math.isfinite(x) and math.isfinite(y) and math.isfinite(z):
-            return x, y, z
-    try:
-        if (
-            isinstance(values, (list, tuple))
-            and len(values) == 3
-            and all(isinstance(v, int | float) and math.isfinite(v) for v in values)
-        ):
-            return float(values[0]), float(values[1]), float(values[2])
-    except OverflowError:
-        raise ValueError(f"{field} holds a number that is too large") from None
-    raise ValueError(f"{field} is not three finite numbers")
 
 
 def _excluded_by_class(actor: Mapping[str, Any]) -> bool:

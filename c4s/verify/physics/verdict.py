@@ -26,6 +26,7 @@ from c4s.protocol.rules import (
     T2S_FLOATING_METRIC,
     WHOLE_SCENE_PROFILE,
 )
+from c4s.protocol.settings import Setting, is_construction
 from c4s.records.verdict import Verdict
 from c4s.verify.actors.roles import Role, bounds_of, needs_no_support, roles
 from c4s.verify.physics.edited import CANDIDATE, edited_actors
@@ -40,7 +41,7 @@ MOST_LISTED = 20
 
 
 def verify_physics(
-    setting: str,
+    setting: Setting,
     snapshot: Mapping[str, Any],
     input_snapshot: Mapping[str, Any] | None = None,
     *,
@@ -61,7 +62,7 @@ def verify_physics(
     actors = _actors_of(snapshot, "snapshot")
     role = roles(actors)
     scene = scene_bodies(snapshot)
-    whole = setting == "text-to-scene"
+    whole = is_construction(setting)
     if whole:
         chosen = list(range(len(actors)))
         floating = _scene_floating(snapshot)

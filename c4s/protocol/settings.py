@@ -1,0 +1,29 @@
+"""The three settings of the benchmark: the only place that spells their names (paper, "Task settings")."""
+
+from __future__ import annotations
+
+from typing import Final, Literal, TypeAlias
+
+Setting: TypeAlias = Literal["text-to-scene", "image-to-scene/indoor", "image-to-scene/outdoor"]
+
+TEXT_TO_SCENE: Final = "text-to-scene"
+INDOOR_REPAIR: Final = "image-to-scene/indoor"
+OUTDOOR_REPAIR: Final = "image-to-scene/outdoor"
+SETTINGS: Final[tuple[Setting, ...]] = (TEXT_TO_SCENE, INDOOR_REPAIR, OUTDOOR_REPAIR)
+
+SETTING_TITLES: Final[dict[Setting, str]] = {
+    TEXT_TO_SCENE: "Text to scene",
+    INDOOR_REPAIR: "Image to scene, indoor",
+    OUTDOOR_REPAIR: "Image to scene, outdoor",
+}
+"""As pages and tables show them."""
+
+
+def is_construction(setting: Setting) -> bool:
+    """Whether the agent builds a scene from a text; otherwise it repairs one that is given."""
+    return setting == TEXT_TO_SCENE
+
+
+def repair_setting(indoor: bool) -> Setting:
+    """The setting of a repair in such a place."""
+    return INDOOR_REPAIR if indoor else OUTDOOR_REPAIR
