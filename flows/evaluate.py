@@ -13,17 +13,19 @@ from prefect.task_runners import ThreadPoolTaskRunner
 from c4s.errors import MachineryFault
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.protocol.rules import DEFAULT_POLICY
-from c4s.protocol.settings import is_construction
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.configurations import configuration
 from c4s.run.plan import Trial, make_plan, open_run, trials
+from c4s.verify.registry import is_judged, verifiers_of
 from tasks.attempt import attempt
 from tasks.integrity import integrity
+from tasks.judge import judge as judge_scene
+from tasks.look import look
 from tasks.persist import persist
 from tasks.pool import engine_slots
 from tasks.publish import publish
-from tasks.verify import physics, repair, semantic
+from tasks.verify import verify
 from warehouse.ingest import ingest_schedule, is_stored
 
 WAITING_THREADS = 32
@@ -31,18 +33,18 @@ WAITING_THREADS = 32
 
 def _submit(trial: Trial, plan: Plan, warehouse: Path) -> list[PrefectFuture[Any]]:
     """Submit a trial's stages, in order; each waits for what it reads, and the last one stores the trial."""
-    ran_1 = attempt.submit(trial, 1)
+    ran_1 = attempt.submit(trial, plan, 1)
     valid_1 = integrity.submit(trial, plan, 1, ran_1)
-    ran_2 = attempt.submit(trial, 2, valid_1)
+    ran_2 = attempt.submit(trial, plan, 2, valid_1)
     valid = integrity.submit(trial, plan, 2, ran_2, valid_1)
-    if is_construction(trial.case.setting):
-        verdicts = [
-            physics.submit(trial, plan, valid),
-            *(semantic.submit(trial, plan, valid, name) for name in ("detailed", "overview")),
-        ]
-    else:
-        verdicts = [physics.submit(trial, plan, valid), repair.submit(trial, plan, valid)]
-    return [ran_1, valid_1, ran_2, valid, *verdicts, persist.submit(trial, plan, warehouse, wait_for=verdicts)]
+    looked = look.submit(trial, plan, valid)
+    judged = [judge_scene.submit(trial, plan, valid, wait_for=[looked])] if is_judged(trial.case.setting) else []
+    verdicts = [
+        verify.submit(trial, plan, valid, verifier.name, wait_for=judged if "judgements" in verifier.needs else [])
+        for verifier in verifiers_of(trial.case.setting)
+    ]
+    last = persist.submit(trial, plan, warehouse, wait_for=[looked, *verdicts])
+    return [ran_1, valid_1, ran_2, valid, looked, *judged, *verdicts, last]
 
 
 @flow(name="evaluate", task_runner=ThreadPoolTaskRunner(max_workers=WAITING_THREADS), validate_parameters=False)

@@ -11,14 +11,15 @@ from PIL import Image
 
 from c4s.files import canonical_json, digest_file, json_lines, read_json
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from c4s.records.suite import SuiteFolder
+from c4s.records.suite import SuiteFolder, WithheldFolder
 from c4s.records.verdict import Verdict
 from c4s.run.configurations import is_ranked
 from c4s.run.plan import Trial, trial_id, trials
 from c4s.trajectory import Analysis, analyse
-from warehouse.findings import findings
+from c4s.verify.registry import VERIFIERS, verifier_named
 from warehouse.parquet import part_path, write_part
 from warehouse.records import (
     AttemptRow,
@@ -32,6 +33,8 @@ from warehouse.records import (
 )
 
 PICTURE_WIDTH = 960
+HEADLINES = tuple(name for verifier in VERIFIERS.values() for name in verifier.component_names)
+"""Components that the outcome row shows beside the score."""
 CASE_PARTITION = "_case"
 """Partition of pictures that belong to a case, not to a configuration."""
 
@@ -84,7 +87,7 @@ def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None
 
 def _case_pictures(folder: SuiteFolder, plan: Plan, case_id: str) -> Iterator[PictureRow]:
     for role in ("start", "truth"):
-        for path in sorted((folder.withheld(case_id) / "views" / role).glob("*.png")):
+        for path in sorted(WithheldFolder(folder.withheld(case_id)).views(role).glob("*.png")):
             width, height, jpeg = _jpeg(path)
             yield PictureRow(
                 trial_id="",
@@ -121,7 +124,7 @@ def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
     """Write all rows of a scored trial; the outcome row comes last, so that it stands for the whole."""
     key = _key(trial, plan)
     place: dict[str, str] = {"suite": plan.suite_id, "configuration": trial.configuration.name, "key": key["trial_id"]}
-    verdicts = {path.stem: path for path in sorted((trial.folder.root / "verdicts").glob("*.json"))}
+    verdicts = trial.folder.verdicts
     attempts = list(_attempts(trial, key))
     write_part(warehouse, "attempts", [row for row, _ in attempts], **place)
     write_part(warehouse, "tool_use", _tool_use(attempts, key), **place)
@@ -133,7 +136,7 @@ def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
         [
             FindingRow(**key, verifier=name, subject=found.subject, outcome=found.outcome, detail=found.detail)
             for name, path in verdicts.items()
-            for found in findings(Verdict.read(path))
+            for found in verifier_named(name).findings(Verdict.read(path))
         ],
         **place,
     )
@@ -155,9 +158,8 @@ def _key(trial: Trial, plan: Plan) -> dict[str, Any]:
 def _attempts(trial: Trial, key: dict[str, Any]) -> Iterator[tuple[AttemptRow, Analysis]]:
     """Every attempt with the analysis of its trajectory."""
     retained = TrialScore.read(trial.folder.score).retained_attempt
-    for path in sorted(trial.folder.root.glob("attempt-*/outcome.json")):
-        outcome, did = AttemptOutcome.read(path), analyse(path.parent / "trajectory.jsonl")
-        gate = path.parent / "integrity.json"
+    for folder in trial.folder.attempts():
+        outcome, did = AttemptOutcome.read(folder.outcome), analyse(folder.trajectory)
         yield (
             AttemptRow(
                 **key,
@@ -165,7 +167,7 @@ def _attempts(trial: Trial, key: dict[str, Any]) -> Iterator[tuple[AttemptRow, A
                 ended_by=outcome.ended_by,
                 retained=outcome.attempt == retained,
                 submission=outcome.submission,
-                valid=Verdict.read(gate).status == "valid" if gate.is_file() else None,
+                valid=Verdict.read(folder.integrity).status == "valid" if folder.integrity.is_file() else None,
                 tool_calls=outcome.tool_calls,
                 polling_calls=did.polling,
                 python_calls=did.python,
@@ -222,7 +224,7 @@ def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:
 
 
 def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureRow]:
-    index = trial.folder.evidence / "captures" / "captures.json"
+    index = trial.folder.evidence.captures_index
     if index.is_file():
         for capture in read_json(index)["views"]:
             width, height, jpeg = _jpeg(index.parent / capture["file"])
@@ -233,19 +235,17 @@ def _outcome(trial: Trial, plan: Plan, key: dict[str, Any]) -> OutcomeRow:
     score = TrialScore.read(trial.folder.score)
     attempts = {
         outcome.attempt: outcome
-        for outcome in (AttemptOutcome.read(path) for path in trial.folder.root.glob("attempt-*/outcome.json"))
+        for outcome in (AttemptOutcome.read(folder.outcome) for folder in trial.folder.attempts())
     }
     kept = attempts.get(score.retained_attempt or 0)
-    stages = list(json_lines((trial.folder.root / "stages.jsonl").read_text().splitlines()))
+    stages = list(json_lines(trial.folder.stages.read_text().splitlines()))
     overhead = sum(stage["seconds"] for stage in stages if stage["stage"] == "orchestration")
     evaluation = sum(
         stage["seconds"]
         for stage in stages
         if stage["stage"] != "orchestration" and not stage["stage"].startswith("attempt")
     )
-    parts = score.model_dump(
-        include={"detailed", "known_coverage", "overview", "physics", "repair_precision", "repair_recall", "repair_f1"}
-    )
+    parts = {name: score.components.get(name) for name in HEADLINES}
     return OutcomeRow(
         **key,
         **parts,
@@ -274,7 +274,7 @@ def _outcome(trial: Trial, plan: Plan, key: dict[str, Any]) -> OutcomeRow:
 
 def rebuild_from_run(run: Path, suite: Path, warehouse: Path) -> int:
     """Ingest every scored trial of a run again; returns how many."""
-    plan = Plan.read(run / "plan.json")
+    plan = Plan.read(RunFolder(run).plan)
     ingest_schedule(run, suite, plan, warehouse)
     scored = [trial for trial in trials(run, suite, plan) if trial.folder.score.is_file()]
     for trial in scored:

@@ -74,7 +74,7 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
         "notes": f"made by c4s; engine {score.engine}, judge {score.judge}, policy {score.policy}",
     }
     if score.retained_attempt is not None:
-        kept = AttemptOutcome.read(folder.attempt(score.retained_attempt) / "outcome.json")
+        kept = AttemptOutcome.read(folder.attempt(score.retained_attempt).outcome)
         value["run"]["candidate_sha256"] = kept.submission_sha256
     if score.status in ("zero_missing_submission", "zero_missing_result"):
         value["run"]["submission"] = "missing"
@@ -118,7 +118,7 @@ def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld:
             if key in physics.measurements
         },
     }
-    scenes = {"candidate": writer.copy("scenes/candidate.scene.json", folder.evidence / "snapshot.json")}
+    scenes = {"candidate": writer.copy("scenes/candidate.scene.json", folder.evidence.snapshot)}
     value: dict[str, Any] = {
         "scenes": scenes,
         "physics": {"report": writer.json("physics/physical_safety.json", report)},
@@ -137,7 +137,7 @@ def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld:
         "decisions": writer.json("semantic/decisions.json", {"report_status": detailed.status, "decisions": rows})
     }
     views = [
-        writer.copy(f"renders/overview/view_{n}.png", folder.evidence / "captures" / f"overview-{n}.png")
+        writer.copy(f"renders/overview/view_{n}.png", folder.evidence.captures / f"overview-{n}.png")
         for n in range(1, OVERVIEW_VIEWS + 1)
     ]
     value["overview"] = {"views": views}

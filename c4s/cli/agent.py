@@ -124,8 +124,8 @@ def _watched(trial: Trial, plan: Plan, *, quiet: bool) -> TrialScore:
     from c4s.run.trial import run_trial
 
     for number in range(1, stages.ATTEMPTS + 1):
-        with nullcontext() if quiet else follow(console, trial.folder.attempt(number)):
-            outcome = stages.attempt(trial, number)
+        with nullcontext() if quiet else follow(console, trial.folder.attempt(number).root):
+            outcome = stages.attempt(trial, plan, number)
         if not quiet:
             console.print(_ending(outcome), soft_wrap=True, highlight=False)
         if stages.integrity(trial, plan, number):
@@ -158,11 +158,7 @@ def _publish(root: Path, suite: Path, plan: Plan, case: str) -> Path:
 
 def _print_score(trial: Trial, score: TrialScore) -> None:
     parts: list[tuple[str, Any]] = [("score", score.score), ("status", score.status)]
-    parts += [
-        (name, value)
-        for name in ("detailed", "overview", "physics", "repair_precision", "repair_recall", "repair_f1")
-        if (value := getattr(score, name)) is not None
-    ]
+    parts += [(name, value) for name, value in score.components.items() if value is not None]
     if score.reason:
         parts.append(("reason", score.reason))
     print_table(("", trial.name), parts)

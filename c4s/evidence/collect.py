@@ -51,15 +51,16 @@ def collect(
             snapshot, dependencies = _export(engine, package)
             write_json(made / "snapshot.json", snapshot)
             write_json(made / "dependencies.json", dependencies)
-            views = cameras(snapshot) if callable(cameras) else cameras or []
-            pictures = scratch / "captures"
-            records = take_pictures(engine, views, pictures, keep=keep_pictures)
-        pictures.mkdir(exist_ok=True)
-        shutil.copytree(pictures, made / "captures")
-        write_json(
-            made / "captures" / "captures.json",
-            {"schema_version": CAPTURES_VERSION, "engine": "headless", "package": package, "views": records},
-        )
+            if cameras is not None:
+                views = cameras(snapshot) if callable(cameras) else cameras
+                pictures = scratch / "captures"
+                records = take_pictures(engine, views, pictures, keep=keep_pictures)
+                pictures.mkdir(exist_ok=True)
+                shutil.copytree(pictures, made / "captures")
+                write_json(
+                    made / "captures" / "captures.json",
+                    {"schema_version": CAPTURES_VERSION, "engine": "headless", "package": package, "views": records},
+                )
         write_json(
             made / "digests.json",
             {
@@ -69,6 +70,34 @@ def collect(
             },
         )
         _replace(made, out)
+
+
+def look_at(
+    *, packs: Sequence[Path], submission_content: Path, package: str, out: Path, cameras: Sequence[Mapping[str, Any]]
+) -> None:
+    """Take the pictures of the submitted level into ``<out>/captures``, beside the evidence that is there."""
+    _check(submission_content)
+    with tempfile.TemporaryDirectory(prefix="c4s-look-") as folder:
+        scratch = Path(folder) / "engine"
+        with EngineSession.start(
+            packs=packs, content=submission_content, scratch=scratch, start_map=package, content_read_only=True
+        ) as engine:
+            pictures = scratch / "captures"
+            records = take_pictures(engine, cameras, pictures)
+        pictures.mkdir(exist_ok=True)
+        shutil.copytree(pictures, out / "captures", dirs_exist_ok=True)
+    write_json(
+        out / "captures" / "captures.json",
+        {"schema_version": CAPTURES_VERSION, "engine": "headless", "package": package, "views": records},
+    )
+    write_json(
+        out / "digests.json",
+        {
+            path.relative_to(out).as_posix(): digest_file(path)
+            for path in sorted(out.rglob("*"))
+            if path.is_file() and path.name != "digests.json"
+        },
+    )
 
 
 def export_level(*, packs: Sequence[Path], level: Path, out: Path) -> None:

@@ -1,8 +1,107 @@
-"""The run folder: the truth about a run. All paths of a run are made here."""
+"""The run folder: the truth about a run. The names of all its files are spelt here and nowhere else."""
 
 from __future__ import annotations
 
 from pathlib import Path
+
+
+class EvidenceFolder:
+    """What clean engine processes exported from the retained submission: ``<trial>/evidence``."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+
+    @property
+    def snapshot(self) -> Path:
+        """The scene as the exporter records it."""
+        return self.root / "snapshot.json"
+
+    @property
+    def dependencies(self) -> Path:
+        """Packages that the scene refers to, and those that do not resolve."""
+        return self.root / "dependencies.json"
+
+    @property
+    def captures(self) -> Path:
+        """Folder of the pictures and actor masks."""
+        return self.root / "captures"
+
+    @property
+    def captures_index(self) -> Path:
+        """What was taken: a record a view."""
+        return self.captures / "captures.json"
+
+    @property
+    def digests(self) -> Path:
+        """SHA-256 of each file of the evidence, by its relative name."""
+        return self.root / "digests.json"
+
+
+class AttemptFolder:
+    """One attempt: ``<trial>/attempt-<n>``."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+
+    @property
+    def number(self) -> int:
+        """1 or 2."""
+        return int(self.root.name.removeprefix("attempt-"))
+
+    @property
+    def outcome(self) -> Path:
+        """How it ended; written last, so an attempt with it is done."""
+        return self.root / "outcome.json"
+
+    @property
+    def trajectory(self) -> Path:
+        """Every call, a JSON line each."""
+        return self.root / "trajectory.jsonl"
+
+    @property
+    def usage(self) -> Path:
+        """Every model request, a JSON line each."""
+        return self.root / "usage.jsonl"
+
+    @property
+    def manifest(self) -> Path:
+        """Digests of the packs that the engine mounted."""
+        return self.root / "manifest.json"
+
+    @property
+    def submission(self) -> Path:
+        """The content that the engine saved."""
+        return self.root / "submission"
+
+    @property
+    def saves(self) -> Path:
+        """Every package that was saved, a JSON line each."""
+        return self.submission / "saves.jsonl"
+
+    @property
+    def images(self) -> Path:
+        """Pictures that the agent was shown, by their digest."""
+        return self.root / "images"
+
+    @property
+    def scratch(self) -> Path:
+        """Engine log, job logs, screenshots."""
+        return self.root / "scratch"
+
+    @property
+    def agent(self) -> Path:
+        """The client's own files."""
+        return self.root / "agent"
+
+    @property
+    def integrity(self) -> Path:
+        """The gate's verdict on this attempt."""
+        return self.root / "integrity.json"
+
+    @property
+    def done(self) -> bool:
+        """Whether the attempt has ended and is on record."""
+        return self.outcome.is_file()
 
 
 class TrialFolder:
@@ -11,23 +110,42 @@ class TrialFolder:
     def __init__(self, root: Path) -> None:
         self.root = root
 
-    def attempt(self, number: int) -> Path:
-        """Folder of an attempt: ``trajectory.jsonl``, ``usage.jsonl``, ``submission/``, ``outcome.json``."""
-        return self.root / f"attempt-{number}"
+    def attempt(self, number: int) -> AttemptFolder:
+        """Folder of an attempt; attempts count from 1."""
+        return AttemptFolder(self.root / f"attempt-{number}")
+
+    def attempts(self) -> list[AttemptFolder]:
+        """The attempts that are on record, in order."""
+        found = (AttemptFolder(path) for path in self.root.glob("attempt-?"))
+        return sorted((attempt for attempt in found if attempt.done), key=lambda attempt: attempt.number)
 
     @property
-    def evidence(self) -> Path:
+    def evidence(self) -> EvidenceFolder:
         """What a clean engine process exported from the retained submission."""
-        return self.root / "evidence"
+        return EvidenceFolder(self.root / "evidence")
+
+    def judgements(self, judge: str) -> Path:
+        """What a judge said of the retained submission."""
+        return self.root / "judgements" / f"{judge}.json"
 
     def verdict(self, verifier: str) -> Path:
         """A verifier's report."""
         return self.root / "verdicts" / f"{verifier}.json"
 
     @property
+    def verdicts(self) -> dict[str, Path]:
+        """The verdicts that are there, by verifier."""
+        return {path.stem: path for path in sorted((self.root / "verdicts").glob("*.json"))}
+
+    @property
     def score(self) -> Path:
         """The trial's score."""
         return self.root / "score.json"
+
+    @property
+    def stages(self) -> Path:
+        """How long each stage took, a JSON line each."""
+        return self.root / "stages.jsonl"
 
 
 class RunFolder:
@@ -40,6 +158,11 @@ class RunFolder:
     def plan(self) -> Path:
         """The frozen plan."""
         return self.root / "plan.json"
+
+    @property
+    def spending(self) -> Path:
+        """What the whole run has spent on models, against its limit."""
+        return self.root / "spending.jsonl"
 
     def trial(self, configuration: str, case_id: str, repeat: int) -> TrialFolder:
         """Folder of a trial; repeats count from 1."""

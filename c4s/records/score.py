@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
+from pydantic import Field
+
 from c4s.protocol.settings import Setting
 from c4s.records.base import Record
 
@@ -28,13 +30,8 @@ class TrialScore(Record):
     status: CaseStatus
     score: float | None
     reason: str = ""
-    detailed: float | None = None
-    known_coverage: float | None = None
-    overview: float | None = None
-    physics: float | None = None
-    repair_precision: float | None = None
-    repair_recall: float | None = None
-    repair_f1: float | None = None
+    components: dict[str, float | None] = Field(default_factory=dict)
+    """What the score is made of: the numbers that the setting's verifiers add (``c4s.verify.registry``), by name."""
     policy: str
     judge: str
     engine: str

@@ -102,6 +102,42 @@ class Suite(Record):
     cases: list[SuiteCase]
 
 
+class WithheldFolder:
+    """What only the evaluator reads of a case: ``<suite>/withheld/<case>``."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+
+    @property
+    def truth_level(self) -> Path:
+        """The original scene; for text-to-scene the scene that the oracle saves."""
+        return self.root / "truth.level.json"
+
+    @property
+    def input_snapshot(self) -> Path:
+        """Exported from the start level."""
+        return self.root / "input.snapshot.json"
+
+    @property
+    def truth_snapshot(self) -> Path:
+        """Exported from the truth."""
+        return self.root / "truth.snapshot.json"
+
+    @property
+    def cameras(self) -> Path:
+        """The held-out cameras of a repair."""
+        return self.root / "cameras.json"
+
+    @property
+    def requirements(self) -> Path:
+        """The requirement bundle."""
+        return self.root / "requirements.bundle.json"
+
+    def views(self, role: str) -> Path:
+        """Folder of the pictures of the ``start`` or the ``truth`` that reports show."""
+        return self.root / "views" / role
+
+
 class SuiteFolder:
     """A built suite on disk."""
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+import math
+from typing import Any, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from c4s.records.base import Record
 
@@ -15,12 +16,13 @@ class Verdict(Record):
     """One verifier's report.
 
     ``status`` follows the paper (evaluation protocol): a ``measured`` score is a finite number in [0, 1] and is no
-    pass mark; the other measurement statuses carry no number. Integrity is ``valid`` or ``invalid``.
+    pass mark; every other status carries no number. A verdict that says otherwise cannot be made (``ValueError``).
+    Integrity is ``valid`` or ``invalid``.
     """
 
     schema_version: Literal["c4s.verdict.v1"] = "c4s.verdict.v1"
     verifier: str
-    """``integrity``, ``physics``, ``repair``, ``detailed`` or ``overview``."""
+    """Name of the verifier, as in ``c4s.verify.registry``."""
     status: Status
     score: float | None = None
     policy: str
@@ -32,5 +34,16 @@ class Verdict(Record):
     """Known oddities of the protocol in this case: ``{"code", "text", "actors"}``. They never change the score."""
     inputs: dict[str, str] = Field(default_factory=dict)
     """SHA-256 of each file that was read."""
+    made_by: str = ""
+    """Version of the code that made it: release and digest of the sources that decide."""
     reason: str = ""
     """Why there is no number, or why it is invalid."""
+
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        if self.status != "measured":
+            if self.score is not None:
+                raise ValueError(f"a verdict that is {self.status} has no score")
+        elif self.score is None or not math.isfinite(self.score) or not 0.0 <= self.score <= 1.0:
+            raise ValueError(f"a measured score is a finite number in [0, 1], not {self.score}")
+        return self

@@ -1,8 +1,7 @@
 """The stages of a trial as plain functions. Each skips what is already done and writes its result file last.
 
-The order is attempt, evidence, integrity; a second attempt only where the first left no valid submission; then the
-verifiers of the setting; then the score. The files say what is done, so any stage can be repeated alone and a killed
-run goes on where it stopped. A ``MachineryFault`` passes through: the trial stays pending.
+Their order is the trial's (``c4s.run.trial``). The files say what is done, so any stage can be repeated alone and a
+killed run goes on where it stopped. A ``MachineryFault`` passes through: the trial stays pending.
 """
 
 from __future__ import annotations
@@ -15,19 +14,22 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput, MachineryFault
-from c4s.files import append_json_line, digest_file, read_json
+from c4s.files import append_json_line, read_json
 from c4s.home import packs_root
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.evidence import Evidence, ManifestDigests
+from c4s.records.folder import AttemptFolder, RunFolder
+from c4s.records.judgement import Judgements
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase
+from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase, WithheldFolder
 from c4s.records.verdict import Verdict
 from c4s.run.plan import Trial
+from c4s.verify.registry import GATE, make_verdict, verifiers_of
 
 ATTEMPTS = 2
-SEMANTIC = ("detailed", "overview")
 
 
 @dataclass(frozen=True)
@@ -37,12 +39,12 @@ class TrialInputs:
     case: AgentCase
     withheld: WithheldCase
     agent_folder: Path
-    withheld_folder: Path
+    withheld_folder: WithheldFolder
     packs: list[Path]
 
 
 def inputs(trial: Trial) -> TrialInputs:
-    """Open the case package and check that every pack is there with the frozen digest (``BadInput`` otherwise)."""
+    """Open the case package and check that every pack is there (``BadInput`` otherwise)."""
     suite = SuiteFolder(trial.suite)
     case = suite.agent_case(trial.case.case_id)
     folders = []
@@ -58,13 +60,13 @@ def inputs(trial: Trial) -> TrialInputs:
         withheld=suite.withheld_case(case.case_id),
         packs=folders,
         agent_folder=suite.agent(case.case_id),
-        withheld_folder=suite.withheld(case.case_id),
+        withheld_folder=WithheldFolder(suite.withheld(case.case_id)),
     )
 
 
 def record_time(trial: Trial, stage: str, seconds: float) -> None:
-    """Append a stage's duration to the trial's ``stages.jsonl``."""
-    append_json_line(trial.folder.root / "stages.jsonl", {"stage": stage, "seconds": round(seconds, 4)})
+    """Append a stage's duration to the trial's stage times."""
+    append_json_line(trial.folder.stages, {"stage": stage, "seconds": round(seconds, 4)})
 
 
 @contextmanager
@@ -75,198 +77,151 @@ def timed(trial: Trial, stage: str) -> Iterator[None]:
     record_time(trial, stage, time.perf_counter() - started)
 
 
-def _timed(trial: Trial, stage: str, started: float) -> None:
-    record_time(trial, stage, time.perf_counter() - started)
-
-
-def attempt(trial: Trial, number: int) -> AttemptOutcome:
+def attempt(trial: Trial, plan: Plan, number: int) -> AttemptOutcome:
     """Run attempt ``number`` (1 or 2), or read its outcome where it is already on record."""
     from c4s.run.attempt import run_attempt
 
     folder = trial.folder.attempt(number)
-    if (folder / "outcome.json").is_file():
-        return AttemptOutcome.read(folder / "outcome.json")
-    started, given = time.perf_counter(), inputs(trial)
-    outcome = run_attempt(
-        given.case,
-        given.agent_folder,
-        trial.configuration,
-        number,
-        folder,
-        given.packs,
-        given.withheld_folder if trial.configuration.client == "oracle" else None,
-        trial.run / "spending.jsonl",
-    )
-    _timed(trial, f"attempt-{number}", started)
-    return outcome
+    if folder.done:
+        return AttemptOutcome.read(folder.outcome)
+    with timed(trial, f"attempt-{number}"):
+        given = inputs(trial)
+        return run_attempt(
+            given.case,
+            given.agent_folder,
+            trial.configuration,
+            number,
+            folder.root,
+            given.packs,
+            given.withheld_folder.root if trial.configuration.client == "oracle" else None,
+            RunFolder(trial.run).spending,
+        )
 
 
 def integrity(trial: Trial, plan: Plan, number: int) -> bool:
-    """Export evidence of an attempt's submission and gate it. True when the submission is valid.
-
-    The retained attempt's evidence moves to the trial's ``evidence/``; an invalid one stays with its attempt.
-    """
-    from c4s.evidence.cameras import SIZE_PX, overview_cameras
+    """Export evidence of an attempt's submission and gate it. True when the submission is valid."""
     from c4s.evidence.collect import collect
-    from c4s.verify.integrity.verdict import ManifestDigests, content_actors, unloadable, verify_integrity
+    from c4s.verify.integrity.verdict import unloadable
 
-    attempt_folder = trial.folder.attempt(number)
-    path = attempt_folder / "integrity.json"
-    if path.is_file():
-        return Verdict.read(path).status == "valid"
-    outcome = AttemptOutcome.read(attempt_folder / "outcome.json")
+    folder = trial.folder.attempt(number)
+    if folder.integrity.is_file():
+        return Verdict.read(folder.integrity).status == "valid"
+    outcome = AttemptOutcome.read(folder.outcome)
     if outcome.submission is None:
-        Verdict(verifier="integrity", status="invalid", policy=plan.policy, reason="no submission was saved").write(
-            path
+        Verdict(verifier=GATE, status="invalid", policy=plan.policy, reason="no submission was saved").write(
+            folder.integrity
         )
         return False
-    started, given = time.perf_counter(), inputs(trial)
-    evidence = trial.folder.evidence
-    authored = []
-    if not is_construction(given.case.setting):
-        authored = [{**view, **SIZE_PX} for view in read_json(given.withheld_folder / "cameras.json")["views"]]
-
-    def cameras(snapshot: dict[str, Any]) -> list[dict[str, Any]]:
-        """No picture of a scene that is invalid for its emptiness."""
-        if content_actors(snapshot) < given.withheld.minimum_actors:
-            return []
-        return authored or overview_cameras(snapshot)
-
-    try:
-        collect(
-            packs=given.packs,
-            submission_content=attempt_folder / "submission",
-            package=outcome.submission,
-            out=evidence,
-            cameras=cameras,
-        )
-    except BadInput as error:
-        verdict = unloadable(error.line())
-        verdict.write(trial.folder.verdict("integrity"))
-        verdict.write(path)
-        return False
-    frozen = {reference.pack_id: reference.digest for reference in given.case.packs}
-    scorer = {folder.name: Pack.read(folder / "pack.json").sha256() for folder in given.packs}
-    verdict = verify_integrity(
-        read_json(evidence / "snapshot.json"),
-        read_json(evidence / "dependencies.json"),
-        given.withheld.minimum_actors,
-        ManifestDigests(frozen=frozen, scorer=scorer, submission=_submission_packs(attempt_folder)),
-    )
-    if verdict.status == "error":
-        raise MachineryFault(verdict.reason, where=trial.name, todo="run the same command again")
-    verdict = verdict.model_copy(update={"inputs": _digests(evidence, "snapshot.json", "dependencies.json")})
-    verdict.write(trial.folder.verdict("integrity"))
-    verdict.write(path)
-    _timed(trial, f"integrity-{number}", started)
+    with timed(trial, f"integrity-{number}"):
+        given = inputs(trial)
+        try:
+            collect(
+                packs=given.packs,
+                submission_content=folder.submission,
+                package=outcome.submission,
+                out=trial.folder.evidence.root,
+            )
+        except BadInput as error:
+            verdict = unloadable(error.line())
+        else:
+            verdict = make_verdict(GATE, evidence(trial, plan, given, manifest=_manifest(given, folder)))
+        if verdict.status == "error":
+            raise MachineryFault(verdict.reason, where=trial.name, todo="run the same command again")
+        verdict.write(trial.folder.verdict(GATE))
+        verdict.write(folder.integrity)
     return verdict.status == "valid"
 
 
-def _submission_packs(attempt_folder: Path) -> dict[str, str]:
-    """Pack digests that the engine of the attempt mounted, as the attempt recorded them."""
-    found = read_json(attempt_folder / "manifest.json", what="attempt manifest")
-    return {str(name): str(value) for name, value in found["packs"].items()}
+def _manifest(given: TrialInputs, attempt_folder: AttemptFolder) -> ManifestDigests:
+    """Pack digests as the suite froze them, as the evaluator has them, and as the attempt recorded them."""
+    recorded = read_json(attempt_folder.manifest, what="attempt manifest")["packs"]
+    return ManifestDigests(
+        frozen={reference.pack_id: reference.digest for reference in given.case.packs},
+        scorer={folder.name: Pack.read(folder / "pack.json").sha256() for folder in given.packs},
+        submission={str(name): str(value) for name, value in recorded.items()},
+    )
 
 
-def _digests(folder: Path, *names: str) -> dict[str, str]:
-    return {name: digest_file(folder / name) for name in names if (folder / name).is_file()}
+def evidence(trial: Trial, plan: Plan, given: TrialInputs, manifest: ManifestDigests | None = None) -> Evidence:
+    """The files of a trial that its judge and its verifiers may read."""
+    exported, withheld = trial.folder.evidence, given.withheld_folder
+    return Evidence(
+        setting=given.case.setting,
+        prompt=given.case.prompt,
+        files={
+            "candidate_snapshot": exported.snapshot,
+            "dependencies": exported.dependencies,
+            "captures": exported.captures_index,
+            "input_snapshot": withheld.input_snapshot,
+            "truth_snapshot": withheld.truth_snapshot,
+            "requirements": withheld.requirements,
+            "judgements": trial.folder.judgements(plan.judge),
+        },
+        packs=given.packs,
+        minimum_actors=given.withheld.minimum_actors,
+        manifest=manifest,
+    )
+
+
+def look(trial: Trial, plan: Plan) -> None:
+    """Take the pictures of the retained submission: what a judge is shown, and what pages show."""
+    from c4s.evidence.collect import look_at
+
+    if trial.folder.evidence.captures_index.is_file():
+        return
+    kept = retained(trial)
+    if kept is None:
+        raise MachineryFault("there is no valid submission to look at", where=trial.name)
+    with timed(trial, "look"):
+        given, folder = inputs(trial), trial.folder.attempt(kept)
+        look_at(
+            packs=given.packs,
+            submission_content=folder.submission,
+            package=str(AttemptOutcome.read(folder.outcome).submission),
+            out=trial.folder.evidence.root,
+            cameras=_cameras(trial, given),
+        )
+
+
+def _cameras(trial: Trial, given: TrialInputs) -> list[dict[str, Any]]:
+    """The held-out cameras of a repair; of a construction the four overview cameras of what was built."""
+    from c4s.evidence.cameras import SIZE_PX, overview_cameras
+
+    if is_construction(given.case.setting):
+        return overview_cameras(read_json(trial.folder.evidence.snapshot))
+    return [{**view, **SIZE_PX} for view in read_json(given.withheld_folder.cameras)["views"]]
 
 
 def retained(trial: Trial) -> int | None:
     """The first attempt with a valid submission, if any."""
-    for number in range(1, ATTEMPTS + 1):
-        path = trial.folder.attempt(number) / "integrity.json"
-        if path.is_file() and Verdict.read(path).status == "valid":
-            return number
+    for folder in trial.folder.attempts():
+        if folder.integrity.is_file() and Verdict.read(folder.integrity).status == "valid":
+            return folder.number
     return None
 
 
-def physics(trial: Trial, plan: Plan) -> Verdict:
-    """Support and penetration of the retained submission."""
-    from c4s.verify.physics.verdict import verify_physics
+def judge(trial: Trial, plan: Plan) -> Judgements:
+    """What the plan's judge says of the retained submission, or what is on record of it."""
+    from c4s.judge.registry import make_judgements
 
-    def verify(given: TrialInputs, evidence: Path) -> Verdict:
-        start = None
-        if not is_construction(given.case.setting):
-            start = read_json(given.withheld_folder / "input.snapshot.json")
-        return verify_physics(given.case.setting, read_json(evidence / "snapshot.json"), start)
-
-    return _verdict(trial, "physics", verify)
-
-
-def repair(trial: Trial, plan: Plan) -> Verdict:
-    """Repair F1 of the retained submission against the withheld truth."""
-    from c4s.verify.repair import verify_repair
-
-    def verify(given: TrialInputs, evidence: Path) -> Verdict:
-        return verify_repair(
-            given.withheld_folder / "input.snapshot.json",
-            given.withheld_folder / "truth.snapshot.json",
-            evidence / "snapshot.json",
-        )
-
-    return _verdict(trial, "repair", verify)
+    path = trial.folder.judgements(plan.judge)
+    if path.is_file():
+        return Judgements.read(path)
+    with timed(trial, "judge"):
+        made = make_judgements(plan.judge, evidence(trial, plan, inputs(trial)))
+        made.write(path)
+    return made
 
 
-def semantic(trial: Trial, plan: Plan, verifier: str) -> Verdict:
-    """Detailed or Overview Alignment of the retained submission by the plan's judge."""
-    from c4s.verify.semantic.detailed import verify_detailed
-    from c4s.verify.semantic.overview import verify_overview
-
-    if plan.judge != "rule":
-        raise MachineryFault(f"judge {plan.judge!r} is not available here", todo="use the offline judge `rule`")
-
-    def verify(given: TrialInputs, evidence: Path) -> Verdict:
-        path = given.withheld_folder / "requirements.bundle.json"
-        bundle = read_json(path) if path.is_file() else None
-        snapshot, facts = read_json(evidence / "snapshot.json"), catalog_facts(given.packs)
-        captures = read_json(evidence / "captures" / "captures.json")
-        if verifier == "overview":
-            return verify_overview(bundle or given.case.prompt, snapshot, facts, captures)
-        if bundle is None:
-            return Verdict(
-                verifier=verifier,
-                status="not_evaluated",
-                policy=plan.policy,
-                reason="the case has no requirement bundle",
-            )
-        return verify_detailed(bundle, snapshot, facts, captures)
-
-    return _verdict(trial, verifier, verify)
-
-
-def catalog_facts(packs: list[Path]) -> dict[str, dict[str, Any]]:
-    """What the judge may know of assets: path to name, category, tags, description and slot materials."""
-    facts: dict[str, dict[str, Any]] = {}
-    for folder in packs:
-        pack = Pack.read(folder / "pack.json")
-        materials = {material.path: material.plain() for material in pack.materials}
-        for asset in pack.assets:
-            facts[asset.path] = {
-                "name": asset.name,
-                "category": asset.category,
-                "tags": asset.tags,
-                "description": asset.description,
-                "size_m": list(asset.size_m),
-                "materials": [materials[slot.material] for slot in asset.slots if slot.material in materials],
-            }
-    return facts
-
-
-def _verdict(trial: Trial, verifier: str, verify: Any) -> Verdict:
-    path = trial.folder.verdict(verifier)
+def verify(trial: Trial, plan: Plan, name: str) -> Verdict:
+    """A verifier's verdict on the retained submission, or the one on record."""
+    path = trial.folder.verdict(name)
     if path.is_file():
         return Verdict.read(path)
-    started = time.perf_counter()
-    verdict: Verdict = verify(inputs(trial), trial.folder.evidence)
-    verdict.write(path)
-    _timed(trial, verifier, started)
+    with timed(trial, name):
+        verdict = make_verdict(name, evidence(trial, plan, inputs(trial)))
+        verdict.write(path)
     return verdict
-
-
-def needed(trial: Trial) -> tuple[str, ...]:
-    """Verifiers of the trial's setting beyond integrity."""
-    return ("physics", *SEMANTIC) if is_construction(trial.case.setting) else ("physics", "repair")
 
 
 def score(trial: Trial, plan: Plan) -> TrialScore:
@@ -276,25 +231,25 @@ def score(trial: Trial, plan: Plan) -> TrialScore:
     path = trial.folder.score
     if path.is_file():
         return TrialScore.read(path)
-    started, kept = time.perf_counter(), retained(trial)
-    verdicts = {"integrity": [Verdict.read(p) for p in sorted(trial.folder.root.glob("attempt-*/integrity.json"))][-1]}
-    if kept is not None:
-        verdicts |= {name: Verdict.read(trial.folder.verdict(name)) for name in needed(trial)}
-    submitted = any(AttemptOutcome.read(p).submission for p in trial.folder.root.glob("attempt-*/outcome.json"))
-    made = case_score(
-        case_id=trial.case.case_id,
-        setting=trial.case.setting,
-        repeat=trial.repeat,
-        configuration=trial.configuration.name,
-        policy=plan.policy,
-        judge=plan.judge,
-        engine=plan.engine,
-        retained_attempt=kept,
-        submitted=submitted,
-        verdicts=verdicts,
-    )
-    if made.status == "pending":
-        raise MachineryFault(made.reason, where=trial.name, todo="run the same command again")
-    made.write(path)
-    _timed(trial, "score", started)
+    with timed(trial, "score"):
+        kept, attempts = retained(trial), trial.folder.attempts()
+        verdicts = {GATE: Verdict.read([folder for folder in attempts if folder.integrity.is_file()][-1].integrity)}
+        if kept is not None:
+            names = [verifier.name for verifier in verifiers_of(trial.case.setting)]
+            verdicts |= {name: Verdict.read(trial.folder.verdict(name)) for name in names}
+        made = case_score(
+            case_id=trial.case.case_id,
+            setting=trial.case.setting,
+            repeat=trial.repeat,
+            configuration=trial.configuration.name,
+            policy=plan.policy,
+            judge=plan.judge,
+            engine=plan.engine,
+            retained_attempt=kept,
+            submitted=any(AttemptOutcome.read(folder.outcome).submission for folder in attempts),
+            verdicts=verdicts,
+        )
+        if made.status == "pending":
+            raise MachineryFault(made.reason, where=trial.name, todo="run the same command again")
+        made.write(path)
     return made

@@ -11,6 +11,7 @@ from c4s.protocol.rules import CASE_POLICY, I2S_DIGITS, I2S_POLICY, I2S_WEIGHTS,
 from c4s.protocol.settings import Setting, is_construction
 from c4s.records.score import CaseStatus, TrialScore
 from c4s.records.verdict import Verdict
+from c4s.verify.registry import GATE, components_of, verifiers_of
 
 
 def t2s_case(
@@ -79,7 +80,7 @@ def case_score(
 
     Args:
         submitted: whether the retained attempt saved a scene.
-        verdicts: by verifier name: ``integrity``, ``physics``, and ``repair`` or ``detailed`` and ``overview``.
+        verdicts: by verifier name: the gate's, and those of the setting (``c4s.verify.registry``).
         missing_result: the operator's final word that no result will come.
         policy: id to record; the setting's published policy when None.
         weights: of the setting's components; the published ones when None.
@@ -94,21 +95,20 @@ def case_score(
         "engine": engine,
         "retained_attempt": retained_attempt,
     }
-    parts = ("detailed", "overview") if is_construction(setting) else ("repair",)
     if missing_result:
-        return _zero(base, setting, "zero_missing_result", "the result is missing")
+        return _zero(base, "zero_missing_result", "the result is missing")
     if not submitted:
-        return _zero(base, setting, "zero_missing_submission", "no scene was saved")
-    integrity = verdicts.get("integrity")
-    if integrity is None or integrity.status not in ("valid", "invalid"):
-        return _pending(base, "integrity", integrity)
-    if integrity.status == "invalid":
-        return _zero(base, setting, "zero_invalid_candidate", integrity.reason or "invalid")
-    for name in ("physics", *parts):
-        verdict = verdicts.get(name)
+        return _zero(base, "zero_missing_submission", "no scene was saved")
+    gate = verdicts.get(GATE)
+    if gate is None or gate.status not in ("valid", "invalid"):
+        return _pending(base, GATE, gate)
+    if gate.status == "invalid":
+        return _zero(base, "zero_invalid_candidate", gate.reason or "invalid")
+    for verifier in verifiers_of(setting):
+        verdict = verdicts.get(verifier.name)
         if verdict is None or verdict.status in ("error", "valid", "invalid"):
-            return _pending(base, name, verdict)
-    return _measured(base, setting, verdicts, weights or (T2S_WEIGHTS if is_construction(setting) else I2S_WEIGHTS))
+            return _pending(base, verifier.name, verdict)
+    return _measured(base, verdicts, weights or (T2S_WEIGHTS if is_construction(setting) else I2S_WEIGHTS))
 
 
 def _pending(base: dict[str, Any], verifier: str, verdict: Verdict | None) -> TrialScore:
@@ -116,61 +116,22 @@ def _pending(base: dict[str, Any], verifier: str, verdict: Verdict | None) -> Tr
     return TrialScore(**base, status="pending", score=None, reason=reason)
 
 
-def _zero(base: dict[str, Any], setting: Setting, status: CaseStatus, reason: str) -> TrialScore:
-    names = (
-        ("detailed", "overview", "known_coverage")
-        if is_construction(setting)
-        else ("repair_precision", "repair_recall", "repair_f1")
-    )
-    return TrialScore(**base, status=status, score=0.0, reason=reason, physics=0.0, **dict.fromkeys(names, 0.0))
+def _zero(base: dict[str, Any], status: CaseStatus, reason: str) -> TrialScore:
+    components = dict.fromkeys(components_of(base["setting"]), 0.0)
+    return TrialScore(**base, status=status, score=0.0, reason=reason, components=components)
 
 
-def _value(verdict: Verdict) -> float | None:
-    return unit_number(verdict.score) if verdict.status == "measured" else None
-
-
-def _measured(
-    base: dict[str, Any], setting: Setting, verdicts: Mapping[str, Verdict], weights: Mapping[str, float]
-) -> TrialScore:
-    physics = _value(verdicts["physics"])
-    if is_construction(setting):
-        row = t2s_case(
-            valid=True,
-            detailed=_value(verdicts["detailed"]),
-            overview=_value(verdicts["overview"]),
-            physics=physics,
-            weights=weights,
-        )
-        coverage = unit_number(verdicts["detailed"].measurements.get("known_coverage"))
-        return TrialScore(
-            **base,
-            status=row["status"],
-            score=row["score"],
-            detailed=row["detailed"],
-            overview=row["overview"],
-            physics=row["physics"],
-            known_coverage=coverage,
-            reason=_missing(row["missing_components"]),
-        )
-    repair = verdicts["repair"]
-    f1 = _value(repair)
-    missing = [name for name, value in (("repair", f1), ("physics", physics)) if value is None]
-    row = i2s_case(valid=True, repair_f1=f1 or 0.0, physics=physics or 0.0, weights=weights)
-    rates = {
-        name: (unit_number(repair.measurements.get(name)) if f1 is not None else 0.0)
-        for name in ("precision", "recall")
-    }
+def _measured(base: dict[str, Any], verdicts: Mapping[str, Verdict], weights: Mapping[str, float]) -> TrialScore:
+    rows = verifiers_of(base["setting"])
+    values = {row.weighed_as: verdicts[row.name].score for row in rows if row.weighed_as}
+    missing = [row.name for row in rows if row.weighed_as and values[row.weighed_as] is None]
+    used = {name: value or 0.0 for name, value in values.items()}
+    made = (t2s_case if is_construction(base["setting"]) else i2s_case)(valid=True, weights=weights, **used)
+    components = {name: value for row in rows for name, value in row.components(verdicts[row.name]).items()}
     return TrialScore(
         **base,
         status="measured_with_missing_zero" if missing else "measured",
-        score=row["score"],
-        physics=row["physics"],
-        repair_f1=row["repair_f1"],
-        repair_precision=rates["precision"],
-        repair_recall=rates["recall"],
-        reason=_missing(missing),
+        score=made["score"],
+        components=components,
+        reason=f"worth zero, not evaluated: {', '.join(missing)}" if missing else "",
     )
-
-
-def _missing(names: list[str]) -> str:
-    return f"worth zero, not evaluated: {', '.join(names)}" if names else ""

@@ -13,31 +13,15 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.protocol.detailed import detailed_score
 from c4s.protocol.numbers import mean
-from c4s.protocol.overview import overview_score
-from c4s.protocol.physics import physics_from_report
-from c4s.protocol.settings import TEXT_TO_SCENE, Setting
+from c4s.protocol.settings import Setting
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Plan
+from c4s.records.policy import ScorePolicy
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
-from c4s.score.policies import ScorePolicy
-
-COMPONENTS = (
-    "detailed",
-    "known_coverage",
-    "overview",
-    "physics",
-    "repair_precision",
-    "repair_recall",
-    "repair_f1",
-    "score",
-)
-"""Fields of a trial's score that a policy may change."""
-_PARTS = {TEXT_TO_SCENE: ("physics", "detailed", "overview")}
-_REPAIR_PARTS = ("physics", "repair")
+from c4s.verify.registry import GATE, verifier_named, verifiers_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,34 +52,17 @@ def under(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> Verdict:
     """
     if verdict.status != "measured":
         return verdict
+    again = verifier_named(verdict.verifier).score_under
+    if again is None:
+        return verdict
     try:
-        score, measurements = _again(verdict, policy, setting)
+        score, measurements = again(verdict, policy, setting)
     except (KeyError, TypeError) as error:
         raise BadInput(
             f"{verdict.verifier} verdict has no {error} among its measurements", todo="verify the trial again"
         ) from None
-    return verdict.model_copy(update={"score": score, "measurements": measurements})
-
-
-def _again(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> tuple[float | None, dict[str, Any]]:
-    stored = verdict.measurements
-    if verdict.verifier == "physics":
-        report = {
-            "status": "measured",
-            "metrics": {key: stored[key] for key in ("leaf_results", "leaf_score_directions")},
-        }
-        return physics_from_report(report, weights=policy.leaves(setting))["score"], {}
-    if verdict.verifier == "detailed":
-        made = detailed_score(stored["semantic_requirement_aggregation"], policy.families)
-        return made["score"], {"known_coverage": made.get("known_coverage")}
-    if verdict.verifier == "overview":
-        dimensions = {name: row["score"] for name, row in stored["dimensions"].items()}
-        made = overview_score(
-            dimensions, stored["structural_integrity_score"], stored["severe_structural_cap_eligible"], policy.overview
-        )
-        return made["score"], {}
-    counts = stored["profiles"][policy.repair_tolerances]
-    return counts["f1"], counts
+    status = "not_evaluated" if score is None else verdict.status
+    return verdict.model_copy(update={"status": status, "score": score, "measurements": measurements})
 
 
 def rescored(stored: TrialScore, verdicts: Mapping[str, Verdict], policy: ScorePolicy) -> TrialScore:
@@ -111,10 +78,7 @@ def rescored(stored: TrialScore, verdicts: Mapping[str, Verdict], policy: ScoreP
         engine=stored.engine,
         submitted=True,
         retained_attempt=stored.retained_attempt,
-        verdicts={
-            name: verdict if name == "integrity" else under(verdict, policy, stored.setting)
-            for name, verdict in verdicts.items()
-        },
+        verdicts={name: under(verdict, policy, stored.setting) for name, verdict in verdicts.items()},
         policy=policy.policy_id,
         weights=policy.weights(stored.setting),
     )
@@ -124,8 +88,13 @@ def read_verdicts(folder: TrialFolder, stored: TrialScore) -> dict[str, Verdict]
     """The verdicts that a stored score was made from; none for a zero by rule."""
     if stored.status.startswith("zero_"):
         return {}
-    parts = _PARTS.get(stored.setting, _REPAIR_PARTS)
-    return {name: Verdict.read(folder.verdict(name)) for name in ("integrity", *parts)}
+    names = (GATE, *(verifier.name for verifier in verifiers_of(stored.setting)))
+    return {name: Verdict.read(folder.verdict(name)) for name in names}
+
+
+def _numbers(score: TrialScore) -> dict[str, float | None]:
+    """What a policy may change of a trial: its components, and its score last."""
+    return {**score.components, "score": score.score}
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,9 +111,9 @@ class Rescoring:
     def deltas(self) -> Iterator[Delta]:
         """Every component that differs, trial by trial."""
         for name, old, new in self.pairs:
-            for component in COMPONENTS:
-                before, after = getattr(old, component), getattr(new, component)
-                if before != after:
+            befores, afters = _numbers(old), _numbers(new)
+            for component, before in befores.items():
+                if before != (after := afters.get(component)):
                     yield Delta(name, old.setting, component, before, after)
 
     def means(self) -> list[dict[str, Any]]:

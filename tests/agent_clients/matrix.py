@@ -154,7 +154,7 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
             outcome = None
         seconds = time.monotonic() - started
         served, missing = list(endpoint.served), list(endpoint.missing)
-    attempt = trial.folder.attempt(1)
+    attempt = trial.folder.attempt(1).root
     if missing:
         row.note += f" tools not offered: {', '.join(missing)}"
     with (attempt / "trajectory.jsonl").open() as lines:

@@ -71,7 +71,7 @@ def store(root: Path, setting: Any, verdicts: dict[str, Verdict], *, submitted: 
         verdict.write(folder.verdict(name))
     kept = 1 if submitted and verdicts["integrity"].status == "valid" else None
     AttemptOutcome(attempt=1, ended_by="finished", submission="/Game/S", submission_sha256="ab").write(
-        folder.attempt(1) / "outcome.json"
+        folder.attempt(1).outcome
     )
     case_score(
         case_id="case",
@@ -156,7 +156,7 @@ def test_a_packed_repair_scores_the_same(repair_trial: tuple[TrialFolder, Path],
         "physics/physical_safety.json",
     }
     score = same(folder, tmp_path / "out")
-    assert score.repair_f1 is not None and 0 < score.repair_f1 < 1
+    assert score.components["repair_f1"] is not None and 0 < score.components["repair_f1"] < 1
     with pytest.raises(BadInput, match="not empty"):
         pack_trial(folder, tmp_path / "out", withheld=withheld)
     with pytest.raises(BadInput, match="needs the case's withheld folder"):

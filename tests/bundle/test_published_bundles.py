@@ -168,7 +168,7 @@ def test_a_text_bundle_scores_offline(text: Packed) -> None:
 
 def test_decisions_may_be_a_bare_list(text: Packed) -> None:
     text.add("semantic/decisions.json", DECISIONS)
-    assert text.score().score.detailed == DETAILED
+    assert text.score().score.components["detailed"] == DETAILED
 
 
 @pytest.mark.parametrize(
@@ -183,7 +183,7 @@ def test_what_a_text_bundle_lacks_is_worth_zero(text: Packed, change: dict[str, 
 
 def test_decisions_of_a_report_that_failed_do_not_count(text: Packed) -> None:
     text.add("semantic/decisions.json", {"report_status": "error", "decisions": DECISIONS})
-    assert text.score().score.detailed == 0.0
+    assert text.score().score.components["detailed"] == 0.0
     text.add("semantic/decisions.json", {"report_status": "measured", "decisions": None})
     assert text.score().verdicts["detailed"].status == "not_evaluated"
 
@@ -191,16 +191,16 @@ def test_decisions_of_a_report_that_failed_do_not_count(text: Packed) -> None:
 def test_without_a_snapshot_or_a_tested_actor_support_is_as_recorded(text: Packed) -> None:
     recorded = round(0.5 * 0.8 + 0.5 * 0.9, 4)
     text.add("scenes/candidate.scene.json", scene(actor("Floor", "Floor", (0, 0, 0))))
-    assert text.score().score.physics == recorded
+    assert text.score().score.components["physics"] == recorded
     text.manifest["scenes"] = None
-    assert text.score().score.physics == recorded
+    assert text.score().score.components["physics"] == recorded
     text.add("physics/physical_safety.json", {"status": "measured", "score": 0.7})
-    assert text.score().score.physics == 0.0
+    assert text.score().score.components["physics"] == 0.0
 
 
 def test_an_older_image_report_without_leaves_keeps_its_number(image: Packed) -> None:
     image.add("physics/physical_safety.json", {"status": "measured", "score": 0.7})
-    assert image.score().score.physics == 0.7
+    assert image.score().score.components["physics"] == 0.7
 
 
 @pytest.mark.parametrize("leaf", LEAVES)
@@ -263,7 +263,7 @@ def test_pictures_of_a_recorded_schedule_are_digested_too(text: Packed) -> None:
     text.manifest["semantic"]["stage3_plan"] = text.add("semantic/stage3_plan.json", plan)
     assert "has no digest" in text.refused()
     text.add("renders/stage3/f1.png", b"picture")
-    assert text.score().score.detailed == DETAILED
+    assert text.score().score.components["detailed"] == DETAILED
     text.add("semantic/stage3_plan.json", {"frames": {"f1": {}}})
     assert "have no paths" in text.refused()
 

@@ -51,10 +51,19 @@ def score(setting: Any, verdicts: dict[str, Verdict], *, submitted: bool = True,
 
 def test_measured_cases() -> None:
     built = score("text-to-scene", T2S)
-    assert (built.status, built.score, built.known_coverage, built.policy) == ("measured", 0.62, 0.9, T2S_POLICY)
+    assert (built.status, built.score, built.components["known_coverage"], built.policy) == (
+        "measured",
+        0.62,
+        0.9,
+        T2S_POLICY,
+    )
     repaired = score("image-to-scene/indoor", I2S)
     assert (repaired.status, repaired.score, repaired.policy) == ("measured", 0.7, I2S_POLICY)
-    assert (repaired.repair_precision, repaired.repair_recall, repaired.repair_f1) == (0.6, 1.0, 0.75)
+    assert (
+        repaired.components["repair_precision"],
+        repaired.components["repair_recall"],
+        repaired.components["repair_f1"],
+    ) == (0.6, 1.0, 0.75)
 
 
 @pytest.mark.parametrize("setting", ["text-to-scene", "image-to-scene/outdoor"])
@@ -64,9 +73,12 @@ def test_the_reasons_for_a_zero_are_kept_apart(setting: Any) -> None:
     assert [row.status for row in rows] == ["zero_missing_submission", "zero_invalid_candidate", "zero_missing_result"]
     assert [row.score for row in rows] == [0.0, 0.0, 0.0]
     assert rows[1].reason == "minimum_actors: 0 of at least 1 actors"
-    assert all(row.physics == 0.0 for row in rows)
+    assert all(row.components["physics"] == 0.0 for row in rows)
     if setting != "text-to-scene":
-        assert all(row.repair_f1 == row.repair_precision == row.repair_recall == 0.0 for row in rows)
+        assert all(
+            row.components["repair_f1"] == row.components["repair_precision"] == row.components["repair_recall"] == 0.0
+            for row in rows
+        )
 
 
 def test_a_fault_of_the_machinery_is_pending_and_never_a_score() -> None:
@@ -83,9 +95,13 @@ def test_a_fault_of_the_machinery_is_pending_and_never_a_score() -> None:
 
 def test_an_unavailable_component_keeps_its_weight() -> None:
     built = score("text-to-scene", {**T2S, "overview": verdict("overview", "not_evaluated")})
-    assert (built.status, built.score, built.overview) == ("measured_with_missing_zero", 0.26, 0.0)
+    assert (built.status, built.score, built.components["overview"]) == ("measured_with_missing_zero", 0.26, 0.0)
     repaired = score("image-to-scene/indoor", {**I2S, "repair": verdict("repair", "not_evaluated")})
-    assert (repaired.status, repaired.score, repaired.repair_f1) == ("measured_with_missing_zero", 0.1, 0.0)
+    assert (repaired.status, repaired.score, repaired.components["repair_f1"]) == (
+        "measured_with_missing_zero",
+        0.1,
+        0.0,
+    )
     neutral = score("image-to-scene/indoor", {**I2S, "physics": verdict("physics", "not_applicable")})
     assert (neutral.status, neutral.score) == ("measured_with_missing_zero", 0.6)
 

@@ -16,7 +16,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Literal, TypeAlias
 
 from c4s.protocol.rules import ENGINE_ROOTS, INTEGRITY_POLICY, SNAPSHOT_SCHEMA
-from c4s.records.base import Record
+from c4s.records.evidence import ManifestDigests
 from c4s.records.snapshot_schema import scene_fault
 from c4s.records.verdict import Verdict
 from c4s.verify.actors.kinds import is_semantic, short_class
@@ -34,17 +34,6 @@ ReasonCode: TypeAlias = Literal[
 _EVALUATOR_FAULTS = frozenset({"scorer_manifest", "evidence_missing", "export_failed"})
 _ENGINE_OWNED = frozenset({"worldsettings", "brush", "defaultphysicsvolume", "levelbounds"})
 _LISTED = 20
-
-
-class ManifestDigests(Record):
-    """Digests by pack id, from three sides."""
-
-    frozen: dict[str, str]
-    """What the suite froze for the case."""
-    submission: dict[str, str]
-    """What the agent's engine had mounted when it saved the scene."""
-    scorer: dict[str, str]
-    """What the evaluator's engine has mounted."""
 
 
 def content_actors(snapshot: Mapping[str, Any]) -> int:

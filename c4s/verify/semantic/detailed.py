@@ -1,4 +1,4 @@
-"""Detailed Alignment by the offline rule judge (paper, Semantic Verifier; ``docs/rule-judge.md``)."""
+"""Detailed Alignment: the judgements of all requirements, aggregated as published (paper, Semantic Verifier)."""
 
 from __future__ import annotations
 
@@ -7,39 +7,31 @@ from collections.abc import Mapping
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.judge.rule.judge import RuleJudge
 from c4s.protocol.bundle import read_requirements
 from c4s.protocol.families import attach_families
 from c4s.protocol.requirements import protocol_detailed, semantic_case
 from c4s.protocol.rules import SEMANTIC_CASE_POLICY
+from c4s.records.judgement import Judgements
 from c4s.records.verdict import Verdict
-from c4s.semantics.inventory import Facts
-from c4s.semantics.views import read_views
 
 
-def verify_detailed(
-    bundle: Mapping[str, Any],
-    snapshot: Mapping[str, Any],
-    catalog: Mapping[str, Facts],
-    captures: Mapping[str, Any] | None = None,
-) -> Verdict:
-    """Decide every requirement of a bundle and aggregate the decisions by the published rule.
+def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdict:
+    """Aggregate what a judge said of every requirement of a bundle.
 
-    Args:
-        bundle: requirement bundle in the published format.
-        snapshot: the candidate scene.
-        catalog: asset path to ``{"name", "category", "tags", "description", "materials"}``.
-        captures: ``captures.json``; the visible pixels of the actors are recorded beside each decision.
-
-    Raises ``BadInput`` for a bundle that cannot be read. A bundle without a requirement that counts is not evaluated.
+    Raises ``BadInput`` for a bundle that cannot be read, and for judgements that do not answer it claim by claim. A
+    bundle without a requirement that counts is not evaluated.
     """
     requirements = read_requirements(bundle)
-    judge = RuleJudge(requirements, snapshot, catalog)
-    views = read_views(captures)
+    said = {claim.claim: claim for claim in judgements.claims}
+    if set(said) != set(requirements.scored):
+        odd = sorted(set(said) ^ set(requirements.scored))
+        raise BadInput(
+            f"the judgements do not answer this requirement bundle: {', '.join(odd[:3])}", todo="judge the trial again"
+        )
     scopes = {row["node_id"]: row.get("entity_scopes") for row in bundle["requirements"]}
     rows, decisions = [], []
     for node in requirements.scored:
-        predicate, found = requirements.predicates[node], judge.decide(node)
+        predicate, found = requirements.predicates[node], said[node]
         rows.append(
             {
                 "node_id": node,
@@ -47,7 +39,7 @@ def verify_detailed(
                 "source_span": list(predicate.span),
                 "predicate_type": predicate.type,
                 "entity_scopes": scopes[node],
-                "evaluation_status": found.status,
+                "evaluation_status": found.answer,
                 "score": found.score,
             }
         )
@@ -55,15 +47,16 @@ def verify_detailed(
             {
                 "node_id": node,
                 "text": predicate.text,
-                "status": found.status,
+                "status": found.answer,
                 "score": round(found.score, 6),
                 "reason": found.reason,
                 "actors": found.actors,
                 "measures": found.measures,
-                "seen_actors": None if views is None else sum(views.sees(actor) for actor in found.actors),
+                "seen_actors": found.seen_actors,
             }
         )
-    measurements: dict[str, Any] = {"judge": "rule", "decisions": decisions}
+    measurements: dict[str, Any] = {"judge": judgements.judge, "judge_version": judgements.judge_version}
+    measurements["decisions"] = decisions
     tally = Counter(decision["status"] for decision in decisions)
     population = {
         "requirements": len(rows),
@@ -74,15 +67,9 @@ def verify_detailed(
     try:
         case = semantic_case(requirements.prompt, attach_families(requirements.graph, rows))
         total = protocol_detailed(case)
+        reason = "the bundle has no requirement"
     except BadInput as error:
-        return Verdict(
-            verifier="detailed",
-            status="not_evaluated",
-            policy=SEMANTIC_CASE_POLICY,
-            measurements=measurements,
-            population=population,
-            reason=error.line(),
-        )
+        total, reason = None, error.line()
     if total is None or total["score"] is None:
         return Verdict(
             verifier="detailed",
@@ -90,7 +77,7 @@ def verify_detailed(
             policy=SEMANTIC_CASE_POLICY,
             measurements=measurements,
             population=population,
-            reason="the bundle has no requirement",
+            reason=reason,
         )
     measurements |= {
         "semantic_requirement_aggregation": case["requirements"],

@@ -1,0 +1,91 @@
+"""The evidence of one submission as verifiers and judges are given it: named files, read on demand.
+
+Who reads a file through here leaves its SHA-256 in ``digests``, so a verdict or judgement names exactly what it read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+from c4s.errors import BadInput
+from c4s.files import digest_bytes, parse_json
+from c4s.protocol.settings import Setting
+from c4s.records.base import Record
+from c4s.records.pack import Pack
+
+EvidenceName = Literal[
+    "candidate_snapshot", "dependencies", "captures", "input_snapshot", "truth_snapshot", "requirements", "judgements"
+]
+
+
+class ManifestDigests(Record):
+    """Digests of packs by their id, from three sides."""
+
+    frozen: dict[str, str]
+    """What the suite froze for the case."""
+    submission: dict[str, str]
+    """What the agent's engine had mounted when it saved the scene."""
+    scorer: dict[str, str]
+    """What the evaluator's engine has mounted."""
+
+
+@dataclass
+class Evidence:
+    """Files of one submission and of its case. ``files`` may name files that are not there: ``has`` tells."""
+
+    setting: Setting
+    prompt: str
+    files: Mapping[EvidenceName, Path]
+    packs: Sequence[Path] = ()
+    """Pack folders of the case, for what an asset is called and made of."""
+    minimum_actors: int = 1
+    """Of the case: fewer make a scene invalid."""
+    manifest: ManifestDigests | None = None
+    """For the integrity gate alone."""
+    digests: dict[str, str] = field(default_factory=dict)
+    """SHA-256 (64 hex) of each file that was read, by its name."""
+
+    def has(self, name: EvidenceName) -> bool:
+        """Whether the file is there."""
+        return name in self.files and self.files[name].is_file()
+
+    def path(self, name: EvidenceName) -> Path:
+        """Where a file lies. The caller reads it and adds its digest."""
+        if name not in self.files:
+            raise BadInput(f"there is no {name.replace('_', ' ')} among this evidence")
+        return self.files[name]
+
+    def json(self, name: EvidenceName) -> Any:
+        """A file as plain data. Raises ``BadInput`` when it is missing or is no JSON."""
+        path, what = self.path(name), name.replace("_", " ")
+        try:
+            data = path.read_bytes()
+        except OSError as error:
+            raise BadInput(f"cannot read the {what}: {error.strerror}", where=str(path)) from None
+        try:
+            value = parse_json(data)
+        except (ValueError, RecursionError) as error:
+            raise BadInput(f"the {what} is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
+        self.digests[name] = digest_bytes(data)
+        return value
+
+    def catalog(self) -> dict[str, dict[str, Any]]:
+        """What a judge may know of assets: path to name, category, tags, description, size and slot materials."""
+        facts: dict[str, dict[str, Any]] = {}
+        for folder in self.packs:
+            pack = Pack.read(folder / "pack.json")
+            self.digests[f"pack {pack.pack_id}"] = pack.sha256()
+            materials = {material.path: material.plain() for material in pack.materials}
+            for asset in pack.assets:
+                facts[asset.path] = {
+                    "name": asset.name,
+                    "category": asset.category,
+                    "tags": asset.tags,
+                    "description": asset.description,
+                    "size_m": list(asset.size_m),
+                    "materials": [materials[slot.material] for slot in asset.slots if slot.material in materials],
+                }
+        return facts

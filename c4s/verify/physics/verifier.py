@@ -1,0 +1,39 @@
+"""The row of the physics verifier."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from c4s.protocol.physics import physics_from_report
+from c4s.protocol.settings import SETTINGS, Setting, is_construction
+from c4s.records.evidence import Evidence
+from c4s.records.policy import ScorePolicy
+from c4s.records.verdict import Verdict
+from c4s.verify.physics.findings import physics_findings
+from c4s.verify.physics.verdict import verify_physics
+from c4s.verify.verifier import Verifier, score_as
+
+
+def _verify(evidence: Evidence) -> Verdict:
+    start = None if is_construction(evidence.setting) else evidence.json("input_snapshot")
+    return verify_physics(evidence.setting, evidence.json("candidate_snapshot"), start)
+
+
+def _score_under(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> tuple[float | None, dict[str, Any]]:
+    metrics = {key: verdict.measurements[key] for key in ("leaf_results", "leaf_score_directions")}
+    made = physics_from_report({"status": "measured", "metrics": metrics}, weights=policy.leaves(setting))
+    return made["score"], {}
+
+
+PHYSICS = Verifier(
+    name="physics",
+    title="Physics",
+    settings=SETTINGS,
+    needs=frozenset({"candidate_snapshot"}),
+    verify=_verify,
+    weighed_as="physics",
+    component_names=("physics",),
+    components=score_as("physics"),
+    score_under=_score_under,
+    findings=physics_findings,
+)

@@ -1,0 +1,56 @@
+"""The one table of verifiers. Stages, tasks, scores, re-scoring, bundles, findings, tables and pages read it.
+
+A new verifier is one package under ``c4s/verify`` and one row here.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from c4s.errors import BadInput
+from c4s.protocol.settings import Setting
+from c4s.records.evidence import Evidence
+from c4s.records.verdict import Verdict
+from c4s.records.version import code_version
+from c4s.verify.integrity.verifier import INTEGRITY
+from c4s.verify.physics.verifier import PHYSICS
+from c4s.verify.repair.verifier import REPAIR
+from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
+from c4s.verify.verifier import Verifier
+
+VERIFIERS: Final[dict[str, Verifier]] = {
+    verifier.name: verifier for verifier in (INTEGRITY, REPAIR, DETAILED, OVERVIEW, PHYSICS)
+}
+"""By name, in the order in which tables and pages show them."""
+GATE: Final = INTEGRITY.name
+_DECIDE = ("verify", "semantics", "protocol", "collision", "geometry", "records")
+
+
+def verifier_named(name: str) -> Verifier:
+    """A row of the table; ``BadInput`` for a name that is not there."""
+    if name not in VERIFIERS:
+        raise BadInput(f"unknown verifier {name!r}", todo=f"use one of {', '.join(VERIFIERS)}")
+    return VERIFIERS[name]
+
+
+def verifiers_of(setting: Setting) -> list[Verifier]:
+    """The verifiers of a setting, without the gate, in the table's order."""
+    return [verifier for verifier in VERIFIERS.values() if setting in verifier.settings and not verifier.gate]
+
+
+def is_judged(setting: Setting) -> bool:
+    """Whether a verifier of the setting reads judgements."""
+    return any("judgements" in verifier.needs for verifier in verifiers_of(setting))
+
+
+def components_of(setting: Setting) -> list[str]:
+    """Names of the numbers in a score of this setting."""
+    return [name for verifier in verifiers_of(setting) for name in verifier.component_names]
+
+
+def make_verdict(name: str, evidence: Evidence) -> Verdict:
+    """A verifier's verdict, with the digests of what it read and the version of the code that made it."""
+    verdict = verifier_named(name).verify(evidence)
+    return verdict.model_copy(
+        update={"inputs": {**verdict.inputs, **evidence.digests}, "made_by": code_version(*_DECIDE)}
+    )
