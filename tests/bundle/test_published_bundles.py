@@ -162,7 +162,11 @@ def test_an_image_bundle_scores_offline(image: Packed) -> None:
 
 def test_a_text_bundle_scores_offline(text: Packed) -> None:
     found = text.score().score
-    assert (found.detailed, found.overview, found.physics) == (DETAILED, 0.875, PHYSICS)
+    assert (found.components["detailed"], found.components["overview"], found.components["physics"]) == (
+        DETAILED,
+        0.875,
+        PHYSICS,
+    )
     assert found.score == round(0.2 * DETAILED + 0.2 * PHYSICS + 0.6 * 0.875, 4)
 
 
@@ -177,7 +181,11 @@ def test_decisions_may_be_a_bare_list(text: Packed) -> None:
 def test_what_a_text_bundle_lacks_is_worth_zero(text: Packed, change: dict[str, Any]) -> None:
     text.manifest |= change
     found = text.score().score
-    assert (found.status, found.detailed, found.overview) == ("measured_with_missing_zero", 0.0, 0.0)
+    assert (found.status, found.components["detailed"], found.components["overview"]) == (
+        "measured_with_missing_zero",
+        0.0,
+        0.0,
+    )
     assert found.score == round(0.2 * PHYSICS, 4)
 
 
@@ -207,7 +215,7 @@ def test_an_older_image_report_without_leaves_keeps_its_number(image: Packed) ->
 def test_a_recorded_check_that_did_not_pass_makes_it_invalid(image: Packed, leaf: str) -> None:
     image.manifest["candidate_integrity"]["leaves"][leaf] = "error"
     found = image.score().score
-    assert (found.status, found.score, found.repair_f1) == ("zero_invalid_candidate", 0.0, 0.0)
+    assert (found.status, found.score, found.components["repair_f1"]) == ("zero_invalid_candidate", 0.0, 0.0)
     assert found.reason == f"{leaf} is recorded as 'error'"
     image.manifest["candidate_integrity"]["leaves"][leaf] = None
     assert image.score().score.status == "measured"

@@ -53,7 +53,7 @@ def test_stricter_tolerances_change_repairs_only_and_never_upwards(run: Path) ->
         stored = RunFolder(run).trial(configuration, case_id, 1).verdict("repair")
         if stored.is_file():
             relaxed = Verdict.read(stored).measurements["profiles"]["relaxed"]
-            assert (new.repair_f1, new.repair_recall) == (relaxed["f1"], relaxed["recall"])
+            assert (new.components["repair_f1"], new.components["repair_recall"]) == (relaxed["f1"], relaxed["recall"])
 
 
 def test_repair_only_makes_the_score_repair_f1(run: Path) -> None:
@@ -62,7 +62,7 @@ def test_repair_only_makes_the_score_repair_f1(run: Path) -> None:
         if old.setting == "text-to-scene":
             assert new.score == old.score
         elif old.status == "measured":
-            assert new.score == round(old.repair_f1 or 0.0, 6)
+            assert new.score == round(old.components["repair_f1"] or 0.0, 6)
 
 
 def test_leaf_and_family_weights_reach_the_score(run: Path) -> None:
