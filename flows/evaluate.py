@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from prefect import flow
+from prefect import Task, flow
 from prefect.futures import PrefectFuture
-from prefect.task_runners import ThreadPoolTaskRunner
+from prefect.task_runners import TaskRunner, ThreadPoolTaskRunner
 
 from c4s.errors import MachineryFault
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
@@ -25,26 +25,33 @@ from tasks.publish import publish
 from tasks.verify import physics, repair, semantic
 from warehouse.ingest import ingest_schedule, is_stored
 
+R = TypeVar("R")
 WAITING_THREADS = 32
+_RUNNER: TaskRunner[Any] = ThreadPoolTaskRunner(max_workers=WAITING_THREADS)
+
+
+def _later(stage: Task[..., R], *values: Any, wait_for: list[PrefectFuture[None]] | None = None) -> PrefectFuture[R]:
+    """Submit a stage that reads an earlier one: Prefect takes a future for any argument, its types only for these."""
+    return stage.submit(*values, wait_for=wait_for)
 
 
 def _submit(trial: Trial, plan: Plan, warehouse: Path) -> list[PrefectFuture[Any]]:
     """Submit a trial's stages, in order; each waits for what it reads, and the last one stores the trial."""
     ran_1 = attempt.submit(trial, 1)
-    valid_1 = integrity.submit(trial, plan, 1, ran_1)
-    ran_2 = attempt.submit(trial, 2, valid_1)
-    valid = integrity.submit(trial, plan, 2, ran_2, valid_1)
+    valid_1 = _later(integrity, trial, plan, 1, ran_1)
+    ran_2 = _later(attempt, trial, 2, valid_1)
+    valid = _later(integrity, trial, plan, 2, ran_2, valid_1)
     if trial.case.setting == "text-to-scene":
         verdicts = [
-            physics.submit(trial, plan, valid),
-            *(semantic.submit(trial, plan, valid, name) for name in ("detailed", "overview")),
+            _later(physics, trial, plan, valid),
+            *(_later(semantic, trial, plan, valid, name) for name in ("detailed", "overview")),
         ]
     else:
-        verdicts = [physics.submit(trial, plan, valid), repair.submit(trial, plan, valid)]
-    return [ran_1, valid_1, ran_2, valid, *verdicts, persist.submit(trial, plan, warehouse, wait_for=verdicts)]
+        verdicts = [_later(physics, trial, plan, valid), _later(repair, trial, plan, valid)]
+    return [ran_1, valid_1, ran_2, valid, *verdicts, _later(persist, trial, plan, warehouse, wait_for=verdicts)]
 
 
-@flow(name="evaluate", task_runner=ThreadPoolTaskRunner(max_workers=WAITING_THREADS), validate_parameters=False)
+@flow(name="evaluate", task_runner=_RUNNER, validate_parameters=False)
 def evaluate(
     suite: str = "starter",
     agents: list[str] | None = None,
