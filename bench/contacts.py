@@ -115,10 +115,10 @@ def trimesh_contacts(world: list[np.ndarray]) -> dict[tuple[int, int], float]:
     """The deepest contact of each colliding pair by trimesh's CollisionManager."""
     import trimesh
 
-    manager = trimesh.collision.CollisionManager()
+    manager = trimesh.collision.CollisionManager()  # type: ignore[no-untyped-call]
     for n, vertices in enumerate(world):
-        manager.add_object(str(n), trimesh.convex.convex_hull(vertices))
-    _, data = manager.in_collision_internal(return_names=False, return_data=True)
+        manager.add_object(str(n), trimesh.convex.convex_hull(vertices))  # type: ignore[no-untyped-call]
+    _, data = manager.in_collision_internal(return_names=False, return_data=True)  # type: ignore[no-untyped-call]
     found: dict[tuple[int, int], float] = {}
     for contact in data:
         low, high = sorted(int(name) for name in contact.names)

@@ -164,12 +164,16 @@ def bare_server(texts: Mapping[str, str]) -> Iterator[Endpoint]:
         thread.join()
 
 
+def _text(answer: wire.CallToolResult) -> str:
+    return next(block.text for block in answer.content if isinstance(block, wire.TextContent))
+
+
 def _serve_both(folder: Path, line: Connection) -> None:
     """Both servers in this process until the other end of the line is closed."""
     with Gateway() as gateway:
         endpoint = gateway.open_run(new_run("one", folder))
         with GatewayClient(endpoint) as client:
-            texts = {name: client.answer(name, arguments).content[0].text for name, arguments in MEASURED.values()}
+            texts = {name: _text(client.answer(name, arguments)) for name, arguments in MEASURED.values()}
         with bare_server(texts) as bare:
             line.send({"gateway": (endpoint.url, endpoint.token), "bare": (bare.url, bare.token)})
             with suppress(EOFError):

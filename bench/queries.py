@@ -100,6 +100,7 @@ def _rival_ms(actors: list[Any]) -> float:
         mesh = state.world().store.mesh(drawable.mesh)
         parts.append(trimesh.Trimesh(mesh.vertices, mesh.faces, process=False).apply_transform(drawable.matrix))
     scene = trimesh.util.concatenate(parts)
+    assert isinstance(scene, trimesh.Trimesh)
     down = np.array([[0.0, 0.0, -1.0]])
     spent = []
     for actor in actors[:: len(actors) // CALLS][:CALLS]:

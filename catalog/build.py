@@ -11,6 +11,9 @@ from pathlib import Path
 
 import numpy as np
 import trimesh
+from trimesh.exchange.gltf import export_glb
+from trimesh.visual import TextureVisuals
+from trimesh.visual.material import PBRMaterial
 
 from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, digest_file, read_json, write_bytes, write_json
@@ -34,8 +37,9 @@ def glb(mesh: Mesh, slots: list[str], colors: dict[str, tuple[float, float, floa
         used, corners = np.unique(faces, return_inverse=True)
         swap = [0, 2, 1]
         color = [*(round(255 * c) for c in colors[slot]), 255]
-        material = trimesh.visual.material.PBRMaterial(name=slot, baseColorFactor=color)
-        visual = trimesh.visual.TextureVisuals(uv=mesh.uvs[used] * [1, -1] + [0, 1], material=material)
+        uv = mesh.uvs[used] * [1, -1] + [0, 1]
+        material = PBRMaterial(name=slot, baseColorFactor=color)  # type: ignore[no-untyped-call]
+        visual = TextureVisuals(uv=uv, material=material)  # type: ignore[no-untyped-call]
         if mesh.colors is not None:
             rgb = np.concatenate([mesh.colors[used], np.ones((len(used), 1))], axis=1)
             visual.vertex_attributes["color"] = np.round(rgb * 255).astype(np.uint8)
@@ -47,7 +51,7 @@ def glb(mesh: Mesh, slots: list[str], colors: dict[str, tuple[float, float, floa
             process=False,
         )
         scene.add_geometry(part, node_name=f"part_{index:02d}", geom_name=f"part_{index:02d}")
-    return bytes(trimesh.exchange.gltf.export_glb(scene, include_normals=True))
+    return bytes(export_glb(scene, include_normals=True))  # type: ignore[no-untyped-call]
 
 
 def _tiled(shape: Shape, materials: dict[str, MaterialSpec]) -> Mesh:

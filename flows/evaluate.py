@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from prefect import flow
+from prefect import Task, flow
 from prefect.futures import PrefectFuture
-from prefect.task_runners import ThreadPoolTaskRunner
+from prefect.task_runners import TaskRunner, ThreadPoolTaskRunner
 
 from c4s.errors import MachineryFault
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
@@ -28,26 +28,33 @@ from tasks.publish import publish
 from tasks.verify import verify
 from warehouse.ingest import ingest_schedule, is_stored
 
+R = TypeVar("R")
 WAITING_THREADS = 32
+_RUNNER: TaskRunner[Any] = ThreadPoolTaskRunner(max_workers=WAITING_THREADS)
+
+
+def _later(stage: Task[..., R], *values: Any, wait_for: list[PrefectFuture[None]] | None = None) -> PrefectFuture[R]:
+    """Submit a stage that reads an earlier one: Prefect takes a future for any argument, its types only for these."""
+    return stage.submit(*values, wait_for=wait_for)
 
 
 def _submit(trial: Trial, plan: Plan, warehouse: Path) -> list[PrefectFuture[Any]]:
     """Submit a trial's stages, in order; each waits for what it reads, and the last one stores the trial."""
     ran_1 = attempt.submit(trial, plan, 1)
-    valid_1 = integrity.submit(trial, plan, 1, ran_1)
-    ran_2 = attempt.submit(trial, plan, 2, valid_1)
-    valid = integrity.submit(trial, plan, 2, ran_2, valid_1)
-    looked = look.submit(trial, plan, valid)
-    judged = [judge_scene.submit(trial, plan, valid, wait_for=[looked])] if is_judged(trial.case.setting) else []
+    valid_1 = _later(integrity, trial, plan, 1, ran_1)
+    ran_2 = _later(attempt, trial, plan, 2, valid_1)
+    valid = _later(integrity, trial, plan, 2, ran_2, valid_1)
+    looked = _later(look, trial, plan, valid)
+    judged = [_later(judge_scene, trial, plan, valid, wait_for=[looked])] if is_judged(trial.case.setting) else []
     verdicts = [
-        verify.submit(trial, plan, valid, verifier.name, wait_for=judged if "judgements" in verifier.needs else [])
+        _later(verify, trial, plan, valid, verifier.name, wait_for=judged if "judgements" in verifier.needs else [])
         for verifier in verifiers_of(trial.case.setting)
     ]
-    last = persist.submit(trial, plan, warehouse, wait_for=[looked, *verdicts])
+    last = _later(persist, trial, plan, warehouse, wait_for=[looked, *verdicts])
     return [ran_1, valid_1, ran_2, valid, looked, *judged, *verdicts, last]
 
 
-@flow(name="evaluate", task_runner=ThreadPoolTaskRunner(max_workers=WAITING_THREADS), validate_parameters=False)
+@flow(name="evaluate", task_runner=_RUNNER, validate_parameters=False)
 def evaluate(
     suite: str = "starter",
     agents: list[str] | None = None,

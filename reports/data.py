@@ -11,8 +11,8 @@ from typing import Any
 from warehouse.database import rows
 
 Row = dict[str, Any]
-FIELD = ("suite", "policy", "judge", "engine")
-"""What results must share to be compared."""
+Field = tuple[str, str, str, str]
+"""What results must share to be compared: suite, policy, judge, engine."""
 
 
 @dataclass(frozen=True)
@@ -31,12 +31,12 @@ class Board:
 
 def boards(warehouse: Path) -> list[Board]:
     """All leaderboards of the warehouse."""
-    standings: dict[tuple[str, ...], list[Row]] = defaultdict(list)
+    standings: dict[Field, list[Row]] = defaultdict(list)
     for row in rows(warehouse, "SELECT * FROM leaderboard"):
-        standings[tuple(row[name] for name in FIELD)].append(row)
-    trials: dict[tuple[str, ...], list[Row]] = defaultdict(list)
+        standings[_field(row)].append(row)
+    trials: dict[Field, list[Row]] = defaultdict(list)
     for row in rows(warehouse, "SELECT * FROM case_scores ORDER BY setting, case_id, repeat"):
-        trials[tuple(row[name] for name in FIELD)].append(row)
+        trials[_field(row)].append(row)
     zeros = rows(warehouse, "SELECT * FROM zero_reasons")
     return [
         Board(
@@ -47,6 +47,10 @@ def boards(warehouse: Path) -> list[Board]:
         )
         for field, found in standings.items()
     ]
+
+
+def _field(row: Row) -> Field:
+    return row["suite"], row["policy"], row["judge"], row["engine"]
 
 
 def _by_case(trials: list[Row]) -> list[Row]:

@@ -83,7 +83,11 @@ def _suite_pages(environment: Environment, warehouse: Path, site: Path, suite: s
         for standing in board.standings:
             name = standing["configuration"]
             trials = [
-                (case, trial, (pictures.get((case["case_id"], name, trial["repeat"], "submission")) or [None])[0])
+                (
+                    case,
+                    trial,
+                    next(iter(pictures.get((case["case_id"], name, trial["repeat"], "submission"), [])), None),
+                )
                 for case in board.cases
                 for trial in case["scores"].get(name, [])
             ]

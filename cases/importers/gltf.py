@@ -17,7 +17,7 @@ from c4s.errors import BadInput
 from cases.importers.scene import ImportedScene, Matrix, SceneActor, SceneAsset, SceneCamera, SceneLight
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.gltf_tree import GltfTree, Placed, PlacedRecord
-from catalog.ingest.source import GLTF, TO_UNREAL, part_of
+from catalog.ingest.source import GLTF, TO_UNREAL, gltf_parts, part_of
 from catalog.ingest.surface import SourcePart, color_of
 from catalog.ingest.trimesh_file import TrimeshFile
 
@@ -70,22 +70,7 @@ class _Gltf:
         """The mesh about its node's pivot; a skinned one, which has no place of its own, about the scene's origin."""
         record = self.tree.file.item("meshes", placed.mesh)
         still = Placed(placed.node, placed.path, placed.mesh, np.eye(4), placed.weights, placed.skin)
-        parts = [
-            part_of(
-                placed.path[-1],
-                one.surface,
-                one.points,
-                one.faces,
-                one.normals,
-                one.uvs,
-                one.colors,
-                matrix,
-                self.axes,
-                self.scale,
-                self.path,
-            )
-            for one, matrix in self.tree.triangles(still)
-        ]
+        parts = list(gltf_parts(self.tree, still, self.axes, self.scale, self.path))
         return checked(SceneAsset(str(record.get("name") or placed.path[-1]), parts))
 
     def _light(self, placed: PlacedRecord) -> None:

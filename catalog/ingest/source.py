@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from c4s.errors import BadInput
 from catalog.ingest.gltf_file import GltfFile
-from catalog.ingest.gltf_tree import GltfTree
+from catalog.ingest.gltf_tree import GltfTree, Placed
 from catalog.ingest.surface import Source, SourcePart, Surface
 from catalog.ingest.trimesh_file import TrimeshFile
 
@@ -43,9 +43,9 @@ def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = N
     """
     notes: list[str] = []
     made = (
-        _gltf_parts(path, root, scale, up, notes)
+        _of_gltf(path, root, scale, up, notes)
         if path.suffix.lower() in GLTF
-        else _other_parts(path, root, scale, up, notes)
+        else _of_others(path, root, scale, up, notes)
     )
     parts, count = [], 0
     for part in made:
@@ -63,30 +63,35 @@ def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = N
     return Source(parts, list(dict.fromkeys(notes)))
 
 
-def _gltf_parts(path: Path, root: Path, scale: float, up: Up | None, notes: list[str]) -> Iterator[SourcePart]:
+def gltf_parts(tree: GltfTree, placed: Placed, axes: Floats, scale: float, path: Path) -> Iterator[SourcePart]:
+    """The parts of a placed mesh of a glTF file, named for its node."""
+    for one, matrix in tree.triangles(placed):
+        yield part_of(
+            placed.path[-1],
+            one.surface,
+            one.points,
+            one.faces,
+            one.normals,
+            one.uvs,
+            one.colors,
+            matrix,
+            axes,
+            scale,
+            path,
+        )
+
+
+def _of_gltf(path: Path, root: Path, scale: float, up: Up | None, notes: list[str]) -> Iterator[SourcePart]:
     file = GltfFile(path, root)
     tree, axes = GltfTree(file), np.asarray(TO_UNREAL[up or "y"], dtype=float)
     try:
         for placed in tree.placed():
-            for one, matrix in tree.triangles(placed):
-                yield part_of(
-                    placed.path[-1],
-                    one.surface,
-                    one.points,
-                    one.faces,
-                    one.normals,
-                    one.uvs,
-                    one.colors,
-                    matrix,
-                    axes,
-                    scale,
-                    path,
-                )
+            yield from gltf_parts(tree, placed, axes, scale, path)
     finally:
         notes += file.notes
 
 
-def _other_parts(path: Path, root: Path, scale: float, up: Up | None, notes: list[str]) -> Iterator[SourcePart]:
+def _of_others(path: Path, root: Path, scale: float, up: Up | None, notes: list[str]) -> Iterator[SourcePart]:
     file = TrimeshFile(path, root)
     axes = np.asarray(TO_UNREAL[up or file.up], dtype=float)
     try:

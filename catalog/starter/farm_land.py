@@ -8,17 +8,14 @@ import numpy as np
 
 from catalog.shapes import Builder, Kit
 from catalog.shapes.patches import hull
+from catalog.starter.ground import slab
 
 KIT = Kit()
 
 
-def _slab(b: Builder, material: str, x: float, y: float) -> None:
-    b.box(material, (x, y, 4), (0, 0, -4))
-
-
 @KIT.asset("GrassTile", "ground", "Meadow, 10 x 10 m, top at the pivot", "ground floor grass meadow field tile")
 def grass(b: Builder) -> None:
-    _slab(b, "Grass", 1000, 1000)
+    slab(b, "Grass", 1000, 1000)
 
 
 @KIT.asset(
@@ -28,24 +25,24 @@ def grass(b: Builder) -> None:
     "ground floor soil field ploughed tile",
 )
 def field(b: Builder) -> None:
-    _slab(b, "Soil", 1000, 1000)
+    slab(b, "Soil", 1000, 1000)
 
 
 @KIT.asset("GravelPath", "ground", "Gravel path, 5 x 5 m, top at the pivot", "ground floor gravel path track tile")
 def gravel(b: Builder) -> None:
-    _slab(b, "Gravel", 500, 500)
+    slab(b, "Gravel", 500, 500)
 
 
 @KIT.asset(
     "EarthGround", "ground", "Trodden earth of a yard, 5 x 5 m, top at the pivot", "ground floor earth yard tile"
 )
 def earth(b: Builder) -> None:
-    _slab(b, "Earth", 500, 500)
+    slab(b, "Earth", 500, 500)
 
 
 @KIT.asset("FlagstoneTile", "ground", "Flagstones, 2.5 x 2.5 m, top at the pivot", "ground floor stone paving tile")
 def flagstone(b: Builder) -> None:
-    _slab(b, "Flagstone", 250, 250)
+    slab(b, "Flagstone", 250, 250)
 
 
 @KIT.asset(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from catalog.shapes import AssetSpec, Builder, Kit
-from catalog.shapes.patches import prism
+from catalog.shapes.patches import Point2, prism
 
 KIT = Kit()
 STOREY_CM = 310.0
@@ -87,9 +87,9 @@ def _roof(b: Builder, house: House, height: float) -> None:
         ridge = height + 440
     else:
         b.gable(house.roof, (width, depth - 40, 460), (0, 0, height))
-        steps = [(-width / 2, 0), (width / 2, 0)]
+        steps: list[Point2] = [(-width / 2, 0), (width / 2, 0)]
         if house.top == "gable":
-            outline = [*steps, (width / 2, 40), (30, 500), (-30, 500), (-width / 2, 40)]
+            outline: list[Point2] = [*steps, (width / 2, 40), (30, 500), (-30, 500), (-width / 2, 40)]
         else:
             outline = list(steps)
             for i in range(5):

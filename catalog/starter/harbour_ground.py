@@ -4,22 +4,19 @@ from __future__ import annotations
 
 from catalog.shapes import Builder, Kit
 from catalog.shapes.patches import prism
+from catalog.starter.ground import slab
 
 KIT = Kit()
 
 
-def _slab(b: Builder, material: str, x: float, y: float, thick: float = 4) -> None:
-    b.box(material, (x, y, thick), (0, 0, -thick))
-
-
 @KIT.asset("CobbleTile", "ground", "Cobbled ground, 4 x 4 m, top at the pivot", "ground floor cobblestone street tile")
 def cobble(b: Builder) -> None:
-    _slab(b, "Cobble", 400, 400)
+    slab(b, "Cobble", 400, 400)
 
 
 @KIT.asset("PavingTile", "ground", "Pale stone paving, 4 x 4 m, top at the pivot", "ground floor pavement tile")
 def paving(b: Builder) -> None:
-    _slab(b, "Paving", 400, 400)
+    slab(b, "Paving", 400, 400)
 
 
 @KIT.asset(
@@ -29,7 +26,7 @@ def paving(b: Builder) -> None:
     "ground floor road street asphalt tile",
 )
 def road(b: Builder) -> None:
-    _slab(b, "Asphalt", 800, 800)
+    slab(b, "Asphalt", 800, 800)
     for x in (-200, 200):
         b.box("WhitePaint", (200, 14, 0.6), (x, 0, -0.3), body=None)
     for y in (-385, 385):
@@ -43,7 +40,7 @@ def road(b: Builder) -> None:
     "ground floor road zebra crossing tile",
 )
 def crossing(b: Builder) -> None:
-    _slab(b, "Asphalt", 800, 800)
+    slab(b, "Asphalt", 800, 800)
     for y in range(-350, 351, 100):
         b.box("WhitePaint", (300, 50, 0.6), (0, y, -0.3), body=None)
 

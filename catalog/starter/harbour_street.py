@@ -239,8 +239,8 @@ def crane(b: Builder) -> None:
             end = (x * 0.4, 110 + length * math.cos(tilt), 700 + low * 0.4 + length * math.sin(tilt))
             b.tube("CraneYellow", [(x, 110, 700 + low), end], 7)
     for i in range(10):
-        y, z = 110 + i * length * math.cos(tilt) / 10, 700 + i * length * math.sin(tilt) / 10
-        b.box("CraneYellow", (80 - i * 5, 6, 60 - i * 3), (0, y, z + 5), (0, 0, 33), body=None)
+        out, up = 110 + i * length * math.cos(tilt) / 10, 700 + i * length * math.sin(tilt) / 10
+        b.box("CraneYellow", (80 - i * 5, 6, 60 - i * 3), (0, out, up + 5), (0, 0, 33), body=None)
     tip = (0.0, 110 + length * math.cos(tilt), 700 + length * math.sin(tilt))
     b.tube("Iron", [tip, (tip[0], tip[1], 560)], 2)
     b.box("Iron", (20, 20, 40), (tip[0], tip[1], 520), body=None)

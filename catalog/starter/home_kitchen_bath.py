@@ -38,7 +38,7 @@ def _drawers(b: Builder) -> None:
 def _sink(b: Builder) -> None:
     _counter(b, 80, top=False)
     fronts(b, "CabinetSage", "Brass", 80, 28, 11, 74, 1, 2, upright=True)
-    for x in (-33, 33):
+    for x in (-33.0, 33.0):
         b.box("Worktop", (14, 62, 4), (x, 0, 86))
     for y, depth in ((-25.5, 11), (25, 12)):
         b.box("Worktop", (52, depth, 4), (0, y, 86))

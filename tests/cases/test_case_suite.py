@@ -10,7 +10,7 @@ import pytest
 from c4s.errors import BadInput
 from c4s.records.pack import Pack
 from c4s.records.suite import SuiteFolder
-from cases.corruption import Author, Recipe, apply, id_of
+from cases.corruption import KINDS, Author, Recipe, apply, id_of
 from cases.model import RepairCase, Scene, SuiteDefinition, TextCase
 from cases.requirements import Entity, Predicate, RequirementSpec
 from cases.starter import farm_scene, harbour_scene
@@ -129,16 +129,7 @@ def test_the_outdoor_cases_cover_every_kind_of_change_and_apply() -> None:
     made = cases(known)
     repairs = [case for case in made if isinstance(case, RepairCase)]
     assert len(repairs) == 6 and len(made) == 8
-    assert {kind for case in repairs for kind in case.kinds} == {
-        "removal",
-        "insertion",
-        "duplication",
-        "replacement",
-        "move",
-        "rotate",
-        "rescale",
-        "mirror",
-    }
+    assert {kind for case in repairs for kind in case.kinds} == set(KINDS)
     assert max(len(case.kinds) for case in repairs) == 5
     for case in repairs:
         level = next(s.level for s in known if s.scene_id == case.scene_id)

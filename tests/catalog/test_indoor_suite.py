@@ -12,7 +12,7 @@ from c4s.packs.store import PackStore
 from c4s.records.verdict import Verdict
 from c4s.verify.physics.verdict import verify_physics
 from cases.checks import check_repair, check_scene
-from cases.corruption import SpawnActor, apply, id_of
+from cases.corruption import KINDS, SpawnActor, apply, id_of
 from cases.model import RepairCase, Scene, TextCase
 from cases.requirements import bundle, families
 from cases.starter.indoor_cases import cases, scenes
@@ -106,16 +106,7 @@ def test_repair_cases_can_be_applied_and_solved(case: RepairCase) -> None:
 
 
 def test_repair_cases_cover_every_kind_and_chain_length() -> None:
-    assert {kind for case in INDOOR_CASES for kind in case.kinds} == {
-        "removal",
-        "insertion",
-        "duplication",
-        "replacement",
-        "move",
-        "rotate",
-        "rescale",
-        "mirror",
-    }
+    assert {kind for case in INDOOR_CASES for kind in case.kinds} == set(KINDS)
     assert {len(case.kinds) for case in INDOOR_CASES} == {1, 2, 3, 4, 5}
     assert {case.group for case in INDOOR_CASES} == {"Restore", "Lifecycle", "Layout", "Symmetry", "Transform"}
 

@@ -180,7 +180,7 @@ def test_a_city_is_quick():
         )
         for i in range(6700)
     ]
-    start = time.perf_counter()
+    start = time.process_time()
     found = contacts(scene(meshes, *actors), minimum_depth_cm=5.0)
     assert len(found) > 5000
-    assert time.perf_counter() - start < 12
+    assert time.process_time() - start < 12

@@ -12,14 +12,7 @@ from prey import Prey
 from c4s.files import json_lines
 from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped
 from c4s.toolbox.run import Run
-
-ACCEPT = {"Accept": "application/json, text/event-stream", "Content-Type": "application/json"}
-HELLO = {
-    "jsonrpc": "2.0",
-    "id": 0,
-    "method": "initialize",
-    "params": {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "h", "version": "1"}},
-}
+from tests.mcp_hello import HEADERS, INITIALIZE
 
 
 @pytest.fixture
@@ -51,21 +44,24 @@ def test_tokens_cannot_be_guessed_or_bent(prey: Prey) -> None:
         "Bearer \u00e9",
     ):
         told = httpx2.post(
-            prey.endpoint.url, json=HELLO, trust_env=False, headers={**ACCEPT, "Authorization": guess.encode("latin-1")}
+            prey.endpoint.url,
+            json=INITIALIZE,
+            trust_env=False,
+            headers={**HEADERS, "Authorization": guess.encode("latin-1")},
         )
         answers.add((told.status_code, told.text))
     assert len(answers) == 1 and answers.pop()[0] == 401
     bare = prey.endpoint.url
     for url in (f"{bare}?token={token}", f"{bare}?access_token={token}", f"{bare}/{token}"):
-        assert httpx2.post(url, json=HELLO, headers=ACCEPT, trust_env=False).status_code in (401, 404)
+        assert httpx2.post(url, json=INITIALIZE, headers=HEADERS, trust_env=False).status_code in (401, 404)
 
 
 def test_another_runs_session_cannot_be_used_ended_or_listened_to(prey: Prey, other) -> None:
     run, endpoint = other
-    mine = {**ACCEPT, "Authorization": f"Bearer {prey.run.token}"}
-    theirs = {**ACCEPT, "Authorization": f"Bearer {endpoint.token}"}
+    mine = {**HEADERS, "Authorization": f"Bearer {prey.run.token}"}
+    theirs = {**HEADERS, "Authorization": f"Bearer {endpoint.token}"}
     with httpx2.Client(trust_env=False) as http:
-        session = http.post(endpoint.url, headers=theirs, json=HELLO).headers["mcp-session-id"]
+        session = http.post(endpoint.url, headers=theirs, json=INITIALIZE).headers["mcp-session-id"]
         stolen = {**mine, "mcp-session-id": session}
         call = {
             "jsonrpc": "2.0",
@@ -103,12 +99,12 @@ def test_a_run_names_no_tool_of_another_and_none_off_the_list(prey: Prey, other)
 
 def test_a_session_does_not_outlive_its_run_under_the_same_name(prey: Prey, other) -> None:
     run, endpoint = other
-    theirs = {**ACCEPT, "Authorization": f"Bearer {endpoint.token}"}
+    theirs = {**HEADERS, "Authorization": f"Bearer {endpoint.token}"}
     with httpx2.Client(trust_env=False) as http:
-        session = http.post(endpoint.url, headers=theirs, json=HELLO).headers["mcp-session-id"]
+        session = http.post(endpoint.url, headers=theirs, json=INITIALIZE).headers["mcp-session-id"]
         prey.gateway.close_run(run)
         again = Run(run.run_id, run.bench, run.budget, run.trajectory, ["get_categories"])
-        later = {**ACCEPT, "Authorization": f"Bearer {prey.gateway.open_run(again).token}", "mcp-session-id": session}
+        later = {**HEADERS, "Authorization": f"Bearer {prey.gateway.open_run(again).token}", "mcp-session-id": session}
         told = http.post(endpoint.url, headers=later, json={"jsonrpc": "2.0", "id": 1, "method": "tools/list"})
     prey.gateway.close_run(again)
     assert told.status_code == 404
@@ -124,7 +120,10 @@ def test_a_token_is_dead_when_its_run_is_closed(prey: Prey, other) -> None:
     prey.gateway.close_run(run)
     assert (
         httpx2.post(
-            endpoint.url, json=HELLO, trust_env=False, headers={**ACCEPT, "Authorization": f"Bearer {endpoint.token}"}
+            endpoint.url,
+            json=INITIALIZE,
+            trust_env=False,
+            headers={**HEADERS, "Authorization": f"Bearer {endpoint.token}"},
         ).status_code
         == 401
     )
@@ -162,9 +161,9 @@ def test_the_record_of_refused_calls_is_bounded(prey: Prey, other, monkeypatch: 
 def test_sessions_of_a_run_are_bounded(prey: Prey, other, monkeypatch: pytest.MonkeyPatch) -> None:
     _, endpoint = other
     monkeypatch.setattr("c4s.toolbox.gateway.MOST_SESSIONS", 3)
-    theirs = {**ACCEPT, "Authorization": f"Bearer {endpoint.token}"}
+    theirs = {**HEADERS, "Authorization": f"Bearer {endpoint.token}"}
     with httpx2.Client(trust_env=False) as http:
-        told = [http.post(endpoint.url, headers=theirs, json=HELLO).status_code for _ in range(5)]
+        told = [http.post(endpoint.url, headers=theirs, json=INITIALIZE).status_code for _ in range(5)]
     assert told == [200, 200, 200, 429, 429]
     prey.client.call("get_categories")
 

@@ -71,12 +71,24 @@ def test_an_invalid_submission_is_retried_once_and_both_attempts_are_kept(ran: P
 def test_every_number_is_traced_to_files(ran: Path) -> None:
     from c4s.files import digest_file
 
+    read = {
+        "snapshot.json": "snapshot.json",
+        "dependencies.json": "dependencies.json",
+        "candidate_snapshot": "snapshot.json",
+    }
+    traced = set()
     for row in rows(ran / "warehouse", "SELECT * FROM verdicts WHERE suite = 'small'"):
         trial = ran / "runs/small" / row["configuration"] / row["case_id"] / "r1"
         assert digest_file(trial / "verdicts" / f"{row['verifier']}.json") == row["verdict_sha256"]
-        for name, wanted in json.loads(row["document"])["inputs"].items():
-            if (trial / "evidence" / name).is_file():
-                assert digest_file(trial / "evidence" / name) == wanted
+        inputs = json.loads(row["document"])["inputs"]
+        for name in read.keys() & inputs.keys():
+            assert digest_file(trial / "evidence" / read[name]) == inputs[name]
+            traced.add((row["verifier"], name))
+    assert traced >= {
+        ("integrity", "snapshot.json"),
+        ("integrity", "dependencies.json"),
+        ("repair", "candidate_snapshot"),
+    }
 
 
 def test_a_second_run_finds_everything_done_and_a_rebuild_gives_the_same(ran: Path, c4s: Command) -> None:

@@ -23,7 +23,9 @@ def rows() -> list[dict[str, Any]]:
     if not GOLDEN.is_file():
         pytest.skip(f"no answers of the published scorer at {GOLDEN}")
     with gzip.open(GOLDEN, "rt") as lines:
-        return [json.loads(line) for line in lines]
+        found = [json.loads(line) for line in lines]
+    assert {"expected_error" in row for row in found} == {True, False}
+    return found
 
 
 def test_batch_gives_every_expected_number_and_refusal(rows: list[dict[str, Any]]) -> None:

@@ -12,7 +12,7 @@ from c4s.engine.headless.unreal.core import Object, api, public
 from c4s.engine.headless.unreal.scene_capture import MAX_SIDE, TextureRenderTarget2D, TextureRenderTargetFormat
 from c4s.engine.headless.unreal.structs import Color, LinearColor
 
-_BLACK = (0.0, 0.0, 0.0, 1.0)
+_BLACK: LinearColor = (0.0, 0.0, 0.0, 1.0)  # type: ignore[assignment]
 
 
 @public
@@ -27,7 +27,7 @@ class RenderingLibrary(Object):
         width: int = 256,
         height: int = 256,
         format: TextureRenderTargetFormat = TextureRenderTargetFormat.RTF_RGBA16F,
-        clear_color: LinearColor = _BLACK,  # type: ignore[assignment]
+        clear_color: LinearColor = _BLACK,
         auto_generate_mip_maps: bool = False,
         support_ua_vs: bool = False,
     ) -> TextureRenderTarget2D | None:
@@ -50,7 +50,7 @@ class RenderingLibrary(Object):
         cls,
         world_context_object: Object | None,
         texture_render_target: TextureRenderTarget2D,
-        clear_color: LinearColor = _BLACK,  # type: ignore[assignment]
+        clear_color: LinearColor = _BLACK,
     ) -> None:
         """Fill with one colour."""
         texture_render_target._fill(LinearColor.cast(clear_color))

@@ -1,0 +1,178 @@
+"""What must never be (docs/design.md), read off the source tree. Files that break a rule today stand in ``broken``."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import pytest
+
+from tests.house import broken
+from tests.house.tree import Source, packages, source, sources
+
+RUN_FILES = (
+    *("outcome.json", "trajectory.jsonl", "usage.jsonl", "snapshot.json", "dependencies.json", "captures.json"),
+    *("digests.json", "score.json", "stages.jsonl", "manifest.json", "integrity.json", "plan.json"),
+    *("spending.jsonl", "saves.jsonl"),
+)
+RUN_FOLDERS = ("submission", "evidence", "verdicts")
+BACKENDS = ("c4s.engine.headless", "c4s.engine.unreal")
+FILE = re.compile(rf"(?<![\w.-])(?:{'|'.join(map(re.escape, RUN_FILES))})\b")
+FOLDER = re.compile(rf"(?:^|/)({'|'.join(RUN_FOLDERS)})(?=/)")
+SETTING = re.compile(r"text-to-scene|image-to-scene(?:/\w+)?")
+VERIFIER = re.compile(r"(?:physics|repair|detailed|overview|integrity)")
+BACKEND = re.compile(rf"\b(?:{'|'.join(map(re.escape, BACKENDS))})\b[\w.]*")
+MOST_FUNCTION_LINES, MOST_FILE_LINES = 60, 400
+
+
+def run_files(file: Source) -> set[str]:
+    """Files and folders of a run folder that are spelt: a folder's name counts where a path is made of it."""
+    joined = [
+        part.value
+        for node in file.nodes
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div)
+        for part in (node.left, node.right)
+        if isinstance(part, ast.Constant)
+    ]
+    return {found for text in file.strings for found in (*FILE.findall(text), *FOLDER.findall(text))} | {
+        name for name in RUN_FOLDERS if name in joined
+    }
+
+
+def settings(file: Source) -> set[str]:
+    """Names of settings that are spelt."""
+    return {found for text in file.strings for found in SETTING.findall(text)}
+
+
+def verifiers(file: Source) -> set[str]:
+    """Names of verifiers that are spelt, each a string of its own."""
+    quoted = file.strings if file.path.endswith(".py") else re.findall(r"""['"]([^'"\n]*)['"]""", file.text)
+    return {text for text in quoted if VERIFIER.fullmatch(text)}
+
+
+def backends(file: Source) -> set[str]:
+    """Modules of a backend that are imported, or named in a string, outside ``open_engine``."""
+    door = {
+        id(node)
+        for function in file.nodes
+        if isinstance(function, ast.FunctionDef) and function.name == "open_engine"
+        for node in ast.walk(function)
+    }
+    named = [
+        name
+        for node in file.nodes
+        if id(node) not in door
+        for name in (
+            [alias.name for alias in node.names]
+            if isinstance(node, ast.Import)
+            else [node.module or "", *(f"{node.module}.{alias.name}" for alias in node.names)]
+            if isinstance(node, ast.ImportFrom)
+            else [node.value]
+            if isinstance(node, ast.Constant) and isinstance(node.value, str)
+            else []
+        )
+    ]
+    modules = {found for name in named for found in BACKEND.findall(name)}
+    return {name for name in modules if not any(other != name and name.startswith(f"{other}.") for other in modules)}
+
+
+def long_functions(file: Source) -> set[str]:
+    """Functions of too many lines, docstring included."""
+    return {
+        node.name
+        for node in file.nodes
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        and (node.end_lineno or node.lineno) - node.lineno >= MOST_FUNCTION_LINES
+    }
+
+
+def long_files(file: Source) -> set[str]:
+    """The file as a whole, where it has too many lines."""
+    return {"whole"} if len(file.text.splitlines()) > MOST_FILE_LINES else set()
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What no file may hold, but those within some paths."""
+
+    find: Callable[[Source], set[str]]
+    but: tuple[str, ...]
+    broken: dict[str, set[str]]
+    sample: str
+    """Python that breaks the rule."""
+    told: set[str]
+    """What is found in the sample."""
+
+
+RULES = {
+    "a file of a run folder is spelt in the records alone": Rule(
+        run_files,
+        ("c4s/records", "c4s/records/folder.py", "tests"),
+        broken.RUN_FILES,
+        '"""plan.json"""\nroot / "evidence"\nb = f"{root}/attempt-1/outcome.json"\nc = "submission"\nd = "verdicts/"\n',
+        {"evidence", "outcome.json", "verdicts"},
+    ),
+    "a setting is spelt in the protocol and the registry alone": Rule(
+        settings,
+        ("c4s/protocol", "c4s/verify/registry.py", "cases", "tests"),
+        broken.SETTINGS,
+        'def f(s):\n    """For text-to-scene."""\n    return s.startswith("image-to-scene/")\n',
+        {"image-to-scene"},
+    ),
+    "a verifier is spelt in verify and the protocol alone": Rule(
+        verifiers,
+        ("c4s/verify", "c4s/protocol", "tests"),
+        broken.VERIFIERS,
+        'a = {"physics": 1, "physics of it": 2, "semantic": 3}\n',
+        {"physics"},
+    ),
+    "a backend is imported in open_engine alone": Rule(
+        backends,
+        ("c4s/engine/headless", "c4s/engine/unreal", "tests"),
+        broken.BACKENDS,
+        "def open_engine():\n    import c4s.engine.unreal\ndef f():\n    from c4s.engine import headless\n"
+        "run('-m', 'c4s.engine.headless.process.main')\n",
+        {"c4s.engine.headless"},
+    ),
+    "a function has at most 60 lines": Rule(
+        long_functions, (), broken.FUNCTIONS, "def f():\n" + "    pass\n" * 60 + "def g():\n" + "    pass\n" * 59, {"f"}
+    ),
+    "a file has at most 400 lines": Rule(long_files, (), broken.FILES, "pass\n" * 401, {"whole"}),
+}
+
+
+def public_classes(files: Iterable[Source]) -> dict[str, set[str]]:
+    """Names that more than one public class has, each with its files; the ``unreal`` module has names of its own."""
+    found: dict[str, list[str]] = defaultdict(list)
+    for file in files:
+        if not file.within("c4s/engine/headless/unreal", "tests"):
+            for node in file.nodes:
+                if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                    found[node.name].append(file.path)
+    return {name: set(paths) for name, paths in found.items() if len(paths) > 1}
+
+
+@pytest.mark.parametrize("name", RULES)
+def test_no_file_breaks_a_rule_but_those_that_are_listed(name: str) -> None:
+    rule = RULES[name]
+    found = {file.path: told for file in sources() if not file.within(*rule.but) for told in [rule.find(file)] if told}
+    assert found == rule.broken
+
+
+@pytest.mark.parametrize("name", RULES)
+def test_each_rule_sees_what_breaks_it(name: str) -> None:
+    assert RULES[name].find(source("c4s/sample.py", RULES[name].sample)) == RULES[name].told
+
+
+def test_no_two_public_classes_have_one_name_but_those_that_are_listed() -> None:
+    assert public_classes(sources()) == broken.CLASSES
+    twice = [source(f"c4s/{name}.py", "class Scene: ...\nclass _Own: ...") for name in "ab"]
+    assert public_classes(twice) == {"Scene": {"c4s/a.py", "c4s/b.py"}}
+
+
+def test_the_whole_tree_is_read() -> None:
+    assert {"bench", "c4s", "cases", "catalog", "flows", "reports", "tasks", "tests", "warehouse"} <= set(packages())
+    assert {file.path.split("/")[0] for file in sources()} == set(packages())
