@@ -23,7 +23,8 @@ VERIFIERS: Final[dict[str, Verifier]] = {
 }
 """By name, in the order in which tables and pages show them."""
 GATE: Final = INTEGRITY.name
-_DECIDE = ("verify", "semantics", "protocol", "collision", "geometry", "records")
+DECIDE: Final = ("verify", "semantics", "protocol", "collision", "geometry", "records")
+"""Folders of ``c4s`` whose sources decide what a verdict says."""
 
 
 def verifier_named(name: str) -> Verifier:
@@ -52,5 +53,5 @@ def make_verdict(name: str, evidence: Evidence) -> Verdict:
     """A verifier's verdict, with the digests of what it read and the version of the code that made it."""
     verdict = verifier_named(name).verify(evidence)
     return verdict.model_copy(
-        update={"inputs": {**verdict.inputs, **evidence.digests}, "made_by": code_version(*_DECIDE)}
+        update={"inputs": {**verdict.inputs, **evidence.digests}, "made_by": code_version(*DECIDE)}
     )

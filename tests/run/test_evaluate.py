@@ -9,11 +9,17 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from c4s.files import digest_file
 from c4s.home import runs_root
+from c4s.judge.rule.judging import rule_version
+from c4s.records.pack import Pack
 from c4s.records.plan import Plan
+from c4s.records.version import code_version
+from c4s.verify.registry import DECIDE
 from tests.run.conftest import Command, environment
 from warehouse.database import rows
 
@@ -69,25 +75,39 @@ def test_an_invalid_submission_is_retried_once_and_both_attempts_are_kept(ran: P
 
 
 def test_every_number_is_traced_to_files(ran: Path) -> None:
-    from c4s.files import digest_file
+    case = ran / "suites/small/withheld"
+    folders = {"candidate_snapshot": "evidence/snapshot.json", "dependencies": "evidence/dependencies.json"}
+    folders |= {"judgements": "judgements/rule.json", "captures": "evidence/captures/captures.json"}
+    withheld = {"input_snapshot": "input.snapshot.json", "truth_snapshot": "truth.snapshot.json"}
+    withheld |= {"requirements": "requirements.bundle.json"}
+    traced: dict[str, set[str]] = {}
 
-    read = {
-        "snapshot.json": "snapshot.json",
-        "dependencies.json": "dependencies.json",
-        "candidate_snapshot": "snapshot.json",
-    }
-    traced = set()
-    for row in rows(ran / "warehouse", "SELECT * FROM verdicts WHERE suite = 'small'"):
+    def check(trial: Path, case_id: str, document: dict[str, Any], maker: str) -> None:
+        for name, digest in document["inputs"].items():
+            if name.startswith("pack "):
+                assert Pack.read(ran / "packs" / name.removeprefix("pack ") / "pack.json").sha256() == digest
+                continue
+            root, names = (trial, folders) if name in folders else (case / case_id, withheld)
+            assert digest_file(root / names[name]) == digest
+            traced.setdefault(maker, set()).add(name)
+
+    for row in rows(ran / "warehouse", "SELECT * FROM verdicts WHERE suite = 'small' AND status <> 'invalid'"):
         trial = ran / "runs/small" / row["configuration"] / row["case_id"] / "r1"
         assert digest_file(trial / "verdicts" / f"{row['verifier']}.json") == row["verdict_sha256"]
-        inputs = json.loads(row["document"])["inputs"]
-        for name in read.keys() & inputs.keys():
-            assert digest_file(trial / "evidence" / read[name]) == inputs[name]
-            traced.add((row["verifier"], name))
-    assert traced >= {
-        ("integrity", "snapshot.json"),
-        ("integrity", "dependencies.json"),
-        ("repair", "candidate_snapshot"),
+        document = json.loads(row["document"])
+        assert document["made_by"] == code_version(*DECIDE)
+        check(trial, row["case_id"], document, row["verifier"])
+        said = trial / "judgements/rule.json"
+        if said.is_file():
+            check(trial, row["case_id"], json.loads(said.read_text()), "rule judge")
+            assert json.loads(said.read_text())["judge_version"] == rule_version()
+    assert traced == {
+        "integrity": {"candidate_snapshot", "dependencies"},
+        "repair": {"candidate_snapshot", "input_snapshot", "truth_snapshot"},
+        "detailed": {"requirements", "judgements"},
+        "overview": {"judgements"},
+        "physics": {"candidate_snapshot", "input_snapshot"},
+        "rule judge": {"candidate_snapshot", "captures", "requirements"},
     }
 
 

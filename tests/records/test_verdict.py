@@ -1,0 +1,100 @@
+"""A verdict is whole or cannot be made, and says which code made it."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pydantic import ValidationError
+
+import c4s
+from c4s.errors import BadInput
+from c4s.judge.registry import judge_named
+from c4s.records.judgement import ClaimJudgement
+from c4s.records.verdict import Verdict
+from c4s.verify.registry import VERIFIERS, components_of, verifier_named, verifiers_of
+
+SCORES = st.one_of(st.none(), st.floats(), st.integers(-3, 3))
+NO_NUMBER = ("not_applicable", "not_evaluated", "error", "valid", "invalid")
+
+
+@given(SCORES)
+def test_a_measured_score_is_a_finite_number_in_the_unit_interval(score: Any) -> None:
+    def make() -> Verdict:
+        return Verdict(verifier="v", status="measured", score=score, policy="p")
+
+    if score is not None and 0 <= score <= 1:
+        assert make().score == score
+    else:
+        with pytest.raises(ValidationError):
+            make()
+
+
+@pytest.mark.parametrize("status", NO_NUMBER)
+def test_no_other_status_carries_a_number(status: Any) -> None:
+    assert Verdict(verifier="v", status=status, policy="p").score is None
+    with pytest.raises(ValidationError):
+        Verdict(verifier="v", status=status, score=0.0, policy="p")
+
+
+@pytest.mark.parametrize("score", ["7.5", "-0.1", "NaN", "Infinity", "null"])
+def test_a_stored_verdict_that_is_not_whole_is_refused(score: str, tmp_path: Path) -> None:
+    path = tmp_path / "physics.json"
+    path.write_text(f'{{"verifier": "physics", "status": "measured", "score": {score}, "policy": "p"}}')
+    with pytest.raises(BadInput, match=r"physics\.json"):
+        Verdict.read(path)
+
+
+@pytest.mark.parametrize("score", [-0.1, 1.1, float("nan")])
+def test_a_judgement_outside_the_unit_interval_cannot_be_made(score: float) -> None:
+    with pytest.raises(ValidationError):
+        ClaimJudgement(claim="p1", answer="MATCH", score=score)
+
+
+def test_unknown_names_are_refused_with_the_choices() -> None:
+    with pytest.raises(BadInput, match="physics"):
+        verifier_named("taste")
+    with pytest.raises(BadInput, match="rule"):
+        judge_named("gpt-9-vlm")
+
+
+def test_every_row_of_the_table_adds_the_numbers_that_it_names() -> None:
+    for verifier in VERIFIERS.values():
+        for setting in verifier.settings:
+            assert verifier.gate or verifier in verifiers_of(setting)
+            assert set(verifier.component_names) <= {*components_of(setting)}
+        for status in ("measured", "not_evaluated"):
+            score = 0.5 if status == "measured" else None
+            made = Verdict(verifier=verifier.name, status=status, score=score, policy="p")  # type: ignore[arg-type]
+            assert tuple(verifier.components(made)) == verifier.component_names
+
+
+def test_a_changed_word_list_or_rule_makes_another_judge_and_another_verdict(tmp_path: Path) -> None:
+    shutil.copytree(
+        Path(c4s.__file__).parent, tmp_path / "c4s", ignore=shutil.ignore_patterns("__pycache__", "headless")
+    )
+
+    def versions() -> list[str]:
+        ask = (
+            "from c4s.judge.rule.judging import rule_version\n"
+            "from c4s.records.version import code_version\n"
+            "print(rule_version(), code_version('verify', 'protocol'))"
+        )
+        done = subprocess.run([sys.executable, "-c", ask], cwd=tmp_path, capture_output=True, text=True, check=True)
+        return done.stdout.split()
+
+    before = versions()
+    words = tmp_path / "c4s/protocol/words.py"
+    words.write_text(words.read_text().replace('"the"', '"thee"', 1) + "\n")
+    changed = versions()
+    assert before[0] != changed[0] and before[1] != changed[1]
+    support = tmp_path / "c4s/verify/physics/support.py"
+    support.write_text(support.read_text() + "\n")
+    again = versions()
+    assert again[0] == changed[0] and again[1] != changed[1]
