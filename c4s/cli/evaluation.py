@@ -16,8 +16,6 @@ from c4s.records.suite import SuiteFolder
 from c4s.run.configurations import BASELINES, configuration
 from c4s.run.plan import make_plan, open_run, trial_id, trials
 from c4s.run.stages import inputs
-from warehouse.ingest import is_stored
-from warehouse.parquet import part_path
 
 QUIET = {
     "DO_NOT_TRACK": "1",
@@ -69,6 +67,9 @@ def evaluate_here(
             where=str(suites_root()),
             todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`",
         )
+    from warehouse.ingest import is_stored
+    from warehouse.parquet import part_path
+
     names = list(agents or BASELINES)
     plan = make_plan(
         SuiteFolder(folder),

@@ -56,6 +56,15 @@ def i2s_case(
     return {"policy": I2S_POLICY, "status": "measured", "score": score, **used}
 
 
+def semantic_score(*, detailed: float, overview: float, weights: Mapping[str, float] = T2S_WEIGHTS) -> float:
+    """Detailed and Overview Alignment as one number (paper, "Semantic Verifier aggregation"); not rounded.
+
+    The case score is this at their common weight, and physics at its own.
+    """
+    alpha, beta = weights["detailed"], weights["overview"]
+    return (alpha * detailed + beta * overview) / (alpha + beta)
+
+
 def case_score(
     *,
     case_id: str,
