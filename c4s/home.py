@@ -3,7 +3,12 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
+
+from c4s.errors import BadInput
+
+_ID = re.compile(r"[a-z0-9][a-z0-9._-]{0,62}")
 
 
 def home() -> Path:
@@ -39,3 +44,10 @@ def site_root() -> Path:
 def cache_root() -> Path:
     """Derived data that may be deleted at any time (hulls, mesh arrays, compiled kernels)."""
     return home() / "cache"
+
+
+def checked_id(text: str, what: str) -> str:
+    """The id of a new pack or suite, which is also the name of its folder; ``BadInput`` for any other text."""
+    if not _ID.fullmatch(text):
+        raise BadInput(f"a {what} id is lower-case letters, digits and . _ -, a letter or digit first", where=text)
+    return text

@@ -38,7 +38,10 @@ def _table_view(root: Path, table: str) -> str:
 
 
 def rebuild(root: Path) -> Path:
-    """Make ``c4s.duckdb`` anew: one view a table and one a question. Atomic; returns the file."""
+    """Make ``c4s.duckdb`` anew: one view a table and one a question. Atomic; returns the file.
+
+    ``BadInput`` where rows are there that another version of c4s wrote.
+    """
     root.mkdir(parents=True, exist_ok=True)
     target, fresh = root / "c4s.duckdb", root / f".c4s.duckdb.{os.getpid()}"
     with (root / ".rebuild.lock").open("w") as lock:
@@ -46,7 +49,14 @@ def rebuild(root: Path) -> Path:
         fresh.unlink(missing_ok=True)
         with duckdb.connect(str(fresh)) as connection:
             for table in TABLES:
-                connection.execute(_table_view(root, table))
+                try:
+                    connection.execute(_table_view(root, table))
+                except duckdb.BinderException:
+                    raise BadInput(
+                        f"the rows of table {table!r} have other columns: another version of c4s wrote them",
+                        where=str(root),
+                        todo="delete this folder and run `c4s report --from-runs`",
+                    ) from None
             for name in (*FOUNDATIONS, *(question for question in questions() if question not in FOUNDATIONS)):
                 connection.execute(f"CREATE VIEW {name} AS {(SQL / f'{name}.sql').read_text()}")
         fresh.replace(target)

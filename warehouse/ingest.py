@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 from PIL import Image
 
 from c4s.files import canonical_json, digest_file, json_lines, read_json
-from c4s.records.attempt import AttemptOutcome
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
@@ -18,22 +17,14 @@ from c4s.records.suite import SuiteFolder, WithheldFolder
 from c4s.records.verdict import Verdict
 from c4s.run.configurations import is_ranked
 from c4s.run.plan import Trial, trial_id, trials
-from c4s.trajectory import Analysis, analyse
 from c4s.verify.registry import VERIFIERS, verifier_named
+from warehouse.behaviour import attempt_rows, submission_rows, tool_use_rows
+from warehouse.components import component_rows
 from warehouse.parquet import part_path, write_part
-from warehouse.records import (
-    AttemptRow,
-    FindingRow,
-    OutcomeRow,
-    PictureRow,
-    ScheduleRow,
-    SubmissionRow,
-    ToolUseRow,
-    VerdictRow,
-)
+from warehouse.records import AttemptRow, FindingRow, OutcomeRow, PictureRow, ScheduleRow, VerdictRow
 
 PICTURE_WIDTH = 960
-HEADLINES = tuple(name for verifier in VERIFIERS.values() for name in verifier.component_names)
+HEADLINES = tuple(name for verifier in VERIFIERS.values() for name in verifier.headlines)
 """Components that the outcome row shows beside the score."""
 CASE_PARTITION = "_case"
 """Partition of pictures that belong to a case, not to a configuration."""
@@ -125,11 +116,13 @@ def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
     key = _key(trial, plan)
     place: dict[str, str] = {"suite": plan.suite_id, "configuration": trial.configuration.name, "key": key["trial_id"]}
     verdicts = trial.folder.verdicts
-    attempts = list(_attempts(trial, key))
+    score = TrialScore.read(trial.folder.score)
+    attempts = list(attempt_rows(trial, score, key))
     write_part(warehouse, "attempts", [row for row, _ in attempts], **place)
-    write_part(warehouse, "tool_use", _tool_use(attempts, key), **place)
-    write_part(warehouse, "python_submissions", _submissions(attempts, key), **place)
+    write_part(warehouse, "tool_use", tool_use_rows(attempts, key), **place)
+    write_part(warehouse, "python_submissions", submission_rows(attempts, key), **place)
     write_part(warehouse, "verdicts", [_verdict_row(path, key) for path in verdicts.values()], **place)
+    write_part(warehouse, "components", list(component_rows(map(Verdict.read, verdicts.values()), score, key)), **place)
     write_part(
         warehouse,
         "findings",
@@ -141,7 +134,7 @@ def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
         **place,
     )
     write_part(warehouse, "pictures", list(_submission_pictures(trial, key)), **place)
-    write_part(warehouse, "outcomes", [_outcome(trial, plan, key)], **place)
+    write_part(warehouse, "outcomes", [_outcome(trial, plan, score, [row for row, _ in attempts], key)], **place)
 
 
 def _key(trial: Trial, plan: Plan) -> dict[str, Any]:
@@ -153,60 +146,6 @@ def _key(trial: Trial, plan: Plan) -> dict[str, Any]:
         "case_id": trial.case.case_id,
         "repeat": trial.repeat,
     }
-
-
-def _attempts(trial: Trial, key: dict[str, Any]) -> Iterator[tuple[AttemptRow, Analysis]]:
-    """Every attempt with the analysis of its trajectory."""
-    retained = TrialScore.read(trial.folder.score).retained_attempt
-    for folder in trial.folder.attempts():
-        outcome, did = AttemptOutcome.read(folder.outcome), analyse(folder.trajectory)
-        yield (
-            AttemptRow(
-                **key,
-                attempt=outcome.attempt,
-                ended_by=outcome.ended_by,
-                retained=outcome.attempt == retained,
-                submission=outcome.submission,
-                valid=Verdict.read(folder.integrity).status == "valid" if folder.integrity.is_file() else None,
-                tool_calls=outcome.tool_calls,
-                polling_calls=did.polling,
-                python_calls=did.python,
-                failed_calls=did.failed,
-                named_transform_calls=did.named_transform_calls,
-                wall_s=outcome.wall_s,
-                input_tokens=outcome.input_tokens,
-                output_tokens=outcome.output_tokens,
-                cost_usd=outcome.cost_usd,
-                message=outcome.message,
-            ),
-            did,
-        )
-
-
-def _tool_use(attempts: list[tuple[AttemptRow, Analysis]], key: dict[str, Any]) -> list[ToolUseRow]:
-    return [
-        ToolUseRow(**key, attempt=row.attempt, retained=row.retained, tool=tool, calls=calls)
-        for row, did in attempts
-        for tool, calls in did.by_tool.items()
-    ]
-
-
-def _submissions(attempts: list[tuple[AttemptRow, Analysis]], key: dict[str, Any]) -> list[SubmissionRow]:
-    return [
-        SubmissionRow(
-            **key,
-            attempt=row.attempt,
-            retained=row.retained,
-            call=one.call,
-            parseable=one.parseable,
-            families=" ".join(one.families),
-            feedback=one.feedback,
-            failed=one.failed,
-            errors=" ".join(one.errors),
-        )
-        for row, did in attempts
-        for one in did.submissions
-    ]
 
 
 def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:
@@ -231,13 +170,10 @@ def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureR
             yield PictureRow(**key, role="submission", view=capture["name"], width=width, height=height, jpeg=jpeg)
 
 
-def _outcome(trial: Trial, plan: Plan, key: dict[str, Any]) -> OutcomeRow:
-    score = TrialScore.read(trial.folder.score)
-    attempts = {
-        outcome.attempt: outcome
-        for outcome in (AttemptOutcome.read(folder.outcome) for folder in trial.folder.attempts())
-    }
-    kept = attempts.get(score.retained_attempt or 0)
+def _outcome(
+    trial: Trial, plan: Plan, score: TrialScore, attempts: Sequence[AttemptRow], key: dict[str, Any]
+) -> OutcomeRow:
+    recorded = next((row for row in attempts if row.recorded), None)
     stages = list(json_lines(trial.folder.stages.read_text().splitlines()))
     overhead = sum(stage["seconds"] for stage in stages if stage["stage"] == "orchestration")
     evaluation = sum(
@@ -245,10 +181,9 @@ def _outcome(trial: Trial, plan: Plan, key: dict[str, Any]) -> OutcomeRow:
         for stage in stages
         if stage["stage"] != "orchestration" and not stage["stage"].startswith("attempt")
     )
-    parts = {name: score.components.get(name) for name in HEADLINES}
     return OutcomeRow(
         **key,
-        **parts,
+        **{name: score.components.get(name) for name in HEADLINES},
         setting=trial.case.setting,
         scene_id=trial.case.scene_id,
         status=score.status,
@@ -256,13 +191,13 @@ def _outcome(trial: Trial, plan: Plan, key: dict[str, Any]) -> OutcomeRow:
         reason=score.reason,
         attempts=len(attempts),
         retained_attempt=score.retained_attempt,
-        tool_calls=kept.tool_calls if kept else None,
-        attempt_wall_s=kept.wall_s if kept else None,
+        tool_calls=recorded.tool_calls if recorded else None,
+        attempt_wall_s=recorded.wall_s if recorded else None,
         evaluation_s=evaluation,
         orchestration_s=overhead,
-        input_tokens=kept.input_tokens if kept else None,
-        output_tokens=kept.output_tokens if kept else None,
-        cost_usd=kept.cost_usd if kept else None,
+        input_tokens=recorded.input_tokens if recorded else None,
+        output_tokens=recorded.output_tokens if recorded else None,
+        cost_usd=recorded.cost_usd if recorded else None,
         ranked=is_ranked(trial.configuration),
         policy=plan.policy,
         judge=plan.judge,

@@ -41,7 +41,7 @@ class OutcomeRow(TrialKey):
     attempts: int
     retained_attempt: int | None
     tool_calls: int | None
-    """Tool calls of the retained attempt."""
+    """Of the recorded run, like the time, tokens and cost: the retained attempt, without one the last."""
     attempt_wall_s: float | None
     evaluation_s: float | None
     """Seconds that exporting evidence, verifying and scoring took, all stages together."""
@@ -60,12 +60,15 @@ class OutcomeRow(TrialKey):
 
 
 class AttemptRow(TrialKey):
-    """Table ``attempts``: every attempt, retained or not."""
+    """Table ``attempts``: every attempt."""
 
     attempt: int
     ended_by: str
-    retained: bool
-    """Whether reported figures come from it: the first attempt with a valid submission, else the last."""
+    recorded: bool
+    """Whether it is the trial's recorded run: the first attempt with a valid submission, else the last."""
+    client_version: str
+    """As the client told; empty where it did not."""
+    engine_version: str
     submission: str | None
     valid: bool | None
     tool_calls: int
@@ -86,7 +89,7 @@ class ToolUseRow(TrialKey):
     """Table ``tool_use``: how often an attempt called a tool."""
 
     attempt: int
-    retained: bool
+    recorded: bool
     tool: str
     calls: int
 
@@ -95,7 +98,7 @@ class SubmissionRow(TrialKey):
     """Table ``python_submissions``: one row a Python submission of an attempt."""
 
     attempt: int
-    retained: bool
+    recorded: bool
     call: int
     """Number of the tool call in the attempt, from 1."""
     parseable: bool
@@ -118,6 +121,20 @@ class VerdictRow(TrialKey):
     policy: str
     document: str
     verdict_sha256: str
+
+
+class ComponentRow(TrialKey):
+    """Table ``components``: one row a number that a verdict's score is made of, and the score itself (``score``).
+
+    ``semantic`` stands beside the verifiers: Detailed and Overview Alignment as one. A number that was not measured
+    has no row.
+    """
+
+    verifier: str
+    name: str
+    """``floating``, ``families.content_quantity``, ``profiles.strict.f1``, ... (``components.py`` of each verifier)."""
+    value: float
+    """A share in [0, 1], or a count (``tp``, ``fp``, ``fn``)."""
 
 
 class FindingRow(TrialKey):
@@ -173,6 +190,7 @@ TABLES: dict[str, type[Record]] = {
     "tool_use": ToolUseRow,
     "python_submissions": SubmissionRow,
     "verdicts": VerdictRow,
+    "components": ComponentRow,
     "findings": FindingRow,
     "pictures": PictureRow,
     "schedule": ScheduleRow,

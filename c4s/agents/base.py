@@ -7,14 +7,16 @@ import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
-from c4s.agents.model import ModelAccess
 from c4s.errors import BadInput
 from c4s.records.plan import Configuration
 from c4s.records.suite import AgentCase
-from c4s.toolbox.client import GatewayClient
-from c4s.toolbox.gateway import Endpoint
+
+if TYPE_CHECKING:
+    from c4s.agents.model import ModelAccess
+    from c4s.toolbox.client import GatewayClient
+    from c4s.toolbox.gateway import Endpoint
 
 SUBMISSION_NAME = "submission"
 """Name under which the baselines save their scene."""
@@ -47,6 +49,8 @@ class AgentContext:
 
     def connect(self) -> GatewayClient:
         """A client of the run's tools (a context manager)."""
+        from c4s.toolbox.client import GatewayClient
+
         return GatewayClient(self.endpoint)
 
 
@@ -87,6 +91,15 @@ class ModelClient(Protocol):
         ...
 
 
+PROGRAMS = {
+    "codex": "c4s.agents.clients.codex:Codex",
+    "claude_code": "c4s.agents.clients.claude_code:ClaudeCode",
+    "gemini": "c4s.agents.clients.gemini:GeminiCLI",
+    "opencode": "c4s.agents.clients.opencode:OpenCode",
+    "hermes": "c4s.agents.clients.hermes:Hermes",
+    "antigravity": "c4s.agents.clients.antigravity:Antigravity",
+}
+"""The clients that are programs of their own and must be installed, each an ``ExternalClient``."""
 CLIENTS = {
     "noop": "c4s.agents.baselines.noop:NoOp",
     "random": "c4s.agents.baselines.random:RandomAgent",
@@ -95,12 +108,7 @@ CLIENTS = {
     "planner": "c4s.agents.baselines.planner:Planner",
     "replay": "c4s.agents.replay:Replay",
     "api": "c4s.agents.api.agent:ApiAgent",
-    "codex": "c4s.agents.clients.codex:Codex",
-    "claude_code": "c4s.agents.clients.claude_code:ClaudeCode",
-    "gemini": "c4s.agents.clients.gemini:GeminiCLI",
-    "opencode": "c4s.agents.clients.opencode:OpenCode",
-    "hermes": "c4s.agents.clients.hermes:Hermes",
-    "antigravity": "c4s.agents.clients.antigravity:Antigravity",
+    **PROGRAMS,
     "command": "c4s.agents.clients.command:CommandClient",
 }
 """Client name to ``module:class``; the class is made without arguments."""

@@ -6,7 +6,6 @@ from typing import Any
 
 from c4s.cli.output import console, print_table
 from c4s.home import warehouse_root
-from warehouse.database import rows
 
 COLUMNS = {
     "rank": "rank",
@@ -23,6 +22,8 @@ COLUMNS = {
 
 def leaderboard(suite: str) -> list[dict[str, Any]]:
     """The leaderboard's rows of one suite."""
+    from warehouse.database import rows
+
     return [
         {**row, "trials": f"{row['resolved']}/{row['planned']}"}
         for row in rows(warehouse_root(), "SELECT * FROM leaderboard")

@@ -107,7 +107,7 @@ def _manifest(pack_id: str) -> Path:
 @app.command()
 def build(
     folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ and DAE files")],
-    out: Annotated[str, typer.Option(help="id of the pack to write")],
+    pack_id: Annotated[str, typer.Option("--id", help="id of the pack to write")],
     scale: Annotated[float, typer.Option(help="metres per unit of the files")] = 1.0,
     title: Annotated[str | None, typer.Option(help="title of the pack; the folder's name when left out")] = None,
     up: Annotated[Literal["y", "z"], typer.Option(help="axis that points up in OBJ files")] = "y",
@@ -134,7 +134,7 @@ def build(
 
         report = ingest(
             folder,
-            out,
+            pack_id,
             packs_root(),
             scale=scale,
             title=title,

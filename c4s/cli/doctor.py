@@ -10,12 +10,9 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Annotated
 
-import httpx
 import typer
 
-from c4s.agents.base import CLIENTS, agent_of
-from c4s.agents.clients.client import ExternalClient
-from c4s.agents.clients.command import CommandClient
+from c4s.agents.base import PROGRAMS, agent_of
 from c4s.cli.output import print_json, print_table
 from c4s.engine.confine.sandbox import faults
 from c4s.errors import BadInput
@@ -69,10 +66,12 @@ def _findings() -> Iterator[Finding]:
 
 def _clients() -> Iterator[Finding]:
     """The agent clients that are programs of their own: the version that is installed, or how to install it."""
+    from c4s.agents.clients.client import ExternalClient
+
     unusable = faults()["bubblewrap"]
-    for name in CLIENTS:
+    for name in PROGRAMS:
         agent = agent_of(Configuration(name=name, client=name))
-        if not isinstance(agent, ExternalClient) or type(agent) is CommandClient:
+        if not isinstance(agent, ExternalClient):
             continue
         try:
             program = agent.program({})
@@ -93,6 +92,8 @@ def _prefect() -> Finding:
     url = os.environ.get("PREFECT_API_URL")
     if not url:
         return Finding("Prefect server", False, False, "PREFECT_API_URL is not set: flows run in one process")
+    import httpx
+
     try:
         answer = httpx.get(f"{url.rstrip('/')}/health", timeout=API_TIMEOUT_S)
     except (httpx.HTTPError, httpx.InvalidURL) as error:

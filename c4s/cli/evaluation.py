@@ -15,9 +15,6 @@ from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.suite import SuiteFolder
 from c4s.run.configurations import BASELINES, configuration
 from c4s.run.plan import make_plan, open_run, trial_id, trials
-from c4s.run.stages import inputs
-from warehouse.ingest import is_stored
-from warehouse.parquet import part_path
 
 QUIET = {
     "DO_NOT_TRACK": "1",
@@ -60,6 +57,8 @@ def evaluate_here(
     suite: str, agents: Sequence[str], *, run_id: str | None, cases: Sequence[str], repeats: int, slots: int | None
 ) -> Evaluation:
     """Evaluate in this process. Raises ``BadInput`` before anything is started where the request cannot be met."""
+    from c4s.run.stages import inputs
+
     started = time.perf_counter()
     folder, run = suites_root() / suite, runs_root() / (run_id or suite)
     if not (folder / "suite.json").is_file():
@@ -69,6 +68,9 @@ def evaluate_here(
             where=str(suites_root()),
             todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`",
         )
+    from warehouse.ingest import is_stored
+    from warehouse.parquet import part_path
+
     names = list(agents or BASELINES)
     plan = make_plan(
         SuiteFolder(folder),

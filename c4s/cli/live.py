@@ -10,7 +10,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from PIL import Image
 from rich.console import Console
 from rich.text import Text
 
@@ -92,6 +91,8 @@ def thumbnail(console: Console, path: Path) -> Text:
     """A picture in half blocks where the terminal has colours, else where its file lies."""
     if not console.is_terminal or console.color_system not in ("256", "truecolor"):
         return Text(f"      picture {path}", "dim")
+    from PIL import Image
+
     with Image.open(io.BytesIO(path.read_bytes())) as opened:
         width = min(THUMBNAIL_COLUMNS, console.width - 8)
         height = max(2, round(opened.height * width / opened.width) // 2 * 2)

@@ -9,9 +9,6 @@ import typer
 from c4s.cli.output import print_json
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.records.plan import Plan
-from reports.site import build_site
-from warehouse.database import rebuild
-from warehouse.ingest import rebuild_from_run
 
 
 def report(
@@ -21,6 +18,10 @@ def report(
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Rebuild the warehouse's views and render the pages from them."""
+    from reports.site import build_site
+    from warehouse.database import rebuild
+    from warehouse.ingest import rebuild_from_run
+
     if from_runs:
         for plan in sorted(runs_root().glob("*/plan.json")):
             rebuild_from_run(plan.parent, suites_root() / Plan.read(plan).suite_id, warehouse_root())

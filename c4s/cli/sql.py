@@ -10,8 +10,6 @@ import typer
 from c4s.cli.output import print_json, print_table
 from c4s.errors import BadInput
 from c4s.home import warehouse_root
-from warehouse.database import ask, questions
-from warehouse.frames import export
 
 
 def sql(
@@ -20,14 +18,14 @@ def sql(
     json_output: Annotated[bool, typer.Option("--json", help="rows as a JSON array")] = False,
 ) -> None:
     """Ask the warehouse in SQL. Without a query, list the named questions."""
+    from warehouse.database import ask, questions
+    from warehouse.records import TABLES
+
     if query is None:
         if json_output:
             print_json(questions())
         else:
-            print(
-                "Questions: " + ", ".join(questions()) + "\nTables: schedule, outcomes, attempts, verdicts, "
-                "findings, pictures\nTry: c4s sql leaderboard"
-            )
+            print(f"Questions: {', '.join(questions())}\nTables: {', '.join(TABLES)}\nTry: c4s sql leaderboard")
         return
     if query in questions():
         text = f"SELECT * FROM {query}"
@@ -38,6 +36,8 @@ def sql(
     else:
         text = query
     if out is not None:
+        from warehouse.frames import export
+
         count = export(warehouse_root(), text, out)
         print_json({"file": str(out), "rows": count}) if json_output else print(f"{count} rows: {out}")
         return

@@ -10,7 +10,7 @@ import typer
 from c4s.cli.output import grouped, print_json, print_table
 from c4s.cli.progress import bars, step_line
 from c4s.errors import BadInput
-from c4s.home import packs_root, suites_root
+from c4s.home import checked_id, packs_root, suites_root
 from c4s.records.suite import Suite, SuiteFolder
 
 app = typer.Typer(help="Suites: build, list, show, import.", no_args_is_help=True)
@@ -74,19 +74,19 @@ def show(
 @importing.command()
 def code4scene(
     folder: Annotated[Path, typer.Argument(help="folder with the published task layout")],
-    out: Annotated[str | None, typer.Option(help="id of the suite to write")] = None,
+    suite_id: Annotated[str | None, typer.Option("--id", help="id of the suite to write")] = None,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes."""
     from cases.code4scene.importer import import_code4scene
 
+    name = checked_id(suite_id or "code4scene", "suite")
     with bars() as progress:
         task = progress.add_task("importing", total=None)
 
         def step(message: str) -> None:
             progress.update(task, description=f"importing {message:41.41}")
 
-        name = out or "code4scene"
         report = import_code4scene(folder, suites_root() / name, packs_root(), step)
     if json_output:
         print_json(report)
@@ -101,7 +101,7 @@ def code4scene(
 @app.command("import-scene")
 def import_scene_file(
     file: Annotated[Path, typer.Argument(help="SDF world, glTF/GLB/DAE node tree, or placement table (CSV)")],
-    out: Annotated[str, typer.Option(help="id of the pack and of the folder under the suites")],
+    scene_id: Annotated[str, typer.Option("--id", help="id of the scene: its pack and its folder under the suites")],
     scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
     without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
     replace: Annotated[
@@ -121,7 +121,7 @@ def import_scene_file(
 
         report = import_scene(
             file,
-            out,
+            scene_id,
             suites=suites_root(),
             packs=packs_root(),
             scale=scale,
@@ -142,7 +142,7 @@ def import_scene_file(
     if any("mesh" in row["reason"] and row["reason"].endswith("is missing") for row in report["skipped"]):
         print(
             "a missing mesh can be read from a part of another file: see --replace; "
-            f"every name is in {suites_root() / out / 'import.json'}"
+            f"every name is in {suites_root() / scene_id / 'import.json'}"
         )
     for text, names in grouped(report["notes"], "note", "name").items():
         print(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
@@ -152,8 +152,10 @@ def import_scene_file(
 
 @app.command("make-cases")
 def make_cases(
-    scene: Annotated[str, typer.Argument(help="name of an imported scene")],
-    out: Annotated[str | None, typer.Option(help="id of the suite; else the scene's with `-cases`")] = None,
+    scene: Annotated[str, typer.Argument(help="id of an imported scene")],
+    suite_id: Annotated[
+        str | None, typer.Option("--id", help="id of the suite to write; else the scene's with `-cases`")
+    ] = None,
     count: Annotated[int, typer.Option(min=1, max=200, help="number of cases")] = 3,
     changes: Annotated[int, typer.Option(min=1, max=8, help="most changes of a case")] = 3,
     seed: Annotated[int, typer.Option(help="another seed, other cases")] = 0,
@@ -168,6 +170,8 @@ def make_cases(
     from cases.importers.scene import LEVEL_FILE
     from cases.suite import build_suite
 
+    if suite_id is not None and checked_id(suite_id, "suite") == scene:
+        raise BadInput("the suite cannot have the scene's own id", where=f"--id {scene}")
     document = suites_root() / scene / LEVEL_FILE
     if not document.is_file():
         raise BadInput(f"no imported scene {scene!r}", where=str(suites_root()), todo="see `c4s suite import-scene`")
@@ -191,9 +195,7 @@ def make_cases(
             seed=seed,
             environment="outdoor" if outdoor else "indoor",
         )
-        definition = replace(definition, suite_id=out or definition.suite_id)
-        if definition.suite_id == scene:
-            raise BadInput("the suite cannot have the scene's own name", where=f"--out {scene}")
+        definition = replace(definition, suite_id=suite_id or definition.suite_id)
         suite = build_suite(definition, suites_root() / definition.suite_id, packs_root(), step)
     _tell(suite, suites_root() / suite.suite_id, json_output)
 

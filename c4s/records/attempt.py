@@ -25,4 +25,6 @@ class AttemptOutcome(Record):
     output_tokens: int | None = None
     cost_usd: float | None = None
     client_version: str = ""
+    engine_version: str = ""
+    """As the engine of the attempt told; empty in records that are older than the field."""
     message: str = ""

@@ -30,6 +30,22 @@ class PlannedCase(Record):
     withheld_digest: str
 
 
+class Host(Record):
+    """The machine that a plan was made on. It is for the record: no identity, and any other machine may go on."""
+
+    engine_version: str
+    """Version of the engine's API."""
+    commit: str | None
+    """Commit of the c4s checkout, with ``-dirty`` where files were changed; null for an installed c4s."""
+    system: str
+    processor: str
+    cores: int
+    """How many the process may use."""
+    gpus: list[str]
+    sandbox: str | None
+    """What confines engines here: ``bubblewrap``, ``landlock``, ``none`` by choice; null where there is nothing."""
+
+
 class Plan(Record):
     """What a run will do, frozen before it starts. Nothing volatile (path, port, time) is part of it."""
 
@@ -46,3 +62,5 @@ class Plan(Record):
     engine: str
     """``headless`` or ``unreal``."""
     versions: dict[str, str]
+    """Of c4s and of the libraries that can change a result; for the record, like ``host``."""
+    host: Host | None = None

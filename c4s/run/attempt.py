@@ -112,6 +112,7 @@ def run_attempt(
         )
         stopping.run = run
         report, error = _work(agent, context, run)
+        engine_version = engine.version
         gateway.close_run(run)
     if model is not None and model.run.limit_message:
         raise SpendingLimitReached(
@@ -121,7 +122,7 @@ def run_attempt(
         )
     for record in report.usage:
         append_json_line(folder / "usage.jsonl", record)
-    outcome = _outcome(run, report, error, content, attempt)
+    outcome = _outcome(run, report, error, content, attempt, engine_version)
     outcome.write(folder / "outcome.json")
     return outcome
 
@@ -193,7 +194,9 @@ def _work(agent: Agent, context: AgentContext, run: Run) -> tuple[AgentReport, B
     return (reports[0] if reports else AgentReport()), (errors[0] if errors else None)
 
 
-def _outcome(run: Run, report: AgentReport, error: BaseException | None, content: Path, attempt: int) -> AttemptOutcome:
+def _outcome(
+    run: Run, report: AgentReport, error: BaseException | None, content: Path, attempt: int, engine_version: str
+) -> AttemptOutcome:
     """The attempt's outcome. Raises what was the machinery's fault."""
     ended_by: EndedBy = "finished"
     message = report.message
@@ -232,6 +235,7 @@ def _outcome(run: Run, report: AgentReport, error: BaseException | None, content
         output_tokens=used["output_tokens"],
         cost_usd=used["cost_usd"],
         client_version=report.client_version,
+        engine_version=engine_version,
         message=" ".join(message.split())[:2000],
     )
 

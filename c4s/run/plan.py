@@ -75,6 +75,8 @@ def make_plan(
     cases: Sequence[str] = (),
 ) -> Plan:
     """A plan over the suite's cases (all, or those named). Raises ``BadInput`` for an unknown case."""
+    from c4s.run.host import this_host
+
     record = suite.suite()
     known = {case.case_id for case in record.cases}
     for case_id in cases:
@@ -102,20 +104,21 @@ def make_plan(
         judge=judge,
         engine=engine,
         versions=versions(),
+        host=this_host(),
     )
 
 
 def open_run(root: Path, plan: Plan) -> Plan:
     """Freeze the plan in the run folder, or check that the frozen one asks for the same.
 
-    Library versions may differ from the frozen ones; everything else must agree, else ``BadInput``.
+    Library versions and the host may differ from the frozen ones; everything else must agree, else ``BadInput``.
     """
     path = RunFolder(root).plan
     if not path.is_file():
         plan.write(path)
         return plan
     frozen = Plan.read(path)
-    if frozen.model_copy(update={"versions": plan.versions}) != plan:
+    if frozen.model_copy(update={"versions": plan.versions, "host": plan.host}) != plan:
         raise BadInput(
             "this run was started with another plan (suite, agents, policy, judge or engine)",
             where=str(path),

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Final
 
 from c4s.protocol.numbers import required_unit_number, unit_number
 from c4s.protocol.rules import CASE_POLICY, I2S_DIGITS, I2S_POLICY, I2S_WEIGHTS, T2S_DIGITS, T2S_POLICY, T2S_WEIGHTS
 from c4s.protocol.settings import Setting, is_construction
 from c4s.records.score import CaseStatus, TrialScore
 from c4s.records.verdict import Verdict
-from c4s.verify.registry import GATE, components_of, verifiers_of
+from c4s.verify.registry import GATE, headlines_of, verifiers_of
+
+SEMANTIC: Final = "semantic"
+"""Name of the semantic score among a trial's components."""
 
 
 def t2s_case(
@@ -55,6 +58,15 @@ def i2s_case(
     }
     score = round(math.fsum(weight * used[name] for name, weight in weights.items()), I2S_DIGITS)
     return {"policy": I2S_POLICY, "status": "measured", "score": score, **used}
+
+
+def semantic_score(*, detailed: float, overview: float, weights: Mapping[str, float] = T2S_WEIGHTS) -> float:
+    """Detailed and Overview Alignment as one number (paper, "Semantic Verifier aggregation"); not rounded.
+
+    The case score is this at their common weight, and physics at its own.
+    """
+    alpha, beta = weights["detailed"], weights["overview"]
+    return (alpha * detailed + beta * overview) / (alpha + beta)
 
 
 def case_score(
@@ -117,7 +129,8 @@ def _pending(base: dict[str, Any], verifier: str, verdict: Verdict | None) -> Tr
 
 
 def _zero(base: dict[str, Any], status: CaseStatus, reason: str) -> TrialScore:
-    components = dict.fromkeys(components_of(base["setting"]), 0.0)
+    joint = [SEMANTIC] if is_construction(base["setting"]) else []
+    components = dict.fromkeys([*headlines_of(base["setting"]), *joint], 0.0)
     return TrialScore(**base, status=status, score=0.0, reason=reason, components=components)
 
 
@@ -127,7 +140,11 @@ def _measured(base: dict[str, Any], verdicts: Mapping[str, Verdict], weights: Ma
     missing = [row.name for row in rows if row.weighed_as and values[row.weighed_as] is None]
     used = {name: value or 0.0 for name, value in values.items()}
     made = (t2s_case if is_construction(base["setting"]) else i2s_case)(valid=True, weights=weights, **used)
-    components = {name: value for row in rows for name, value in row.components(verdicts[row.name]).items()}
+    components: dict[str, float | None] = {
+        name: value for row in rows for name, value in row.shown(verdicts[row.name]).items()
+    }
+    if is_construction(base["setting"]) and weights["detailed"] + weights["overview"] > 0:
+        components[SEMANTIC] = semantic_score(detailed=used["detailed"], overview=used["overview"], weights=weights)
     return TrialScore(
         **base,
         status="measured_with_missing_zero" if missing else "measured",

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from c4s.toolbox.pictures import within_limit
-from c4s.toolbox.tool import Arguments, Tool, ToolRefused, ToolResult, names, page, paged, text
+from c4s.toolbox.refusal import ToolRefused
+from c4s.toolbox.tool import Arguments, Tool, ToolResult, names, page, paged, text
 from c4s.toolbox.workbench import Workbench
 
 GROUP = "Asset discovery"

@@ -17,7 +17,7 @@ import numpy as np
 
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import AgentCase
-from c4s.toolbox.tool import ToolRefused
+from c4s.toolbox.refusal import ToolRefused
 
 if TYPE_CHECKING:
     from c4s.toolbox.search import Index

@@ -15,7 +15,8 @@ from c4s.collision import scene_contacts
 from c4s.geometry.transform import Array
 from c4s.protocol.rules import GAP_CM
 from c4s.toolbox.pictures import read_picture, within_limit
-from c4s.toolbox.tool import Arguments, Tool, ToolRefused, ToolResult, names, number, text
+from c4s.toolbox.refusal import ToolRefused
+from c4s.toolbox.tool import Arguments, Tool, ToolResult, names, number, text
 from c4s.toolbox.workbench import Workbench
 from c4s.verify.physics.support import excluded_by_name
 

@@ -8,11 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from c4s.collision import SceneBodies, scene_bodies
+from c4s.collision import SceneBodies, gaps_below, scene_bodies
 from c4s.geometry.transform import Array
 from c4s.protocol.settings import Setting, is_construction
 from c4s.records.verdict import Verdict
-from c4s.toolbox.gaps import gaps_below
 from c4s.verify.actors.roles import bounds_of, roles
 from c4s.verify.physics.support import text_to_scene_support
 from c4s.verify.physics.verdict import verify_physics

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from c4s.toolbox.tool import ToolRefused
+from c4s.toolbox.refusal import ToolRefused
 
 MOST_IMAGE_BYTES = 2_000_000
 """Some clients recompress larger pictures."""

@@ -5,20 +5,9 @@ from __future__ import annotations
 from types import ModuleType
 from typing import Any
 
+from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.scene_tools import spawn_path
-from c4s.toolbox.tool import (
-    LOCATION,
-    ROTATION,
-    SCALE,
-    Arguments,
-    Schema,
-    Tool,
-    ToolRefused,
-    ToolResult,
-    label,
-    number,
-    text,
-)
+from c4s.toolbox.tool import LOCATION, ROTATION, SCALE, Arguments, Schema, Tool, ToolResult, label, number, text
 from c4s.toolbox.workbench import Workbench
 
 GROUP = "Planning"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from c4s.toolbox.tool import Arguments, Tool, ToolRefused, ToolResult, number, text
+from c4s.toolbox.refusal import ToolRefused
+from c4s.toolbox.tool import Arguments, Tool, ToolResult, number, text
 from c4s.toolbox.workbench import JOB_LIMIT_S, Job, Workbench
 
 GROUP = "Programmatic control"

@@ -28,8 +28,8 @@ from c4s.files import digest_bytes
 from c4s.records.suite import Budget
 from c4s.toolbox.arguments import plain, schema_problem
 from c4s.toolbox.record import Record, short, whole
+from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.registry import TOOLS, tool_set
-from c4s.toolbox.tool import ToolRefused
 from c4s.toolbox.workbench import Workbench
 
 EndReason = Literal["finished", "wall_budget", "killed", "fault"]

@@ -4,20 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.toolbox.tool import (
-    ACTOR,
-    LOCATION,
-    ROTATION,
-    SCALE,
-    Arguments,
-    Tool,
-    ToolRefused,
-    ToolResult,
-    label,
-    page,
-    paged,
-    text,
-)
+from c4s.toolbox.refusal import ToolRefused
+from c4s.toolbox.tool import ACTOR, LOCATION, ROTATION, SCALE, Arguments, Tool, ToolResult, label, page, paged, text
 from c4s.toolbox.workbench import Workbench
 
 EDITING, INSPECTION = "Scene editing", "State inspection"

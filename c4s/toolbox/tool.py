@@ -6,19 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from c4s.errors import C4SError
-
 if TYPE_CHECKING:
     from c4s.toolbox.workbench import Workbench
 
 Schema = dict[str, Any]
 Arguments = Mapping[str, Any]
-
-
-class ToolRefused(C4SError):
-    """A tool cannot do what was asked. The message goes to the agent; the call counts."""
-
-    exit_code = 1
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from c4s.engine.headless.host.session import EngineCallError
 from c4s.records.suite import AgentCase
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.measured import MeasuredScene
-from c4s.toolbox.tool import ToolRefused
+from c4s.toolbox.refusal import ToolRefused
 
 ENGINE_TIMEOUT_S = 60.0
 BUSY_WAIT_S = 30.0

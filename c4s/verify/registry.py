@@ -44,9 +44,9 @@ def is_judged(setting: Setting) -> bool:
     return any("judgements" in verifier.needs for verifier in verifiers_of(setting))
 
 
-def components_of(setting: Setting) -> list[str]:
-    """Names of the numbers in a score of this setting."""
-    return [name for verifier in verifiers_of(setting) for name in verifier.component_names]
+def headlines_of(setting: Setting) -> list[str]:
+    """Names of the numbers that a trial's score of this setting shows."""
+    return [name for verifier in verifiers_of(setting) for name in verifier.headlines]
 
 
 def make_verdict(name: str, evidence: Evidence) -> Verdict:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from c4s.protocol.numbers import unit_number
 from c4s.protocol.settings import Setting
 from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.policy import ScorePolicy
 from c4s.records.verdict import Verdict
 
-Components = dict[str, float | None]
+Components = dict[str, float]
+"""Numbers by name; parts of a number have dotted names. What was not measured is left out."""
 
 
 @dataclass(frozen=True)
@@ -28,9 +30,19 @@ def no_findings(verdict: Verdict) -> list[Finding]:
     return []
 
 
-def score_as(name: str) -> Callable[[Verdict], Components]:
-    """The verdict's score as its one component, worth zero where there is none."""
-    return lambda verdict: {name: verdict.score if verdict.status == "measured" else 0.0}
+def no_components(verdict: Verdict) -> Components:
+    """For a verifier whose score is its only number."""
+    return {}
+
+
+def shares(source: Mapping[str, Any], names: Iterable[str]) -> Components:
+    """Those of the named values that are numbers in [0, 1]."""
+    return {name: value for name in names if (value := unit_number(source.get(name))) is not None}
+
+
+def dotted(prefix: str, made: Components) -> Components:
+    """The same numbers as parts of ``prefix``."""
+    return {f"{prefix}.{name}": value for name, value in made.items()}
 
 
 @dataclass(frozen=True)
@@ -48,10 +60,20 @@ class Verifier:
     """Whether its verdict decides that the others are made at all."""
     weighed_as: str = ""
     """Name of its score among a policy's weights; empty for one that is reported and not weighed."""
-    component_names: tuple[str, ...] = ()
-    """The numbers that it adds to a trial's score; all zero for an invalid scene."""
-    components: Callable[[Verdict], Components] = lambda verdict: {}
-    """These numbers of a verdict, whatever its status is."""
+    parts: Callable[[Verdict], Components] = no_components
+    """The numbers that its score is made of."""
+    headlines: Mapping[str, str] = field(default_factory=dict)
+    """What a trial's score and the leaderboard show of it: the name there, and which component it is."""
     score_under: Callable[[Verdict, ScorePolicy, Setting], tuple[float | None, dict[str, Any]]] | None = None
     """Its score under another policy from the verdict's own measurements, and which of them change."""
     findings: Callable[[Verdict], Iterable[Finding]] = field(default=no_findings)
+
+    def components(self, verdict: Verdict) -> Components:
+        """All its numbers, its score among them as ``score``."""
+        return shares({"score": verdict.score}, ["score"]) | self.parts(verdict)
+
+    def shown(self, verdict: Verdict) -> dict[str, float | None]:
+        """Its headlines: zero where nothing was measured, null where this one number is not known."""
+        made = self.components(verdict)
+        measured = verdict.status == "measured"
+        return {name: made.get(part) if measured else 0.0 for name, part in self.headlines.items()}

@@ -49,7 +49,7 @@ def import_scene(
     if not np.isfinite(scale) or not 1e-6 <= scale <= 1e6:
         raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
     if (suites / suite_id / "suite.json").exists():
-        raise BadInput("a suite of this name exists", where=suite_id, todo="choose another --out")
+        raise BadInput("a suite of this name exists", where=suite_id, todo="choose another --id")
     if replace and kind not in SDF:
         raise BadInput("only meshes of an SDF world can be replaced", where=f"--replace {replace[0]}")
     folder, scene = source.parent, ImportedScene()

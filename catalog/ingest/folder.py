@@ -111,7 +111,7 @@ def ingest(
     if not np.isfinite(scale) or not 1e-6 <= scale <= 1e6:
         raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
     if pack_id in STARTER:
-        raise BadInput("a shipped pack has this id", where=pack_id, todo="choose another --out")
+        raise BadInput("a shipped pack has this id", where=pack_id, todo="choose another --id")
     found, choice = listing(folder), HullChoice.parse(hulls, hulls_of)
     wanted = digest([sources_digest(), inputs_digest(folder), scale, title, up, choice.plain(), folder.name])
     stamp = root / pack_id / STAMP

@@ -12,8 +12,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, write_bytes
+from c4s.home import checked_id
 from c4s.packs.meshes import Mesh
 from c4s.records.pack import Asset, CollisionBody, Material, MaterialSlot, Pack
 from catalog.build import glb
@@ -22,14 +22,12 @@ from catalog.preview import write_previews
 
 MAX_NAME = 100
 NAMES_TOLD = 8
-PACK_ID = re.compile(r"[a-z0-9][a-z0-9._-]{0,62}")
 
 
 def content_folder(pack_id: str) -> str:
     """The folder under ``/Game`` of a pack: ``kaykit-furniture`` as ``KaykitFurniture``; ``BadInput`` for a bad id."""
-    if not PACK_ID.fullmatch(pack_id):
-        raise BadInput("a pack id is lower-case letters, digits and . _ -, a letter or digit first", where=pack_id)
-    return "".join(word[:1].upper() + word[1:] for word in re.split(r"[^a-z0-9]+", pack_id) if word)
+    words = re.split(r"[^a-z0-9]+", checked_id(pack_id, "pack"))
+    return "".join(word[:1].upper() + word[1:] for word in words if word)
 
 
 def identifier(text: str) -> str:

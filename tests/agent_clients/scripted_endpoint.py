@@ -76,7 +76,7 @@ class ScriptedEndpoint:
         )
         self._thread = threading.Thread(target=self._serve, args=(listener,), daemon=True)
         self._thread.start()
-        assert self._ready.wait(20)
+        self._ready.wait()
         return self
 
     def __exit__(

@@ -28,7 +28,7 @@ SMALL = ClientLimits(
     open_files=200,
     temporary=16 << 20,
 )
-WAIT = "\nimport time\ntime.sleep(60)"
+WAIT = "\nimport time\ntime.sleep(3600)"
 
 
 def run(tmp_path: Path, script: str, limits: ClientLimits = SMALL) -> tuple[int, str]:
@@ -68,12 +68,12 @@ ATTACKS = {
         "processes and threads",
     ),
     "threads that start processes": (
-        "import subprocess, threading\ndef go():\n while True: subprocess.Popen(['sleep', '60'])\n"
+        "import subprocess, threading\ndef go():\n while True: subprocess.Popen(['sleep', '3600'])\n"
         "for _ in range(8): threading.Thread(target=go).start()" + WAIT,
         "processes and threads",
     ),
     "processes that compute": (
-        "import os\nos.fork(); os.fork()\nend = __import__('time').time() + 60\n"
+        "import os\nos.fork(); os.fork()\nend = __import__('time').time() + 3600\n"
         "while __import__('time').time() < end: pass",
         "CPU time",
     ),
@@ -86,13 +86,11 @@ ATTACKS = {
 def test_a_client_that_passes_a_limit_is_ended_with_all_it_started(tmp_path: Path, attack: str) -> None:
     script, reason = ATTACKS[attack]
     mark = f"mark-{time.monotonic_ns()}"
-    began = time.monotonic()
     memory = SMALL.memory if "memory" in reason else 4 << 30  # what forks share counts for each
     with pytest.raises(AgentFault, match=f"the client was ended: .*{reason}"):
         run(tmp_path, f"'{mark}'\n{script}", replace(SMALL, memory=memory))
-    while marked(mark) and time.monotonic() - began < 30:
+    while marked(mark):
         os.sched_yield()
-    assert not marked(mark)
 
 
 @pytest.mark.parametrize(

@@ -127,7 +127,7 @@ class Kills:
 class Sleeps:
     def run(self, context: AgentContext) -> AgentReport:
         with context.connect() as tools:
-            tools.call("execute_python_script", script="import time\ntime.sleep(600)", execution_mode="sync")
+            tools.call("execute_python_script", script="import time\ntime.sleep(3600)", execution_mode="sync")
         return AgentReport()
 
 

@@ -215,7 +215,7 @@ def test_the_city_builder_sample_comes_in_by_the_command(
     with pytest.raises(SystemExit) as stop:
         boundary(
             lambda: app(
-                ["suite", "import-scene", str(table), "--out", "city", "--scale", "8", "--json"], standalone_mode=False
+                ["suite", "import-scene", str(table), "--id", "city", "--scale", "8", "--json"], standalone_mode=False
             )
         )
     assert stop.value.code in (0, None)

@@ -43,6 +43,10 @@ TASK = (
         (("frobnicate",), "No such command"),
         (("suite", "build", "nosuch"), "unknown shipped suite"),
         (("suite", "import", "code4scene", "/nowhere"), "no such folder"),
+        (("suite", "import", "code4scene", "/nowhere", "--id", "../other"), "a suite id is"),
+        (("suite", "make-cases", "yard", "--id", "yard"), "the scene's own id"),
+        (("suite", "make-cases", "yard", "--id", "yard/2"), "a suite id is"),
+        (("catalog", "build", ".", "--id", "/tmp/pack"), "a pack id is"),
         (("verify", "repair"), "--input is missing"),
         (("verify", "physics", "--snapshot", "/nowhere.json"), "no such snapshot"),
         (("score", "--batch", "/nowhere.jsonl"), "no such file"),
@@ -86,7 +90,7 @@ def test_truncated_and_wrong_snapshots(tmp_path: Path) -> None:
 
 def test_an_unknown_agent_and_a_missing_pack_stop_before_anything_runs(tmp_path: Path) -> None:
     folder = _task(tmp_path / "tasks/yard", TASK)
-    assert _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--out", "yard").returncode == 0
+    assert _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--id", "yard").returncode == 0
     unknown = _c4s(tmp_path, "run", "yard", "-a", "nobody")
     assert unknown.returncode == 2 and "unknown agent 'nobody'" in unknown.stderr
     (tmp_path / "packs/proxy-yard/pack.json").unlink()
@@ -96,7 +100,7 @@ def test_an_unknown_agent_and_a_missing_pack_stop_before_anything_runs(tmp_path:
 
 def test_json_reports(tmp_path: Path) -> None:
     folder = _task(tmp_path / "tasks/yard", TASK)
-    done = _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--out", "yard", "--json")
+    done = _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--id", "yard", "--json")
     report = json.loads(done.stdout)
     assert report["runnable"] == 1 and report["cases"][0]["assets"] == 1
     pack = json.loads(_c4s(tmp_path, "catalog", "show", "proxy-yard", "--json").stdout)

@@ -46,7 +46,7 @@ def wait_for(run: MeterRun) -> RequestRecord:
 
     run.record = record  # type: ignore[method-assign]
     if not run.records:
-        assert done.wait(20)
+        done.wait()
     return run.records[0]
 
 
@@ -192,7 +192,7 @@ def test_a_client_that_leaves_ends_the_upstream_request(meter: Meter, open_run: 
             "POST", meter.url + MESSAGES, json={"model": "model-1", "stream": True}, headers={"x-api-key": run.token}
         ) as got:
             assert next(got.iter_bytes()) == START
-        assert upstream.hung_up.wait(20)
+        upstream.hung_up.wait()
         record = wait_for(run)
     assert (record.ending, record.input_tokens, record.cost_usd) == ("aborted", None, None)
 

@@ -18,7 +18,7 @@ from c4s.errors import BadInput
 from c4s.judge.registry import judge_named
 from c4s.records.judgement import ClaimJudgement
 from c4s.records.verdict import Verdict
-from c4s.verify.registry import VERIFIERS, components_of, verifier_named, verifiers_of
+from c4s.verify.registry import VERIFIERS, headlines_of, verifier_named, verifiers_of
 
 SCORES = st.one_of(st.none(), st.floats(), st.integers(-3, 3))
 NO_NUMBER = ("not_applicable", "not_evaluated", "error", "valid", "invalid")
@@ -68,11 +68,12 @@ def test_every_row_of_the_table_adds_the_numbers_that_it_names() -> None:
     for verifier in VERIFIERS.values():
         for setting in verifier.settings:
             assert verifier.gate or verifier in verifiers_of(setting)
-            assert set(verifier.component_names) <= {*components_of(setting)}
+            assert set(verifier.headlines) <= {*headlines_of(setting)}
         for status in ("measured", "not_evaluated"):
             score = 0.5 if status == "measured" else None
             made = Verdict(verifier=verifier.name, status=status, score=score, policy="p")  # type: ignore[arg-type]
-            assert tuple(verifier.components(made)) == verifier.component_names
+            assert verifier.components(made).keys() >= ({"score"} if score else set())
+            assert verifier.shown(made).keys() == verifier.headlines.keys()
 
 
 def test_a_changed_word_list_or_rule_makes_another_judge_and_another_verdict(tmp_path: Path) -> None:

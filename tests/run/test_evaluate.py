@@ -74,6 +74,76 @@ def test_an_invalid_submission_is_retried_once_and_both_attempts_are_kept(ran: P
     assert (ran / "runs/small/vandal").is_dir()
 
 
+def test_every_trial_has_one_recorded_run_valid_or_not(ran: Path) -> None:
+    store = ran / "warehouse"
+    found = rows(store, "SELECT trial_id, configuration, attempt, recorded, valid FROM attempts ORDER BY attempt")
+    recorded = {row["trial_id"]: row for row in found if row["recorded"]}
+    assert len(recorded) == sum(row["recorded"] for row in found) == 15
+    for row in recorded.values():
+        own = [other for other in found if other["trial_id"] == row["trial_id"]]
+        assert row["attempt"] == next((other["attempt"] for other in own if other["valid"]), own[-1]["attempt"])
+    assert [row["attempt"] for row in recorded.values() if row["configuration"] == "vandal"] == [2, 2, 2]
+    usage = rows(store, "SELECT configuration, sum(runs) AS runs FROM tool_usage GROUP BY ALL")
+    assert {row["configuration"]: row["runs"] for row in usage} == dict.fromkeys(LADDER, 3)
+    called = {row["configuration"] for row in rows(store, "SELECT * FROM python_operations")}
+    assert "vandal" in called, "its scripts ran, though nothing that it saved was valid"
+    for row in rows(store, "SELECT * FROM outcomes"):
+        own = rows(store, f"SELECT * FROM attempts WHERE recorded AND trial_id = '{row['trial_id']}'")[0]
+        assert (row["tool_calls"], row["attempt_wall_s"]) == (own["tool_calls"], own["wall_s"])
+        assert (row["retained_attempt"] is None) == (not own["valid"])
+
+
+def test_each_attempt_tells_its_engine_and_time(ran: Path) -> None:
+    found = rows(ran / "warehouse", "SELECT * FROM attempts")
+    assert {row["engine_version"] for row in found} == {"5.6.0-c4s.headless"}
+    assert all(row["wall_s"] > 0 and row["client_version"] == f"{row['configuration']} 1" for row in found)
+
+
+def test_components_stand_beside_every_verdict(ran: Path) -> None:
+    store = ran / "warehouse"
+    found: dict[tuple[str, str], dict[str, float]] = {}
+    for row in rows(store, "SELECT * FROM components"):
+        found.setdefault((row["trial_id"], row["verifier"]), {})[row["name"]] = row["value"]
+    verdicts = rows(store, "SELECT * FROM verdicts")
+    assert {(row["trial_id"], row["verifier"]) for row in verdicts} <= set(found)
+    for row in verdicts:
+        assert found[row["trial_id"], row["verifier"]].get("score") == row["score"]
+    texts = rows(store, "SELECT * FROM outcomes WHERE setting = 'text-to-scene'")
+    for row in texts:
+        semantic = found[row["trial_id"], "semantic"]["score"]
+        assert round(0.8 * semantic + 0.2 * row["physics"], 4) == pytest.approx(row["score"], abs=1e-4)
+    repairs = rows(store, "SELECT * FROM outcomes WHERE setting <> 'text-to-scene' AND retained_attempt IS NOT NULL")
+    for row in repairs:
+        own = found[row["trial_id"], "repair"]
+        assert (own["f1"], own["precision"], own["recall"]) == (
+            row["repair_f1"],
+            row["repair_precision"],
+            row["repair_recall"],
+        )
+        assert own["profiles.strict.f1"] <= own["f1"] <= own["profiles.relaxed.f1"]
+        leaves = found[row["trial_id"], "physics"]
+        assert round(0.5 * leaves["floating"] + 0.5 * leaves["solid_penetration"], 4) == row["physics"]
+    asked = {row["configuration"]: row for row in rows(store, "SELECT * FROM semantic_scores")}
+    assert set(asked) == set(LADDER) and asked["noop"]["semantic"] == 0.0 == asked["noop"]["detailed"]
+    assert asked["oracle"]["content_quantity"] > asked["vandal"]["semantic"]
+    means = rows(store, "SELECT * FROM component_means WHERE configuration = 'oracle' AND name = 'f1'")
+    assert [(row["measured"], row["outcomes"], row["mean_value"]) for row in means] == [(2, 2, 1.0)]
+
+
+def test_another_machine_goes_on_with_a_run(ran: Path, c4s: Command) -> None:
+    path = ran / "runs/small/plan.json"
+    plan, kept = Plan.read(path), path.read_bytes()
+    assert plan.host is not None and plan.host.cores >= 1 and plan.host.engine_version == "5.6.0-c4s.headless"
+    elsewhere = plan.model_copy(update={"host": plan.host.model_copy(update={"processor": "another", "cores": 999})})
+    try:
+        elsewhere.write(path)
+        again = c4s("run", "small", "--json")
+        assert again.returncode == 0 and json.loads(again.stdout)["ran"] == 0, again.stderr
+        assert Plan.read(path) == elsewhere
+    finally:
+        path.write_bytes(kept)
+
+
 def test_every_number_is_traced_to_files(ran: Path) -> None:
     case = ran / "suites/small/withheld"
     folders = {"candidate_snapshot": "evidence/snapshot.json", "dependencies": "evidence/dependencies.json"}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import pyarrow.parquet as pq
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -101,6 +102,16 @@ def _store(
             key=key,
         )
     rebuild(root)
+
+
+def test_rows_of_another_version_are_named_and_nothing_is_replaced(tmp_path: Path) -> None:
+    _store(tmp_path, {("alpha", "text-to-scene", 0): 1.0})
+    before = (tmp_path / "c4s.duckdb").read_bytes()
+    (part,) = (tmp_path / "outcomes").rglob("*.parquet")
+    pq.write_table(pq.read_table(part, partitioning=None).drop_columns(["physics"]), part)
+    with pytest.raises(BadInput, match=r"'outcomes' have other columns.*--from-runs"):
+        rebuild(tmp_path)
+    assert (tmp_path / "c4s.duckdb").read_bytes() == before
 
 
 def _grid() -> list[tuple[str, str, int]]:

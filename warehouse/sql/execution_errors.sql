@@ -5,7 +5,7 @@ WITH bearing AS (
            count(*) OVER (PARTITION BY p.suite, p.configuration, s.setting) AS error_bearing
     FROM python_submissions AS p
     JOIN schedule AS s USING (trial_id)
-    WHERE p.retained AND p.errors <> ''
+    WHERE p.recorded AND p.errors <> ''
 )
 SELECT suite, configuration, setting, error, count(*) AS submissions, any_value(error_bearing) AS error_bearing,
        count(*) / any_value(error_bearing) AS share

@@ -1,4 +1,4 @@
--- How many tool calls does a recorded run make, status checks left out? Means over retained attempts, runs without a
+-- How many tool calls does a recorded run make, status checks left out? Means over recorded runs, runs without a
 -- call included, with the split into Python and other tools.
 SELECT
     a.suite, a.configuration, s.setting, count(*) AS runs,
@@ -10,6 +10,6 @@ SELECT
     sum(a.named_transform_calls) AS named_transform_calls
 FROM attempts AS a
 JOIN schedule AS s USING (trial_id)
-WHERE a.retained
+WHERE a.recorded
 GROUP BY ALL
 ORDER BY a.suite, s.setting, mean_calls DESC, a.configuration

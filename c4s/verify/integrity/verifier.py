@@ -6,6 +6,7 @@ from c4s.errors import MachineryFault
 from c4s.protocol.settings import SETTINGS
 from c4s.records.evidence import Evidence
 from c4s.records.verdict import Verdict
+from c4s.verify.integrity.components import integrity_components
 from c4s.verify.integrity.verdict import verify_integrity
 from c4s.verify.verifier import Verifier
 
@@ -25,4 +26,5 @@ INTEGRITY = Verifier(
     needs=frozenset({"candidate_snapshot", "dependencies"}),
     verify=_verify,
     gate=True,
+    parts=integrity_components,
 )

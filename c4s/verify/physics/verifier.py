@@ -9,9 +9,10 @@ from c4s.protocol.settings import SETTINGS, Setting, is_construction
 from c4s.records.evidence import Evidence
 from c4s.records.policy import ScorePolicy
 from c4s.records.verdict import Verdict
+from c4s.verify.physics.components import physics_components
 from c4s.verify.physics.findings import physics_findings
 from c4s.verify.physics.verdict import verify_physics
-from c4s.verify.verifier import Verifier, score_as
+from c4s.verify.verifier import Verifier
 
 
 def _verify(evidence: Evidence) -> Verdict:
@@ -32,8 +33,8 @@ PHYSICS = Verifier(
     needs=frozenset({"candidate_snapshot"}),
     verify=_verify,
     weighed_as="physics",
-    component_names=("physics",),
-    components=score_as("physics"),
+    parts=physics_components,
+    headlines={"physics": "score"},
     score_under=_score_under,
     findings=physics_findings,
 )

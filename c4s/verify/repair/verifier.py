@@ -8,7 +8,8 @@ from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, Setting
 from c4s.records.evidence import Evidence
 from c4s.records.policy import ScorePolicy
 from c4s.records.verdict import Verdict
-from c4s.verify.repair.findings import repair_components, repair_findings
+from c4s.verify.repair.components import repair_components
+from c4s.verify.repair.findings import repair_findings
 from c4s.verify.repair.verdict import verify_repair
 from c4s.verify.verifier import Verifier
 
@@ -31,8 +32,8 @@ REPAIR = Verifier(
     needs=frozenset({"candidate_snapshot", "input_snapshot", "truth_snapshot"}),
     verify=_verify,
     weighed_as="repair_f1",
-    component_names=("repair_precision", "repair_recall", "repair_f1"),
-    components=repair_components,
+    parts=repair_components,
+    headlines={"repair_precision": "precision", "repair_recall": "recall", "repair_f1": "score"},
     score_under=_score_under,
     findings=repair_findings,
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.protocol.detailed import detailed_score
-from c4s.protocol.numbers import unit_number
 from c4s.protocol.overview import overview_score
 from c4s.protocol.rules import SEMANTIC_CASE_POLICY
 from c4s.protocol.settings import TEXT_TO_SCENE, Setting
@@ -13,10 +12,11 @@ from c4s.records.evidence import Evidence
 from c4s.records.judgement import Judgements
 from c4s.records.policy import ScorePolicy
 from c4s.records.verdict import Verdict
+from c4s.verify.semantic.components import detailed_components, overview_components
 from c4s.verify.semantic.detailed import verify_detailed
 from c4s.verify.semantic.findings import detailed_findings
 from c4s.verify.semantic.overview import verify_overview
-from c4s.verify.verifier import Components, Verifier, score_as
+from c4s.verify.verifier import Verifier
 
 
 def _judgements(evidence: Evidence) -> Judgements:
@@ -50,10 +50,6 @@ def _overview_under(verdict: Verdict, policy: ScorePolicy, setting: Setting) -> 
     return overview_score(dimensions, structure, severe, policy.overview)["score"], {}
 
 
-def _detailed_components(verdict: Verdict) -> Components:
-    return score_as("detailed")(verdict) | {"known_coverage": unit_number(verdict.measurements.get("known_coverage"))}
-
-
 DETAILED = Verifier(
     name="detailed",
     title="Detailed",
@@ -61,8 +57,8 @@ DETAILED = Verifier(
     needs=frozenset({"judgements"}),
     verify=_verify_detailed,
     weighed_as="detailed",
-    component_names=("detailed", "known_coverage"),
-    components=_detailed_components,
+    parts=detailed_components,
+    headlines={"detailed": "score", "known_coverage": "known_coverage"},
     score_under=_detailed_under,
     findings=detailed_findings,
 )
@@ -73,7 +69,7 @@ OVERVIEW = Verifier(
     needs=frozenset({"judgements"}),
     verify=_verify_overview,
     weighed_as="overview",
-    component_names=("overview",),
-    components=score_as("overview"),
+    parts=overview_components,
+    headlines={"overview": "score"},
     score_under=_overview_under,
 )

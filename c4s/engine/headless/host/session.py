@@ -156,6 +156,11 @@ class EngineSession:
         return self._process.pid
 
     @property
+    def version(self) -> str:
+        """The engine's version, as it told before any script ran in it."""
+        return self._board.version
+
+    @property
     def alive(self) -> bool:
         """Whether the process runs."""
         return self._process.poll() is None

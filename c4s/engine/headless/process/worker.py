@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from c4s.engine.headless import channel
+from c4s.engine.headless.version import ENGINE_VERSION
 
 _TICK_S = 1 / 60
 _OWN_FILES = frozenset({__file__, str(Path(__file__).with_name("main.py"))})
@@ -51,7 +52,7 @@ class Worker:
         """Run jobs until the host says stop or is gone."""
         self._thread = threading.get_ident()
         threading.Thread(target=self._listen, name="host", daemon=True).start()
-        channel.send(self._connection, b'{"ready":true}')
+        channel.send(self._connection, json.dumps({"ready": True, "version": ENGINE_VERSION}).encode())
         self._point_output(self._own_output)
         while True:
             try:

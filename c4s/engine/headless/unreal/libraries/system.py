@@ -16,9 +16,8 @@ from c4s.engine.headless.unreal.traces.capsules import CapsuleTraces
 from c4s.engine.headless.unreal.traces.lines import LineTraces
 from c4s.engine.headless.unreal.traces.overlaps import Overlaps
 from c4s.engine.headless.unreal.traces.spheres import SphereTraces
+from c4s.engine.headless.version import ENGINE_VERSION
 from c4s.engine.headless.world.state import world
-
-ENGINE_VERSION = "5.6.0-c4s.headless"
 
 
 @public

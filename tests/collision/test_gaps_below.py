@@ -8,8 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from c4s.collision import scene_bodies
-from c4s.toolbox.gaps import gaps_below
+from c4s.collision import gaps_below, scene_bodies
 
 AT = st.floats(-300, 300)
 
