@@ -19,6 +19,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field
 
+from c4s.editor.identity import tag_values, told
 from c4s.errors import BadInput
 from c4s.geometry.transform import normalize_axis
 from c4s.records.base import Record
@@ -127,7 +128,7 @@ def with_identities(level: Level, scene_id: str) -> Level:
 
 def id_of(actor: LevelActor) -> str | None:
     """The stable id that an actor's tags carry."""
-    return next((tag[len(STABLE_ID_TAG) :] for tag in actor.tags if tag.startswith(STABLE_ID_TAG)), None)
+    return told(tag_values(actor.tags), "stable_actor_id")
 
 
 def _index(actors: Sequence[LevelActor], target: str) -> int:

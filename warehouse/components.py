@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from c4s.protocol.case import SEMANTIC
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
-from c4s.score.case import SEMANTIC
 from c4s.verify.registry import verifier_named
 from warehouse.records import ComponentRow
 

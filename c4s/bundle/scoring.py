@@ -18,7 +18,7 @@ from c4s.protocol.physics import physics_from_report
 from c4s.protocol.rules import INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY
 from c4s.protocol.settings import is_construction
 from c4s.records.score import TrialScore
-from c4s.records.snapshot_schema import scene_fault
+from c4s.records.snapshot_faults import scene_fault
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
 from c4s.verify.physics.support import text_to_scene_support

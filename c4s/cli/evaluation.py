@@ -57,8 +57,6 @@ def evaluate_here(
     suite: str, agents: Sequence[str], *, run_id: str | None, cases: Sequence[str], repeats: int, slots: int | None
 ) -> Evaluation:
     """Evaluate in this process. Raises ``BadInput`` before anything is started where the request cannot be met."""
-    from c4s.run.stages import inputs
-
     started = time.perf_counter()
     folder, run = suites_root() / suite, runs_root() / (run_id or suite)
     if not (folder / "suite.json").is_file():
@@ -68,6 +66,7 @@ def evaluate_here(
             where=str(suites_root()),
             todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`",
         )
+    from c4s.run.stages import inputs
     from warehouse.ingest import is_stored
     from warehouse.parquet import part_path
 

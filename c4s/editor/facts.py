@@ -5,24 +5,62 @@ Centimetres and degrees; rotations are [pitch, yaw, roll], quaternions x, y, z, 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import unreal
 
+from c4s.editor.values import plain
+
+RECORDED = (
+    "intensity",
+    "intensity_units",
+    "light_color",
+    "temperature",
+    "use_temperature",
+    "source_angle",
+    "indirect_lighting_intensity",
+    "volumetric_scattering_intensity",
+    "fog_density",
+    "fog_height_falloff",
+    "start_distance",
+    "sun_disk_scale",
+    "cloud_opacity",
+    "exposure_compensation",
+    "min_brightness",
+    "max_brightness",
+    "white_temp",
+    "color_saturation",
+    "color_contrast",
+    "color_gamma",
+    "color_gain",
+    "color_offset",
+)
+"""Editor properties that a snapshot records of an actor or its components, where one has a property of this very name.
+
+Unreal has none called ``source_angle``, and the values of grading lie inside a volume's ``settings``: the published
+exporter records neither, so neither counts as an edit.
+"""
+
 
 class Part(NamedTuple):
-    """A scene component."""
+    """A component."""
 
     name: str
     kind: str
     """Path of its class."""
     primitive: bool
     collides: bool
+    collision: str
+    """What its collision takes part in, in Unreal's words; empty when it is no primitive."""
     mesh: Any
     """The static or skeletal mesh that it shows, or None."""
     slots: list[tuple[str | None, str | None]]
-    """Path of the material and of the material's class, slot by slot; empty without a mesh."""
-    place: dict[str, Any]
+    """Path of the material and of the material's class, slot by slot."""
+    visible: bool
+    """Whether pictures show it, as long as the actor is shown."""
+    place: dict[str, Any] | None
+    """Where it is; None for a component without a place."""
     instances: list[dict[str, Any]] | None
 
 
@@ -36,6 +74,11 @@ class Stand(NamedTuple):
     path: str
     guid: str
     tags: list[str]
+    folder: str
+    """In the outliner; ``None`` when it lies in none."""
+    hidden_in_editor: bool
+    hidden: bool
+    """Hidden in game, and so in pictures."""
     parent: tuple[str, str] | None
     """Path and label of the actor that it is attached to."""
     location: list[float]
@@ -88,19 +131,22 @@ class Paths(dict[Any, str]):
 
 
 class Reader:
-    """Reads through Unreal's Python. Its memory of paths is good for one export."""
+    """Reads through Unreal's Python. Its memory of paths, classes and materials is good for one export."""
 
     def __init__(self) -> None:
         self.paths = Paths()
+        self.materials: dict[str, Any] = {}
+        """The materials that slots showed, by path."""
+        self._recorded: dict[Any, list[str]] = {}
 
     def parts(self, actor: Any) -> list[Any]:
-        """The scene components of an actor."""
-        return list(actor.get_components_by_class(unreal.SceneComponent))
+        """The components of an actor."""
+        return list(actor.get_components_by_class(unreal.ActorComponent))
 
     def part(self, component: Any) -> Part:
         """One of them."""
         primitive = isinstance(component, unreal.PrimitiveComponent)
-        mesh = mesh_of(component) if primitive else None
+        placed = isinstance(component, unreal.SceneComponent)
         instances = None
         if isinstance(component, unreal.InstancedStaticMeshComponent):
             instances = [
@@ -111,18 +157,50 @@ class Reader:
             self.paths[component.get_class()],
             primitive,
             primitive and component.get_collision_enabled() != unreal.CollisionEnabled.NO_COLLISION,
-            mesh,
-            self._slots(component) if mesh is not None else [],
-            place(component.get_world_transform()),
+            str(component.get_collision_enabled()) if primitive else "",
+            mesh_of(component) if placed else None,
+            self._slots(component),
+            placed and component.get_editor_property("visible") and not component.get_editor_property("hidden_in_game"),
+            place(component.get_world_transform()) if placed else None,
             instances,
         )
 
     def _slots(self, component: Any) -> list[tuple[str | None, str | None]]:
+        if not hasattr(component, "get_num_materials"):
+            return []
         return [self.material(component.get_material(i)) for i in range(component.get_num_materials())]
 
     def material(self, material: Any) -> tuple[str | None, str | None]:
         """Path of a material and of its class."""
-        return (None, None) if material is None else (self.paths[material], self.paths[material.get_class()])
+        if material is None:
+            return None, None
+        path = self.paths[material]
+        self.materials.setdefault(path, material)
+        return path, self.paths[self.class_of(material)]
+
+    def class_of(self, thing: Any) -> Any:
+        """Its class."""
+        return thing.get_class()
+
+    def has(self, owner: Any, name: str) -> bool:
+        """Whether it has an editor property."""
+        try:
+            owner.get_editor_property(name)
+        except Exception:  # Unreal raises a bare Exception for a property that the class does not have
+            return False
+        return True
+
+    def properties(self, owners: Iterable[Any]) -> dict[str, Any]:
+        """What is recorded of an actor and its components, each value of the first that has one."""
+        found: dict[str, Any] = {}
+        for owner in owners:
+            kind = self.class_of(owner)
+            if kind not in self._recorded:
+                self._recorded[kind] = [name for name in RECORDED if self.has(owner, name)]
+            for name in self._recorded[kind]:
+                if found.get(name) is None:
+                    found[name] = plain(owner.get_editor_property(name))
+        return {name: found[name] for name in RECORDED if found.get(name) is not None}
 
     def stand(self, actor: Any) -> Stand:
         """An actor without its components."""
@@ -137,6 +215,9 @@ class Reader:
             actor.get_path_name(),
             actor.get_editor_property("actor_guid").to_string(),
             [str(tag) for tag in actor.get_editor_property("tags")],
+            str(actor.get_folder_path()),
+            bool(actor.is_hidden_ed()),
+            bool(actor.get_editor_property("hidden")),
             (parent.get_path_name(), parent.get_actor_label()) if parent is not None else None,
             row(transform.translation),
             angles(actor.get_actor_rotation()),

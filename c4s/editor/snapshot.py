@@ -1,4 +1,6 @@
-"""The scene snapshot (published schema 0.3.0 and c4s's own keys). Runs inside an engine: stdlib and ``unreal`` only.
+"""The scene snapshot. Runs inside an engine: stdlib and ``unreal`` only.
+
+Its fields are the published exporter's (schema 0.3.0), each found as it finds it; c4s's own lie under ``c4s``.
 
 Centimetres and degrees; ``rotation_deg`` is [pitch, yaw, roll], quaternions are x, y, z, w. An actor that cannot be
 read stops the export: a snapshot is complete, so ``export_errors`` is always empty.
@@ -7,70 +9,23 @@ read stops the export: a snapshot is complete, so ``export_errors`` is always em
 from __future__ import annotations
 
 import gc
-import hashlib
-import json
+from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
 import unreal
 
+from c4s.editor import identity
 from c4s.editor.facts import Part, Reader, angles, row
+from c4s.editor.materials import material_record
 
 SCHEMA_VERSION = "0.3.0"
-IDENTITY_TAG = "simcodearena.stable_actor_id="
-ORIGIN_TAG = "simcodearena.actor_origin="
-
-_LIGHT = (
-    "intensity",
-    "intensity_units",
-    "light_color",
-    "temperature",
-    "use_temperature",
-    "indirect_lighting_intensity",
-    "volumetric_scattering_intensity",
-)
-_FOG = ("fog_density", "fog_height_falloff", "start_distance")
-_POST = {
-    "exposure_compensation": "auto_exposure_bias",
-    "min_brightness": "auto_exposure_min_brightness",
-    "max_brightness": "auto_exposure_max_brightness",
-    "white_temp": "white_temp",
-    "color_saturation": "color_saturation",
-    "color_contrast": "color_contrast",
-    "color_gamma": "color_gamma",
-    "color_gain": "color_gain",
-    "color_offset": "color_offset",
-}
-
-
-def _json_value(value: Any) -> Any:
-    """A property as JSON: colours as rows, enums as their text."""
-    if value is None or isinstance(value, (bool, int, float, str)):
-        return value
-    for names in ("rgba", "xyzw", "xyz"):
-        if all(hasattr(value, name) for name in names):
-            return [getattr(value, name) for name in names]
-    return str(value)
-
-
-_canonical = json.JSONEncoder(sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode
-
-
-def stable_actor_id(tags: list[str], name: str, class_path: str, asset_paths: list[str]) -> str:
-    """The id in the actor's tags, else one generated from its object name, class and component assets."""
-    for tag in tags:
-        if tag.startswith(IDENTITY_TAG) and tag[len(IDENTITY_TAG) :]:
-            return tag[len(IDENTITY_TAG) :]
-    canonical = _canonical({"actor_name": name, "class": class_path, "component_asset_paths": sorted(asset_paths)})
-    return "sca_generated_" + hashlib.sha256(canonical.encode()).hexdigest()[:32]
 
 
 def _slots(part: Part, identity: str) -> list[dict[str, Any]]:
     found = []
     for index, (path, kind) in enumerate(part.slots):
-        dynamic = path is not None and (
-            str(kind).endswith(".MaterialInstanceDynamic") or path.startswith("/Engine/Transient")
-        )
+        dynamic = path is not None and ("MaterialInstanceDynamic" in str(kind) or path.startswith("/Engine/Transient"))
         found.append(
             {
                 "component_identity": identity,
@@ -83,30 +38,6 @@ def _slots(part: Part, identity: str) -> list[dict[str, Any]]:
     return found
 
 
-def _given(owner: Any, names: dict[str, str]) -> dict[str, Any]:
-    """Those of the named editor properties that the object has."""
-    found = {}
-    for name, source in names.items():
-        try:
-            value = owner.get_editor_property(source)
-        except Exception:  # Unreal raises a bare Exception for a property that the class does not have
-            continue
-        found[name] = _json_value(value)
-    return found
-
-
-def _light_properties(actor: Any, components: list[Any]) -> dict[str, Any]:
-    """The light, fog and grading values of an actor, under the published names."""
-    found: dict[str, Any] = {}
-    for light in [each for each in components if isinstance(each, unreal.LightComponentBase)][:1]:
-        found |= _given(light, {name: name for name in _LIGHT} | {"source_angle": "light_source_angle"})
-    for fog in [each for each in components if isinstance(each, unreal.ExponentialHeightFogComponent)][:1]:
-        found |= _given(fog, {name: name for name in _FOG})
-    if isinstance(actor, unreal.PostProcessVolume):
-        found |= _given(actor.get_editor_property("settings"), _POST)
-    return found
-
-
 def _component(part: Part, mesh_path: str | None) -> dict[str, Any]:
     record: dict[str, Any] = {
         "name": part.name,
@@ -114,43 +45,44 @@ def _component(part: Part, mesh_path: str | None) -> dict[str, Any]:
         "mesh": mesh_path,
         "transform": part.place,
         "collision_enabled": part.collides,
+        "visible": part.visible,
     }
     if part.instances is not None:
         record["instances"] = part.instances
     return record
 
 
-def _origin_tag(tags: list[str]) -> str | None:
-    return next((tag[len(ORIGIN_TAG) :] for tag in tags if tag.startswith(ORIGIN_TAG)), None)
-
-
 def export_actor(actor: Any, meshes: dict[str, Any], reader: Reader) -> dict[str, Any]:
     """One actor's record; meshes that it shows are added to ``meshes`` by path."""
-    components, identities, slots, assets, colliding, primitives = [], [], [], set(), [], 0
-    scene_components = reader.parts(actor)
-    for part in map(reader.part, scene_components):
-        identities.append(part.kind)
-        identity = f"{part.name}|{part.kind}"
+    components, kinds, slots, assets, colliding, primitives, shown = [], [], [], set(), [], 0, []
+    parts = reader.parts(actor)
+    for part in map(reader.part, parts):
+        kinds.append(part.kind)
         primitives += part.primitive
         if part.collides:
-            colliding.append(identity)
+            colliding.append({"name": part.name, "class": part.kind, "collision_enabled": part.collision})
         mesh_path = None
         if part.mesh is not None:
             mesh_path = reader.paths[part.mesh]
             assets.add(mesh_path)
             meshes[mesh_path] = part.mesh
-            slots += _slots(part, identity)
-        components.append(_component(part, mesh_path))
+            shown.append(part.visible)
+        slots += _slots(part, f"{part.name}|{part.kind}")
+        if part.place is not None:
+            components.append(_component(part, mesh_path))
+    slots.sort(key=lambda slot: (slot["component_identity"], slot["slot_index"]))
     stand = reader.stand(actor)
     asset_paths = sorted(assets)
     single = asset_paths[0] if len(asset_paths) == 1 else None
     parent_path, parent_label = stand.parent or (None, None)
+    tagged = identity.tag_values(stand.tags)
+    tagged_id = identity.told(tagged, "stable_actor_id")
     return {
-        "stable_actor_id": stable_actor_id(stand.tags, stand.name, stand.kind, asset_paths),
+        "stable_actor_id": tagged_id or identity.generated_id(stand.name, stand.kind, asset_paths),
         "actor_guid": stand.guid,
-        "actor_origin": _origin_tag(stand.tags),
-        "logical_object_id": None,
-        "actor_role": None,
+        "actor_origin": identity.told(tagged, "actor_origin"),
+        "logical_object_id": identity.told(tagged, "logical_object_id"),
+        "actor_role": identity.told(tagged, "actor_role"),
         "attachment_parent_path": parent_path,
         "attachment_parent_label": parent_label,
         "label": stand.label,
@@ -158,7 +90,7 @@ def export_actor(actor: Any, meshes: dict[str, Any], reader: Reader) -> dict[str
         "actor_path": stand.path,
         "class": stand.kind,
         "asset_path": single or (stand.kind if stand.kind.startswith("/Game/") else None),
-        "asset_category": None,
+        "asset_category": identity.told(tagged, "asset_category"),
         "component_asset_paths": asset_paths,
         "material_paths": sorted({slot["material_path"] for slot in slots if slot["material_path"]}),
         "component_material_slots": slots,
@@ -171,10 +103,19 @@ def export_actor(actor: Any, meshes: dict[str, Any], reader: Reader) -> dict[str
         },
         "transform": {"location_cm": stand.location, "rotation_deg": stand.rotation, "scale": stand.scale},
         "bounds": {"origin_cm": stand.origin, "extent_cm": stand.extent},
-        "properties": _light_properties(actor, scene_components),
-        "export_diagnostics": {"component_classes": sorted(set(identities))},
+        "properties": reader.properties([actor, *parts]),
+        "export_diagnostics": {
+            "folder_path": stand.folder,
+            "hidden_in_editor": stand.hidden_in_editor,
+            "component_classes": sorted(set(kinds)),
+            "stable_actor_id_provenance": identity.EXPLICIT if tagged_id else identity.GENERATED,
+        },
         "export_errors": [],
-        "c4s": {"quaternion_xyzw": stand.quaternion, "components": components},
+        "c4s": {
+            "quaternion_xyzw": stand.quaternion,
+            "hidden": stand.hidden or (bool(shown) and not any(shown)),
+            "components": components,
+        },
     }
 
 
@@ -260,17 +201,49 @@ def export_snapshot() -> dict[str, Any]:
         if collecting:
             gc.enable()
     world = unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
+    level = str(world.get_path_name()).split(".", 1)[0]
+    identity.separate(actors, level)
+    materials = {
+        path: material_record(material, path, reader.paths[reader.class_of(material)])
+        for path, material in sorted(reader.materials.items())
+    }
     headless = hasattr(unreal, "c4s_mesh_facts")
     return {
         "schema_version": SCHEMA_VERSION,
         "snapshot_type": "ue_editor_scene",
         "units": "cm",
-        "map_path": str(world.get_path_name()).split(".", 1)[0],
+        "map_path": level,
         "actor_count": len(actors),
-        "export_metadata": {"status": "success", "engine_version": str(unreal.SystemLibrary.get_engine_version())},
         "actors": actors,
+        "material_parameter_catalog": materials,
+        "export_metadata": _metadata(actors, level, len(materials)),
         "c4s": {
             "engine": "headless" if headless else "unreal",
+            "engine_version": str(unreal.SystemLibrary.get_engine_version()),
             "meshes": {path: _mesh_facts(path, meshes[path]) for path in sorted(meshes)},
         },
     }
+
+
+def _metadata(actors: list[dict[str, Any]], level: str, materials: int) -> dict[str, Any]:
+    """What the export says of itself: the open level was exported, so none was asked for."""
+    provenance = Counter(actor["export_diagnostics"]["stable_actor_id_provenance"] for actor in actors)
+    return {
+        "status": "success",
+        "requested_map": None,
+        "previous_map_package": level,
+        "stable_actor_id_count": len(actors),
+        "explicit_stable_actor_id_count": provenance[identity.EXPLICIT],
+        "generated_stable_actor_id_count": len(actors) - provenance[identity.EXPLICIT],
+        "disambiguated_generated_stable_actor_id_count": provenance[identity.SEPARATED],
+        "generated_stable_actor_id_algorithm": identity.ALGORITHM,
+        "actor_guid_count": _count(actors, "actor_guid"),
+        "asset_path_count": _count(actors, "asset_path"),
+        "material_actor_count": _count(actors, "material_paths"),
+        "material_parameter_catalog_count": materials,
+        "actor_error_count": _count(actors, "export_errors"),
+    }
+
+
+def _count(actors: list[dict[str, Any]], field: str) -> int:
+    return sum(bool(actor[field]) for actor in actors)

@@ -110,8 +110,6 @@ PROXY_SHARE: Final = 0.05
 """It holds the origins of at least ``PROXY_ORIGINS`` other solids, and of this share of them."""
 
 INTEGRITY_POLICY: Final = "c4s.integrity.v1"
-SNAPSHOT_SCHEMA: Final = "0.3."
-"""Start of the schema versions that are read."""
 ENGINE_ROOTS: Final = ("/engine/", "/script/", "/temp/", "/paper2d/")
 """Package roots (lower case) that the frozen dependency policy leaves to the engine: they are not followed."""
 OVERVIEW_RULE_POLICY: Final = "overview-rule-judge.v1"

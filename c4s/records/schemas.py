@@ -12,9 +12,11 @@ from pydantic import BaseModel
 
 from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.judgement import Judgements
 from c4s.records.level import Level
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration, Plan
+from c4s.records.policy import ScorePolicy
 from c4s.records.score import TrialScore
 from c4s.records.snapshot import SceneSnapshot
 from c4s.records.suite import AgentCase, Suite, WithheldCase
@@ -30,7 +32,9 @@ FORMATS: dict[str, type[BaseModel]] = {
     "plan": Plan,
     "configuration": Configuration,
     "attempt-outcome": AttemptOutcome,
+    "judgements": Judgements,
     "verdict": Verdict,
+    "policy": ScorePolicy,
     "trial-score": TrialScore,
 }
 

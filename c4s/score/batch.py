@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from c4s.errors import BadInput
+from c4s.protocol.case import i2s_case, t2s_case
 from c4s.protocol.detailed import detailed_from_report, detailed_score
 from c4s.protocol.families import attach_families, families_from_graph
 from c4s.protocol.numbers import record
@@ -13,7 +14,6 @@ from c4s.protocol.overview import overview_from_report, overview_score
 from c4s.protocol.physics import physics_from_report
 from c4s.protocol.requirements import protocol_detailed, semantic_case
 from c4s.score.aggregate import aggregate
-from c4s.score.case import i2s_case, t2s_case
 
 Answer = dict[str, Any] | list[dict[str, Any]]
 

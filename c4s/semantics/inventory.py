@@ -96,8 +96,8 @@ def inventory(snapshot: Mapping[str, Any], catalog: Mapping[str, Facts]) -> list
 
 
 def _shown(actor: Mapping[str, Any]) -> bool:
-    properties = actor.get("properties") or {}
-    return not (actor.get("hidden") or (isinstance(properties, Mapping) and properties.get("hidden")))
+    own = actor.get("c4s")
+    return not (isinstance(own, Mapping) and own.get("hidden"))
 
 
 def _facts(path: str, catalog: Mapping[str, Facts]) -> Facts | None:
@@ -152,7 +152,7 @@ def _parts(
 ) -> list[Thing]:
     """The things of one mesh component: one, or one an instance."""
     asset = component.get("mesh")
-    if not asset:
+    if not asset or component.get("visible") is False:
         return []
     mesh = meshes.get(asset)
     low, high = _vector(mesh, "bounds_min_cm"), _vector(mesh, "bounds_max_cm")

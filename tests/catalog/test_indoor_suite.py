@@ -17,7 +17,6 @@ from cases.model import RepairCase, Scene, TextCase
 from cases.requirements import bundle, families
 from cases.starter.indoor_cases import cases, scenes
 from cases.starter.indoor_text_cases import INDOOR_TEXT_CASES
-from catalog.build import build_starter
 
 INDOOR_SCENES = scenes()
 INDOOR_CASES = [case for case in cases(INDOOR_SCENES) if isinstance(case, RepairCase)]
@@ -37,13 +36,6 @@ HUNG = {
     "dusk_picture",
 }
 WALL_OBJECTS = ("Whiteboard", "Clock", "Poster", "PinBoard", "Picture", "Mirror", "WallCabinet", "TowelRail")
-
-
-@pytest.fixture(scope="session")
-def indoor_packs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    root = tmp_path_factory.mktemp("packs")
-    build_starter(root, ["c4s-office", "c4s-home"])
-    return root
 
 
 @pytest.mark.parametrize("pack_id", ["c4s-office", "c4s-home"])

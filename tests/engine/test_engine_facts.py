@@ -40,7 +40,12 @@ EDITS = st.lists(
             st.sampled_from(["detach", "delete", "copy", "swap", "dynamic", "quiet", "hide", "bare", "lone"]), PICK
         ),
         st.tuples(st.just("label"), PICK, st.sampled_from(["Door", "Tür", " a b "])),
-        st.tuples(st.just("tags"), PICK, st.sampled_from([["simcodearena.stable_actor_id=x1"], ["a", "A", ""], []])),
+        st.tuples(
+            st.just("tags"), PICK, st.sampled_from([["simcodearena.stable_actor_id=x1"], ["a", "A", ""], ["k = v"], []])
+        ),
+        st.tuples(st.just("folder"), PICK, st.sampled_from(["A/B", "None", ""])),
+        st.tuples(st.sampled_from(["unseen", "conceal", "obscure"]), PICK),
+        st.tuples(st.just("collide"), PICK, st.sampled_from(["QUERY_ONLY", "PHYSICS_ONLY", "QUERY_AND_PHYSICS"])),
         st.tuples(st.just("rename"), PICK, st.sampled_from(["Named_1", "Named_2"])),
         st.tuples(st.just("instances"), PICK, st.lists(st.tuples(NUMBERS, NUMBERS, SCALES), max_size=3)),
     ),
@@ -104,6 +109,23 @@ class Editor:
     def hide(self, actor):
         actor.set_actor_hidden_in_game(True)
 
+    def conceal(self, actor):
+        actor.set_is_temporarily_hidden_in_editor(True)
+
+    def unseen(self, actor):
+        for part in actor.get_components_by_class(self.unreal.SceneComponent):
+            part.set_visibility(False)
+
+    def obscure(self, actor):
+        actor.root_component.set_hidden_in_game(True)
+
+    def folder(self, actor, path):
+        actor.set_folder_path(path)
+
+    def collide(self, actor, name):
+        for part in actor.get_components_by_class(self.unreal.PrimitiveComponent):
+            part.set_collision_enabled(getattr(self.unreal.CollisionEnabled, name))
+
     def quiet(self, actor):
         actor.set_actor_enable_collision(False)
 
@@ -158,11 +180,13 @@ def test_both_readers_give_the_same_snapshot(content, edits):
     for number, each in enumerate([*edits, ("mesh", "Cube", 0.0, 0.0)]):
         edit(*each)
         if number % 5 == 0 or number == len(edits):
+            readers = Reader(), DirectReader()
             texts = [
                 [json.dumps(snapshot.export_actor(actor, {}, reader)) for actor in edit.actors.get_all_level_actors()]
-                for reader in (Reader(), DirectReader())
+                for reader in readers
             ]
             assert texts[0] == texts[1]
+            assert readers[0].materials == readers[1].materials
 
 
 def test_an_engine_reads_its_own_state(content):

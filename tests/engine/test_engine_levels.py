@@ -121,7 +121,7 @@ def test_snapshot_of_a_scene(pack, tmp_path):
     assert left["is_dynamic"] and not right["is_dynamic"] and right["component_identity"].startswith("Right|")
     assert lamp["properties"]["intensity_units"] == "<LightUnits.LUMENS: 2>"
     assert lamp["properties"]["light_color"] == [255, 188, 137, 255]
-    assert grade["properties"]["exposure_compensation"] == 2.5
+    assert grade["properties"] == {}
     assert not quiet["collision"]["collision_enabled"] and not quiet["c4s"]["components"][0]["collision_enabled"]
     facts = shot["c4s"]["meshes"]["/Game/T/SM_Post.SM_Post"]
     assert facts["sha256"] == "0" * 64 and facts["collision"][0]["kind"] == "box"

@@ -9,10 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
+from c4s.protocol.case import i2s_case, t2s_case
 from c4s.protocol.rules import I2S_POLICY, T2S_POLICY
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
-from c4s.score.case import case_score, i2s_case, t2s_case
+from c4s.score.case import case_score
 
 UNIT = st.floats(0, 1)
 

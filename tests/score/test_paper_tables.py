@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from c4s.protocol.case import i2s_case, t2s_case
 from c4s.score.aggregate import aggregate
-from c4s.score.case import i2s_case, t2s_case
 from tests.shared import SHARED
 
 TABLES = SHARED / "reference" / "tables"

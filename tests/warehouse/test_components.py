@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bench.scored_run import make_run
+from c4s.protocol.case import semantic_score, t2s_case
 from c4s.protocol.rules import FAMILY_WEIGHTS, OVERVIEW_WEIGHTS
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
-from c4s.score.case import semantic_score, t2s_case
 from c4s.verify.registry import VERIFIERS, verifier_named
 from c4s.verify.verifier import Components
 from warehouse.components import component_rows

@@ -15,9 +15,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any, Literal, TypeAlias
 
-from c4s.protocol.rules import ENGINE_ROOTS, INTEGRITY_POLICY, SNAPSHOT_SCHEMA
+from c4s.protocol.rules import ENGINE_ROOTS, INTEGRITY_POLICY
 from c4s.records.evidence import ManifestDigests
-from c4s.records.snapshot_schema import scene_fault
+from c4s.records.snapshot_faults import snapshot_fault
 from c4s.records.verdict import Verdict
 from c4s.verify.actors.kinds import is_semantic, short_class
 
@@ -46,18 +46,6 @@ def content_actors(snapshot: Mapping[str, Any]) -> int:
         is_semantic(actor) and short_class(actor.get("class")).casefold() not in _ENGINE_OWNED
         for actor in snapshot["actors"]
     )
-
-
-def _schema_fault(snapshot: Any) -> str:
-    """What is wrong with a snapshot's structure; empty when nothing is."""
-    if not isinstance(snapshot, Mapping):
-        return "the snapshot is not an object"
-    version = snapshot.get("schema_version")
-    if not isinstance(version, str) or not version.startswith(SNAPSHOT_SCHEMA):
-        return f"schema_version is {version!r}, not {SNAPSHOT_SCHEMA}x"
-    if snapshot.get("units") != "cm":
-        return f"units are {snapshot.get('units')!r}, not 'cm'"
-    return scene_fault(snapshot)
 
 
 def _package(entry: Any) -> str:
@@ -143,7 +131,7 @@ def verify_integrity(
     metadata = snapshot.get("export_metadata") if isinstance(snapshot, Mapping) else None
     if isinstance(metadata, Mapping) and metadata.get("status", "success") != "success":
         return _failed("export_failed", f"the export ended with status {metadata['status']!r}", {}, read)
-    fault = _schema_fault(snapshot)
+    fault = snapshot_fault(snapshot)
     if fault:
         return _failed("snapshot_schema", fault, {}, read)
     found = content_actors(snapshot)

@@ -365,6 +365,13 @@ def _unscored_labels(actors: Sequence[Mapping[str, Any]], scored: Sequence[int])
     )
 
 
+def _one_object(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> list[str]:
+    """Scored actors that share a logical object with another actor."""
+    objects = [str(actor.get("logical_object_id") or "") for actor in actors]
+    members = Counter(objects)
+    return [_name(actors[i]) for i in scored if objects[i] and members[objects[i]] > 1]
+
+
 def _advisories(
     actors: Sequence[Mapping[str, Any]],
     chosen: Sequence[int],
@@ -391,6 +398,15 @@ def _advisories(
                 "code": "violation_lifts_unresolved",
                 "text": "a proven violation makes the leaf measured although other actors are unresolved",
                 "actors": [_name(actors[i]) for i in judged.unresolved],
+            }
+        )
+    whole = _one_object(actors, scored)
+    if whole:
+        notes.append(
+            {
+                "code": "one_logical_object",
+                "text": "contacts inside one logical object, which tags name, are not counted",
+                "actors": whole,
             }
         )
     owners = set(scene.owners)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.editor.facts import Part, Reader, Stand
-from c4s.engine.headless.unreal.components import InstancedStaticMeshComponent, SceneComponent, StaticMeshComponent
+from c4s.engine.headless.unreal.components import InstancedStaticMeshComponent, StaticMeshComponent
 from c4s.engine.headless.world.pose import Pose, compose
 from c4s.engine.headless.world.state import world
 from c4s.geometry.transform import rotator_from_quat
@@ -33,7 +33,7 @@ class DirectReader(Reader):
         self._level = world().map_path()
 
     def parts(self, actor: Any) -> list[Any]:
-        return [part for part in actor._components if isinstance(part, SceneComponent)]
+        return list(actor._components)
 
     def part(self, component: Any) -> Part:
         if not isinstance(component, StaticMeshComponent):
@@ -49,14 +49,20 @@ class DirectReader(Reader):
             self.paths[component._class()],
             True,
             component._collides(),
+            str(component.get_collision_enabled()),
             mesh,
             slots,
+            component._shows(),
             _place(pose),
             instances,
         )
 
-    def material(self, material: Any) -> tuple[str | None, str | None]:
-        return (None, None) if material is None else (self.paths[material], self.paths[material._class()])
+    def class_of(self, thing: Any) -> Any:
+        return thing._class()
+
+    def has(self, owner: Any, name: str) -> bool:
+        prop = owner._properties.get(name)
+        return prop is not None and prop.scripts
 
     def stand(self, actor: Any) -> Stand:
         pose = actor._pose()
@@ -70,6 +76,9 @@ class DirectReader(Reader):
             f"{self._level}:PersistentLevel.{actor._name}",
             actor._guid.upper(),
             [str(tag) for tag in actor._values.get("tags", ())],
+            actor._folder or "None",
+            actor._hidden_ed,
+            bool(actor._values.get("hidden")),
             (str(parent._path()), str(parent._label)) if parent is not None else None,
             _row(pose.location),
             _row(pose.rotation_deg),

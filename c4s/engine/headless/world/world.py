@@ -309,7 +309,7 @@ class World(AssetLibrary):
                 if not isinstance(component, StaticMeshComponent) or component._mesh is None:
                     continue
                 mesh = component._mesh._asset.path
-                if not component.get_editor_property("visible") or self.store.asset(mesh) is None:
+                if not component._shows() or self.store.asset(mesh) is None:
                     continue
                 pose = component._world_pose()
                 instanced = isinstance(component, InstancedStaticMeshComponent)

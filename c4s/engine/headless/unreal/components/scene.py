@@ -48,6 +48,10 @@ class SceneComponent(Moves):
         """Whether it is shown."""
         return bool(self.get_editor_property("visible"))
 
+    def _shows(self) -> bool:
+        """Whether pictures show it, as long as its actor is shown."""
+        return bool(self._values.get("visible", True)) and not self._values.get("hidden_in_game", False)
+
     @api
     def toggle_visibility(self, propagate_to_children: bool = False) -> None:
         """Show what is hidden, hide what is shown."""

@@ -1,4 +1,7 @@
-"""What the published snapshot schema (0.3.0) asks of a scene: the fields that verifiers select actors by."""
+"""What is wrong with a snapshot: what the published schema (0.3.x) asks of every scene, whoever exported it.
+
+It asks less than the exporter writes (``c4s.records.snapshot``): the fields by which actors are selected and measured.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,9 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from c4s.records.snapshot import SCHEMA_VERSION
+
+_SERIES = SCHEMA_VERSION.rpartition(".")[0] + "."
 _TRANSFORM = ("location_cm", "rotation_deg", "scale")
 _BOUNDS = ("origin_cm", "extent_cm")
 _OPTIONAL_TEXTS = ("actor_path", "stable_actor_id", "logical_object_id")
@@ -46,6 +52,18 @@ def _slot_fault(slots: Any) -> str:
         if not isinstance(slot.get("is_dynamic"), bool):
             return "a material slot does not say whether it is dynamic"
     return ""
+
+
+def snapshot_fault(snapshot: Any) -> str:
+    """What is wrong with a snapshot: its version, its units, or its actors; an empty string when nothing is."""
+    if not isinstance(snapshot, Mapping):
+        return "the snapshot is not an object"
+    version = snapshot.get("schema_version")
+    if not isinstance(version, str) or not version.startswith(_SERIES):
+        return f"schema_version is {version!r}, not {_SERIES}x"
+    if snapshot.get("units") != "cm":
+        return f"units are {snapshot.get('units')!r}, not 'cm'"
+    return scene_fault(snapshot)
 
 
 def scene_fault(snapshot: Any) -> str:
