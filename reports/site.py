@@ -9,7 +9,8 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from c4s.files import digest_bytes, write_bytes, write_text
-from c4s.protocol.settings import SETTING_TITLES
+from c4s.protocol.settings import SETTING_TITLES, is_construction
+from c4s.verify.registry import VERIFIERS, headlines_of
 from reports import data
 from reports.text import number, percent, slug
 
@@ -26,7 +27,9 @@ def _environment() -> Environment:
         lstrip_blocks=True,
     )
     environment.filters.update(number=number, percent=percent, slug=slug)
-    environment.globals["setting_names"] = SETTING_TITLES
+    environment.globals.update(
+        setting_names=SETTING_TITLES, is_construction=is_construction, headlines=headlines_of, verifiers=VERIFIERS
+    )
     return environment
 
 

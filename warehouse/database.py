@@ -10,6 +10,7 @@ from typing import Any
 import duckdb
 
 from c4s.errors import BadInput
+from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, SETTING_TITLES, SETTINGS, is_construction
 from warehouse.parquet import arrow_schema
 from warehouse.records import TABLES
 
@@ -37,6 +38,19 @@ def _table_view(root: Path, table: str) -> str:
     return f"CREATE VIEW {table} AS SELECT {columns} FROM (SELECT {nulls}) WHERE false"
 
 
+def _settings_view() -> str:
+    """The settings of the benchmark as rows, so that a question need not spell their names."""
+    rows = ", ".join(
+        f"('{name}', '{SETTING_TITLES[name]}', {is_construction(name)}, {name == INDOOR_REPAIR}, "
+        f"{name == OUTDOOR_REPAIR})"
+        for name in SETTINGS
+    )
+    return (
+        "CREATE VIEW settings AS SELECT * FROM "
+        f"(VALUES {rows}) AS v(setting, title, construction, indoor_repair, outdoor_repair)"
+    )
+
+
 def rebuild(root: Path) -> Path:
     """Make ``c4s.duckdb`` anew: one view a table and one a question. Atomic; returns the file.
 
@@ -57,6 +71,7 @@ def rebuild(root: Path) -> Path:
                         where=str(root),
                         todo="delete this folder and run `c4s report --from-runs`",
                     ) from None
+            connection.execute(_settings_view())
             for name in (*FOUNDATIONS, *(question for question in questions() if question not in FOUNDATIONS)):
                 connection.execute(f"CREATE VIEW {name} AS {(SQL / f'{name}.sql').read_text()}")
         fresh.replace(target)

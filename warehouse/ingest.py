@@ -17,15 +17,13 @@ from c4s.records.suite import SuiteFolder, WithheldFolder
 from c4s.records.verdict import Verdict
 from c4s.run.configurations import is_ranked
 from c4s.run.plan import Trial, trial_id, trials
-from c4s.verify.registry import VERIFIERS, verifier_named
+from c4s.verify.registry import verifier_named
 from warehouse.behaviour import attempt_rows, submission_rows, tool_use_rows
 from warehouse.components import component_rows
 from warehouse.parquet import part_path, write_part
-from warehouse.records import AttemptRow, FindingRow, OutcomeRow, PictureRow, ScheduleRow, VerdictRow
+from warehouse.records import HEADLINES, AttemptRow, FindingRow, OutcomeRow, PictureRow, ScheduleRow, VerdictRow
 
 PICTURE_WIDTH = 960
-HEADLINES = tuple(name for verifier in VERIFIERS.values() for name in verifier.headlines)
-"""Components that the outcome row shows beside the score."""
 CASE_PARTITION = "_case"
 """Partition of pictures that belong to a case, not to a configuration."""
 

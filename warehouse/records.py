@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
+
+from pydantic import create_model
 
 from c4s.protocol.settings import Setting
 from c4s.records.base import Record
 from c4s.records.score import CaseStatus
+from c4s.verify.registry import VERIFIERS
 
 Visibility = Literal["public", "private"]
 
@@ -23,21 +26,14 @@ class TrialKey(Record):
     repeat: int
 
 
-class OutcomeRow(TrialKey):
-    """Table ``outcomes``: one row a trial, its case score and the parts of it. Scores lie in [0, 1]."""
+class ScoredTrial(TrialKey):
+    """A trial with its case score in [0, 1] and what it took."""
 
     setting: Setting
     scene_id: str
     status: CaseStatus
     score: float | None
     reason: str
-    detailed: float | None
-    known_coverage: float | None
-    overview: float | None
-    physics: float | None
-    repair_precision: float | None
-    repair_recall: float | None
-    repair_f1: float | None
     attempts: int
     retained_attempt: int | None
     tool_calls: int | None
@@ -57,6 +53,16 @@ class OutcomeRow(TrialKey):
     engine: str
     suite_digest: str
     score_sha256: str
+
+
+HEADLINES = tuple(name for verifier in VERIFIERS.values() for name in verifier.headlines)
+_COLUMNS: dict[str, Any] = dict.fromkeys(HEADLINES, (float | None, None))
+OutcomeRow = create_model(
+    "OutcomeRow",
+    __base__=ScoredTrial,
+    __doc__="Table ``outcomes``: one row a trial, with the headline numbers of every verifier (its row of the table).",
+    **_COLUMNS,
+)
 
 
 class AttemptRow(TrialKey):

@@ -6,8 +6,9 @@ SELECT
     coalesce(o.status, 'pending') AS status,
     CASE WHEN o.status IS NULL OR o.status = 'pending' THEN NULL ELSE o.score END AS score,
     coalesce(o.reason, '') AS reason,
-    o.detailed, o.known_coverage, o.overview, o.physics, o.repair_precision, o.repair_recall, o.repair_f1,
-    o.attempts, o.tool_calls, o.attempt_wall_s, o.evaluation_s, o.orchestration_s,
-    o.input_tokens, o.output_tokens, o.cost_usd, o.score_sha256
+    o.* EXCLUDE (
+        trial_id, run_id, suite, suite_digest, configuration, case_id, repeat, setting, scene_id, status, score, reason,
+        retained_attempt, ranked, policy, judge, engine
+    )
 FROM schedule AS s
 LEFT JOIN outcomes AS o USING (trial_id)

@@ -1,24 +1,24 @@
--- Which configuration is best? The coverage gate: a setting with a pending trial has no mean, image-to-scene needs
+-- Which configuration is best? The coverage gate: a setting with a pending trial has no mean, a repair mean needs
 -- both domains, and only a configuration with an overall score has a rank. Results by different judges, engines,
 -- policies or suites are never ranked together, and configurations that validate the evaluator are never ranked.
 WITH pooled AS (
     SELECT
         suite, policy, judge, engine, configuration, ranked,
-        max(mean_score) FILTER (WHERE setting = 'text-to-scene') AS text_to_scene,
-        max(mean_score) FILTER (WHERE setting = 'image-to-scene/indoor') AS indoor,
-        max(mean_score) FILTER (WHERE setting = 'image-to-scene/outdoor') AS outdoor,
-        max(cases) FILTER (WHERE setting = 'image-to-scene/indoor') AS indoor_cases,
-        max(cases) FILTER (WHERE setting = 'image-to-scene/outdoor') AS outdoor_cases,
-        max(detailed) FILTER (WHERE setting = 'text-to-scene') AS detailed,
-        max(overview) FILTER (WHERE setting = 'text-to-scene') AS overview,
-        max(physics) FILTER (WHERE setting = 'text-to-scene') AS text_physics,
-        sum(cases * repair_f1) FILTER (WHERE setting <> 'text-to-scene')
-            / sum(cases) FILTER (WHERE setting <> 'text-to-scene') AS repair_f1,
-        sum(cases * physics) FILTER (WHERE setting <> 'text-to-scene')
-            / sum(cases) FILTER (WHERE setting <> 'text-to-scene') AS image_physics,
+        max(mean_score) FILTER (WHERE construction) AS text_to_scene,
+        max(mean_score) FILTER (WHERE indoor_repair) AS indoor,
+        max(mean_score) FILTER (WHERE outdoor_repair) AS outdoor,
+        max(cases) FILTER (WHERE indoor_repair) AS indoor_cases,
+        max(cases) FILTER (WHERE outdoor_repair) AS outdoor_cases,
+        max(detailed) FILTER (WHERE construction) AS detailed,
+        max(overview) FILTER (WHERE construction) AS overview,
+        max(physics) FILTER (WHERE construction) AS text_physics,
+        sum(cases * repair_f1) FILTER (WHERE NOT construction)
+            / sum(cases) FILTER (WHERE NOT construction) AS repair_f1,
+        sum(cases * physics) FILTER (WHERE NOT construction)
+            / sum(cases) FILTER (WHERE NOT construction) AS image_physics,
         sum(cases) AS planned,
         sum(resolved) AS resolved
-    FROM setting_means
+    FROM setting_means JOIN settings USING (setting)
     GROUP BY ALL
 ), scored AS (
     SELECT

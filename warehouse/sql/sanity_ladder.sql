@@ -2,15 +2,15 @@
 -- deletes everything, planner and random build and edit without a model.
 SELECT
     suite, configuration,
-    count(*) FILTER (WHERE setting <> 'text-to-scene') AS repair_cases,
-    min(coalesce(repair_f1, 0)) FILTER (WHERE setting <> 'text-to-scene') AS lowest_f1,
-    max(coalesce(repair_f1, 0)) FILTER (WHERE setting <> 'text-to-scene') AS highest_f1,
-    min(score) FILTER (WHERE setting <> 'text-to-scene') AS lowest_repair_score,
-    max(score) FILTER (WHERE setting <> 'text-to-scene') AS highest_repair_score,
-    count(*) FILTER (WHERE setting = 'text-to-scene') AS text_cases,
-    avg(score) FILTER (WHERE setting = 'text-to-scene') AS mean_text_score,
+    count(*) FILTER (WHERE NOT construction) AS repair_cases,
+    min(coalesce(repair_f1, 0)) FILTER (WHERE NOT construction) AS lowest_f1,
+    max(coalesce(repair_f1, 0)) FILTER (WHERE NOT construction) AS highest_f1,
+    min(score) FILTER (WHERE NOT construction) AS lowest_repair_score,
+    max(score) FILTER (WHERE NOT construction) AS highest_repair_score,
+    count(*) FILTER (WHERE construction) AS text_cases,
+    avg(score) FILTER (WHERE construction) AS mean_text_score,
     count(*) FILTER (WHERE status IN ('measured', 'measured_with_missing_zero')) AS valid,
     count(*) AS trials
-FROM case_scores
+FROM case_scores JOIN settings USING (setting)
 GROUP BY ALL
 ORDER BY suite, mean_text_score DESC NULLS LAST, configuration
