@@ -182,13 +182,15 @@ def retained(trial: Trial) -> int | None:
 
 def physics(trial: Trial, plan: Plan) -> Verdict:
     """Support and penetration of the retained submission."""
+    from c4s.packs.store import PackStore
     from c4s.verify.physics.verdict import verify_physics
 
     def verify(given: TrialInputs, evidence: Path) -> Verdict:
         start = None
         if given.case.setting != "text-to-scene":
             start = read_json(given.withheld_folder / "input.snapshot.json")
-        return verify_physics(given.case.setting, read_json(evidence / "snapshot.json"), start)
+        meshes = PackStore(given.packs).recorded_mesh
+        return verify_physics(given.case.setting, read_json(evidence / "snapshot.json"), start, meshes=meshes)
 
     return _verdict(trial, "physics", verify)
 
