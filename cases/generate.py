@@ -120,13 +120,11 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
     aside = copy.deepcopy(snapshot)
     for actor in aside["actors"]:
         actor["transform"]["location_cm"][0] += ASIDE_CM
-    leaves = {
-        leaf["leaf_id"]: leaf
-        for leaf in verify_physics("image-to-scene/indoor", snapshot, aside).measurements["leaf_results"]
-    }
+    measured = verify_physics("image-to-scene/indoor", snapshot, aside, alone=True).measurements
+    leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
     bad = {
-        *leaves["floating"]["floating_actors"],
-        *leaves["floating"]["unresolved_actors"],
+        *leaves["near_bodies"]["floating_actors"],
+        *leaves["near_bodies"]["unresolved_actors"],
         *(row["actor"] for row in leaves["solid_penetration"]["actors"] if row["state"] != "clean"),
     }
     known = {actor.name: actor for actor in level.actors if actor.class_path == STATIC_MESH_ACTOR}

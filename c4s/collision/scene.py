@@ -85,7 +85,7 @@ class _Meshes:
                 if not isinstance(transform, Mapping):
                     raise ValueError("no transform")
                 location, scale = triple(transform.get("location_cm")), triple(transform.get("scale"))
-                rotation = _quaternion(transform)
+                rotation = quaternion_of(transform)
                 for shape in self._scaled(str(mesh), scale):
                     yield shape, location, rotation
         except ValueError as error:
@@ -111,7 +111,7 @@ class _Meshes:
         return self._bodies[mesh]
 
 
-def _quaternion(transform: Mapping[str, Any]) -> tuple[float, float, float, float]:
+def quaternion_of(transform: Mapping[str, Any]) -> tuple[float, float, float, float]:
     """Rotation of a transform (x, y, z, w), not normalised; from ``rotation_deg`` when it stores no quaternion."""
     stored = transform.get("quaternion_xyzw")
     if stored is None:
@@ -124,7 +124,7 @@ def _quaternion(transform: Mapping[str, Any]) -> tuple[float, float, float, floa
     return x, y, z, w
 
 
-def _matrices(quaternions: Array) -> Array:
+def rotation_matrices(quaternions: Array) -> Array:
     """Rotation matrices (n, 3, 3) of quaternions (n, 4) of any length but zero."""
     x, y, z, w = (quaternions / np.linalg.norm(quaternions, axis=1)[:, None]).T
     rows = [
@@ -145,7 +145,7 @@ def _place(placed: list[_Placed]) -> list[Body]:
     """The bodies in the world, all poses at once."""
     if not placed:
         return []
-    rotation = _matrices(np.array([part.quaternion for part in placed]))
+    rotation = rotation_matrices(np.array([part.quaternion for part in placed]))
     pose = rotation @ np.array([part.shape.frame for part in placed])
     offset = np.array([part.shape.offset for part in placed])
     half = np.array([part.shape.half for part in placed])

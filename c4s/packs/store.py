@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from c4s.errors import BadInput
 from c4s.packs import basic_shapes
@@ -65,6 +66,16 @@ class PackStore:
                 raise BadInput("this asset has no mesh of its own", where=asset.path)
             self._meshes[asset.path] = load_mesh(self._home[asset.path], asset)
         return self._meshes[asset.path]
+
+    def recorded_mesh(self, path: str, facts: Mapping[str, Any]) -> Mesh | None:
+        """The mesh that a snapshot shows under a path, told by its recorded digest where the path is that of a copy.
+
+        ``facts``: what the snapshot records of the mesh. None when no pack has a mesh of that digest.
+        """
+        digest, asset = facts.get("sha256"), self.asset(path)
+        if asset is None or asset.kind != "static_mesh" or asset.mesh_sha256 != digest:
+            asset = next((one for one in self._assets.values() if digest and one.mesh_sha256 == digest), None)
+        return None if asset is None else self.mesh(asset.path)
 
     def mesh_file(self, path: str) -> Path | None:
         """File of a static mesh asset's mesh; ``None`` for a shape of the engine's own, or where there is none."""

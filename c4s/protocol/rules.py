@@ -1,9 +1,10 @@
 """Weights, caps, tolerances and rule identifiers of verdicts and scores, as data. Ids are the published ones where they
 exist.
 
-Sources: paper, "Physical Safety", "Score Aggregation and Reporting" and the adopted weights table; scorer facts 3 to 7.
-The limits and ids of Actor Repair F1 are in ``c4s/protocol/repair.py``, the word lists of the physics roles and of
-text-to-scene support beside their rules in ``c4s/verify/actors/roles.py`` and ``c4s/verify/physics/support.py``.
+Sources: paper, "Physical Safety", "Score Aggregation and Reporting" and the adopted weights table; scorer facts 3 to
+7. The limits and ids of Actor Repair F1 are in ``c4s/protocol/repair.py``, the word lists of the physics roles and of
+support beside their rules in ``c4s/verify/actors/roles.py``, ``c4s/verify/physics/support.py`` and
+``c4s/verify/physics/edited_support.py``.
 """
 
 from __future__ import annotations
@@ -77,7 +78,10 @@ PHYSICS_LEAVES: Final[dict[str, Direction]] = {"floating": "lower_is_better", "s
 """The two leaves, with the direction of a raw score where the report does not tell it."""
 T2S_FLOATING_METRIC: Final = "t2s-aabb-floating-contact-5cm.v2"
 """Id of the support rule that replaces the recorded floating leaf in text-to-scene."""
-I2S_FLOATING_METRIC: Final = "i2s-edited-support-5cm"
+I2S_FLOATING_METRIC: Final = "ground_or_lateral_v1"
+"""Id of the support model of edited actors."""
+NEAR_BODIES_METRIC: Final = "i2s-edited-support-5cm"
+"""Id of the diagnostic beside it: collision bodies within 5 cm below or at the side. It has no weight."""
 PENETRATION_METRIC: Final = "eligible_actor_collision_free_rate_v3"
 ADAPTIVE_TOLERANCE: Final = "actor_shortest_full_aabb_span_clamped_v1"
 FIXED_TOLERANCE: Final = "fixed_declared_tolerance"
@@ -90,6 +94,31 @@ PHYSICS_LEAF_WEIGHTS: Final = {"floating": 0.5, "solid_penetration": 0.5}
 PHYSICS_DIGITS: Final = 4
 GAP_CM: Final = 5.0
 """Support tolerance of both settings, inclusive."""
+PROBE_ABOVE_CM: Final = 2.0
+PROBE_BELOW_CM: Final = 5000.0
+"""Support of edited actors: lines start this far above an actor's box and end this far below it."""
+PROBE_VERTICES: Final = 4096
+"""At most about this many vertices of an actor are looked at, evenly picked."""
+PROBE_GROUP: Final = 4
+PROBE_CROWD: Final = 1000
+"""Edited actors are measured in groups of this size in their order, from ``PROBE_CROWD`` on one by one; those of one
+group do not support each other."""
+PANEL_THINNESS: Final = 4.0
+"""A panel is at least this many times as wide and as high as it is thick."""
+PANEL_NORMAL_Z: Final = 0.5
+PANEL_UPRIGHT_Z: Final = 0.75
+"""It stands: its normal rises by at most this, one of its long sides by at least that."""
+PANEL_GRID: Final = 5
+PANEL_REACH: Final = 0.8
+"""Lines a side of each face, spread over this share of it."""
+PANEL_START_CM: Final = 0.5
+"""They start this far inside the face and end this far beyond the gap."""
+PANEL_FACING: Final = 0.8
+"""Cosine between a line and the surface that it meets."""
+PANEL_SHARE: Final = 0.05
+"""Share of the lines of one face that must meet a support."""
+PANEL_RATIO: Final = 4.0
+"""What holds a panel has a face at least this many times as large."""
 TINY_CM: Final = 1.0
 """Actors whose three half extents are all below this are degenerate helpers; plan half extents are at least this."""
 FIXED_TOLERANCE_CM: Final = 5.0

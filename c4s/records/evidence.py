@@ -17,7 +17,15 @@ from c4s.records.base import Record
 from c4s.records.pack import Pack
 
 EvidenceName = Literal[
-    "candidate_snapshot", "dependencies", "captures", "input_snapshot", "truth_snapshot", "requirements", "judgements"
+    "candidate_snapshot",
+    "dependencies",
+    "captures",
+    "contacts",
+    "support",
+    "input_snapshot",
+    "truth_snapshot",
+    "requirements",
+    "judgements",
 ]
 
 

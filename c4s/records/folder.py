@@ -22,6 +22,16 @@ class EvidenceFolder:
         return self.root / "dependencies.json"
 
     @property
+    def contacts(self) -> Path:
+        """Which collision bodies overlap, and how deep."""
+        return self.root / "contacts.json"
+
+    @property
+    def support(self) -> Path:
+        """What holds each actor, and how far it is from that."""
+        return self.root / "support.json"
+
+    @property
     def captures(self) -> Path:
         """Folder of the pictures and actor masks."""
         return self.root / "captures"

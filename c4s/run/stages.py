@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput, MachineryFault
-from c4s.files import append_json_line, read_json
+from c4s.files import append_json_line, read_json, write_json
 from c4s.home import packs_root
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
@@ -27,7 +27,7 @@ from c4s.records.score import TrialScore
 from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase, WithheldFolder
 from c4s.records.verdict import Verdict
 from c4s.run.plan import Trial
-from c4s.verify.registry import GATE, make_verdict, verifiers_of
+from c4s.verify.registry import GATE, make_verdict, measure, verifiers_of
 
 ATTEMPTS = 2
 
@@ -152,6 +152,8 @@ def evidence(trial: Trial, plan: Plan, given: TrialInputs, manifest: ManifestDig
             "candidate_snapshot": exported.snapshot,
             "dependencies": exported.dependencies,
             "captures": exported.captures_index,
+            "contacts": exported.contacts,
+            "support": exported.support,
             "input_snapshot": withheld.input_snapshot,
             "truth_snapshot": withheld.truth_snapshot,
             "requirements": withheld.requirements,
@@ -219,6 +221,9 @@ def verify(trial: Trial, plan: Plan, name: str) -> Verdict:
     if path.is_file():
         return Verdict.read(path)
     with timed(trial, name):
+        given = evidence(trial, plan, inputs(trial))
+        for measured, record in measure(name, given).items():
+            write_json(given.path(measured), record, indent=None)
         verdict = make_verdict(name, evidence(trial, plan, inputs(trial)))
         verdict.write(path)
     return verdict

@@ -36,8 +36,8 @@ class MeasuredScene:
 
     @cached_property
     def physics(self) -> Verdict:
-        """The physics verdict over all actors, since the input scene is not at hand."""
-        return verify_physics(self.setting, self.snapshot, {"actors": []})
+        """The physics verdict over all actors, each as if it were the only edit: the input scene is not at hand."""
+        return verify_physics(self.setting, self.snapshot, {"actors": []}, alone=True)
 
     @cached_property
     def extent_cm(self) -> tuple[Array, Array] | None:

@@ -5,11 +5,12 @@ A new verifier is one package under ``c4s/verify`` and one row here.
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Mapping
+from typing import Any, Final
 
 from c4s.errors import BadInput
 from c4s.protocol.settings import Setting
-from c4s.records.evidence import Evidence
+from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.verdict import Verdict
 from c4s.records.version import code_version
 from c4s.verify.integrity.verifier import INTEGRITY
@@ -47,6 +48,12 @@ def is_judged(setting: Setting) -> bool:
 def headlines_of(setting: Setting) -> list[str]:
     """Names of the numbers that a trial's score of this setting shows."""
     return [name for verifier in verifiers_of(setting) for name in verifier.headlines]
+
+
+def measure(name: str, evidence: Evidence) -> dict[EvidenceName, Mapping[str, Any]]:
+    """The evidence that a verifier measures in the exported scene before it judges, by file; not what is there."""
+    made = verifier_named(name).measure
+    return {} if made is None else made(evidence)
 
 
 def make_verdict(name: str, evidence: Evidence) -> Verdict:

@@ -56,6 +56,8 @@ class Verifier:
     needs: frozenset[EvidenceName]
     """Evidence that must be there before it can run."""
     verify: Callable[[Evidence], Verdict]
+    measure: Callable[[Evidence], dict[EvidenceName, Mapping[str, Any]]] | None = None
+    """Makes those of the files that it needs which are measured in the scene and are not there yet."""
     gate: bool = False
     """Whether its verdict decides that the others are made at all."""
     weighed_as: str = ""

@@ -71,17 +71,17 @@ def test_scenes_stand_without_floating_or_penetration(scene: Scene, indoor_packs
     assert [name for name in floating if not any(word in name for word in WALL_OBJECTS)] == []
     for case in INDOOR_CASES:
         if case.scene_id == scene.scene_id:
-            assert perfect_repair(case, exported).score == 1.0, case.case_id
+            assert perfect_repair(case, exported, PackStore([pack])).score == 1.0, case.case_id
 
 
-def perfect_repair(case: RepairCase, truth: dict[str, Any]) -> Verdict:
+def perfect_repair(case: RepairCase, truth: dict[str, Any], store: PackStore) -> Verdict:
     """The physics verdict on the original, of which the targets of a case's changes count as edited."""
     targets = {operation.target for operation in case.operations if not isinstance(operation, SpawnActor)}
     start = copy.deepcopy(truth)
     for actor in start["actors"]:
         if actor["stable_actor_id"] in targets:
             actor["transform"]["location_cm"][0] += 1e6
-    return verify_physics(case.setting, truth, start)
+    return verify_physics(case.setting, truth, start, meshes=store.recorded_mesh)
 
 
 def test_scene_sizes() -> None:

@@ -1,4 +1,5 @@
-"""Which edited bodies are held from below or the side, against dense sampling of the exact signed distance."""
+"""Which edited bodies others hold from below or the side (the diagnostic leaf), against dense sampling of the exact
+signed distance."""
 
 from __future__ import annotations
 
@@ -33,7 +34,7 @@ def test_hulls_are_held_exactly_when_they_meet_on_a_way(seed, thin, far):
     bounds = {"origin_cm": [0.0, 0.0, 0.0], "extent_cm": [1.0, 1.0, 1.0]}
     edited, base = (actor(name, name, place, stable_actor_id=name, bounds=bounds) for name in "01")
     found = verify_physics("image-to-scene/indoor", scene(meshes, edited, base), scene(meshes, base))
-    floats = found.measurements["leaf_results"][0]["score"] == 1.0
+    floats = found.measurements["diagnostic_leaves"][0]["score"] == 1.0
     depth = deepest(*cores)
     if depth > 0.01:
         assert not floats

@@ -11,6 +11,7 @@ from c4s.protocol.rules import (
     I2S_FLOATING_METRIC,
     INTEGRITY_POLICY,
     MODEL_POLICY,
+    NEAR_BODIES_METRIC,
     OVERVIEW_RULE_POLICY,
     PENETRATION_METRIC,
     PHYSICS_POLICY,
@@ -50,6 +51,7 @@ def test_every_id_is_on_the_page() -> None:
         OVERVIEW_RULE_POLICY,
         REPAIR_POLICY,
         I2S_FLOATING_METRIC,
+        NEAR_BODIES_METRIC,
         PENETRATION_METRIC,
         ROLE_POLICY,
     }

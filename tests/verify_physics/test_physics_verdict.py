@@ -60,6 +60,11 @@ def leaves(verdict) -> dict[str, dict[str, Any]]:
     return {leaf["leaf_id"]: leaf for leaf in verdict.measurements["leaf_results"]}
 
 
+def near_bodies(verdict) -> dict[str, Any]:
+    """The diagnostic leaf of edited actors."""
+    return next(leaf for leaf in verdict.measurements["diagnostic_leaves"] if leaf["leaf_id"] == "near_bodies")
+
+
 def test_a_sound_scene_is_one():
     verdict = verify_physics("text-to-scene", snapshot(actor("A", (0, 0, 50)), actor("B", (0, 0, 150))))
     assert verdict.score == 1.0
@@ -133,9 +138,9 @@ def test_labels_and_tags_are_edits(edit):
         ((0, 0, -50), True),
     ],
 )
-def test_edited_actors_are_held_from_below_or_the_side(place, floats):
+def test_bodies_hold_edited_actors_from_below_or_the_side(place, floats):
     base = actor("A", (0, 0, 50))
-    found = leaves(verify_physics(I2S, snapshot(base, actor("B", place)), snapshot(base)))["floating"]
+    found = near_bodies(verify_physics(I2S, snapshot(base, actor("B", place)), snapshot(base)))
     assert found["evaluated"] == 1
     assert (found["score"] == 1.0) is floats
 
@@ -149,7 +154,7 @@ def test_thin_things_hold_and_are_held_all_along_the_way(gap, floats, axis):
     thin[axis] = 0.25
     place[axis] += 0.5 + gap
     plate, foot = actor("Plate", (0, 0, 200), thin), actor("Foot", place, thin)
-    found = leaves(verify_physics(I2S, snapshot(plate, foot), snapshot(plate)))["floating"]
+    found = near_bodies(verify_physics(I2S, snapshot(plate, foot), snapshot(plate)))
     assert (found["score"] == 1.0) is floats
 
 

@@ -24,12 +24,26 @@ def edited_actors(snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any]
     Raises ``BadInput`` (its ``where`` names the snapshot) for two actors under one identity and for an actor that has
     none: what was edited is then not known.
     """
+    return sorted(edit_order(snapshot, input_snapshot))
+
+
+def edit_order(snapshot: Mapping[str, Any], input_snapshot: Mapping[str, Any]) -> list[int]:
+    """``edited_actors`` in the order in which the published probe measures them.
+
+    Added ones as the candidate lists them, then those whose pose changed, then the others, both as the input lists
+    them.
+    """
     before = _by_identity(input_snapshot, "input snapshot")
-    return [
-        index
-        for index, (key, actor) in enumerate(_by_identity(snapshot, CANDIDATE).items())
-        if key not in before or _edited(before[key], actor)
-    ]
+    after = _by_identity(snapshot, CANDIDATE)
+    place = {key: index for index, key in enumerate(after)}
+    posed, others = [], []
+    for key, old in before.items():
+        new = after.get(key)
+        if new is not None and transform_differences(old, new, as_quaternion=False):
+            posed.append(place[key])
+        elif new is not None and _restated(old, new):
+            others.append(place[key])
+    return [index for key, index in place.items() if key not in before] + posed + others
 
 
 def _by_identity(snapshot: Mapping[str, Any], where: str) -> dict[str, Record]:
@@ -47,11 +61,10 @@ def _by_identity(snapshot: Mapping[str, Any], where: str) -> dict[str, Record]:
     return found
 
 
-def _edited(old: Record, new: Record) -> bool:
-    if (
-        any(field in old and (old[field] or None) != (new.get(field) or None) for field in _OWN_FIELDS)
-        or ("actor_tags" in old and _tags(old) != _tags(new))
-        or transform_differences(old, new, as_quaternion=False)
+def _restated(old: Record, new: Record) -> bool:
+    """Whether anything but the pose was edited."""
+    if any(field in old and (old[field] or None) != (new.get(field) or None) for field in _OWN_FIELDS) or (
+        "actor_tags" in old and _tags(old) != _tags(new)
     ):
         return True
     changed = property_differences(old, new, target=False)

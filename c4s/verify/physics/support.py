@@ -4,8 +4,9 @@ Text-to-scene uses the published box rule (scorer facts 3): an actor is supporte
 the world's ground plane z = 0, or when another evaluated actor's top lies 0 to 5 cm below its bottom and that actor's
 plan box, widened by a quarter of the upper actor's own plan size, holds its pivot. Excluded actors support nothing.
 
-Image-to-scene looks at the collision bodies of edited actors (paper, Physical Safety): supported when a body of another
-actor lies within 5 cm straight below, or within 5 cm sideways.
+Image-to-scene follows the published probe (``c4s.verify.physics.edited_support``). Here is the measure beside it that
+has no weight: an edited actor is held when a collision body of any other actor lies within 5 cm straight below its
+own, or within 5 cm sideways (paper, Physical Safety, read without the probe's shapes and groups).
 """
 
 from __future__ import annotations
@@ -76,6 +77,9 @@ class Support:
 
     per_actor: list[State]
     labels: list[Any]
+    gaps_cm: list[float | None]
+    """How far each supported actor is above what supports it: the ground plane (negative under it), else the nearest
+    top that does; None for the others."""
 
     @property
     def evaluated(self) -> int:
@@ -143,18 +147,19 @@ def text_to_scene_support(snapshot: Mapping[str, Any]) -> Support:
         evaluated.append(index)
         rows.append((*origin, *extent, *pivot))
     table = np.array(rows, dtype=float).reshape(-1, 9)
-    for index, standing in zip(evaluated, _standing(table), strict=True):
-        states[index] = "supported" if standing else "floating"
-    return Support(states, [actor.get("label", actor.get("name")) for actor in actors])
+    gaps: list[float | None] = [None] * len(actors)
+    for index, gap in zip(evaluated, _gaps(table), strict=True):
+        states[index], gaps[index] = "floating" if gap is None else "supported", gap
+    return Support(states, [actor.get("label", actor.get("name")) for actor in actors], gaps)
 
 
-def _standing(table: Array) -> list[bool]:
-    """Per row (origin, half extent, pivot): on the ground plane or on another row."""
+def _gaps(table: Array) -> list[float | None]:
+    """Gap in cm of each row (origin, half extent, pivot) to the ground plane or another row; None: it floats."""
     bottom, top = table[:, 2] - table[:, 5], table[:, 2] + table[:, 5]
     half = np.maximum(table[:, 3:5], TINY_CM)
     order = np.argsort(top, kind="stable")
     tops = top[order]
-    standing: list[bool] = (bottom <= GAP_CM).tolist()
+    gaps: list[float | None] = [height if height <= GAP_CM else None for height in bottom.tolist()]
     for i in np.flatnonzero(bottom > GAP_CM).tolist():
         slack = 1e-9 * (abs(bottom[i]) + GAP_CM)
         first = np.searchsorted(tops, bottom[i] - GAP_CM - slack)
@@ -162,8 +167,8 @@ def _standing(table: Array) -> list[bool]:
         gap = bottom[i] - top[near]
         reach = np.abs(table[near, :2] - table[i, 6:8]) < 0.5 * half[i] + half[near]
         holds = (gap >= 0) & (gap <= GAP_CM) & reach.all(axis=1) & (near != i)
-        standing[i] = bool(holds.any())
-    return standing
+        gaps[i] = float(gap[holds].min()) if holds.any() else None
+    return gaps
 
 
 DIRECTIONS = np.array([(0, 0, -1)] + [(math.cos(a), math.sin(a), 0) for a in np.arange(8) * math.pi / 4])
@@ -174,14 +179,14 @@ OVERLAP_CM = TOUCH_CM / 2
 """Two bodies meet where they overlap by more than this."""
 
 
-def edited_support(
+def held_by_bodies(
     scene: SceneBodies,
     edited: Sequence[int],
     solid: Collection[int],
     unknown_boxes: Sequence[tuple[Array, Array]],
     boxes: Mapping[int, tuple[Array, Array]],
 ) -> dict[int, EditedState]:
-    """The image-to-scene rule: state of each edited actor (an index).
+    """Which edited actors (indices) collision bodies hold.
 
     Args:
         scene: the bodies of the candidate scene.

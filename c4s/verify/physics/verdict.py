@@ -7,10 +7,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
-from c4s.collision import NOISE_CM, Contact, SceneBodies, scene_bodies, scene_contacts
-from c4s.errors import BadInput
+from c4s.collision import Contact, SceneBodies
 from c4s.protocol.physics import physics_from_report
 from c4s.protocol.rules import (
     ADAPTIVE_TOLERANCE,
@@ -26,18 +23,31 @@ from c4s.protocol.rules import (
     T2S_FLOATING_METRIC,
     WHOLE_SCENE_PROFILE,
 )
-from c4s.protocol.settings import Setting, is_construction
+from c4s.protocol.settings import Setting
 from c4s.records.verdict import Verdict
-from c4s.verify.actors.roles import Role, bounds_of, needs_no_support, roles
-from c4s.verify.physics.edited import CANDIDATE, edited_actors
-from c4s.verify.physics.penetration import Penetration, contact_rule, penetration, tolerances_cm
-from c4s.verify.physics.support import Support, edited_support, excluded_by_label, text_to_scene_support
+from c4s.verify.physics.evidence import (
+    contacts_of,
+    given_contacts,
+    measure_contacts,
+    measure_support,
+    read_contacts,
+    support_of,
+)
+from c4s.verify.physics.penetration import Penetration, penetration, tolerances_cm
+from c4s.verify.physics.records import ContactsRecord, NearBodies, SupportRecord, checked
+from c4s.verify.physics.scene import Actors, PhysicsScene, actor_name
+from c4s.verify.physics.support import excluded_by_label, text_to_scene_support
 from c4s.verify.physics.support_advisories import support_advisories
+from c4s.verify.physics.surfaces import MeshSource
+
+__all__ = ["measure_contacts", "measure_support", "report", "verify_physics"]
 
 Leaf = dict[str, Any]
 DIRECTIONS = {"floating": "lower_is_better", "solid_penetration": "higher_is_better"}
 MOST_LISTED = 20
 """Contacts of one actor that a verdict lists."""
+_STATES = ("supported", "floating", "unresolved")
+_SHOWN = ("actor", "state", "mode", "method", "gap_cm", "held_by")
 
 
 def verify_physics(
@@ -45,54 +55,52 @@ def verify_physics(
     snapshot: Mapping[str, Any],
     input_snapshot: Mapping[str, Any] | None = None,
     *,
-    contacts: Sequence[Contact] | None = None,
+    contacts: Sequence[Contact] | Mapping[str, Any] | None = None,
+    support: Mapping[str, Any] | None = None,
+    meshes: MeshSource | None = None,
+    alone: bool = False,
 ) -> Verdict:
-    """Measure the two physics leaves, ``floating`` and ``solid_penetration``.
+    """Judge the two physics leaves, ``floating`` and ``solid_penetration``.
 
     Args:
         setting: ``text-to-scene`` (all actors), or an image-to-scene setting (actors that differ from the input).
-        snapshot: the candidate scene. Contacts come from its collision bodies.
+        snapshot: the candidate scene.
         input_snapshot: the start scene; needed by image-to-scene.
-        contacts: contacts that another engine measured, for a snapshot without collision bodies. The depth
-            of one that is not trusted may be NaN.
+        contacts: a record of ``measure_contacts``, or contacts that another engine measured, for a snapshot without
+            collision bodies (the depth of one that is not trusted may be NaN). Measured here when not given.
+        support: a record of ``measure_support``. Measured here when not given.
+        meshes, alone: of that measurement, as ``measure_support`` has them.
 
     Without bodies and without ``contacts`` an actor is unresolved, and a leaf that rests on it is not evaluated.
-    Raises ``BadInput`` for a scene without an actor list, and for image-to-scene without an input scene.
+    Raises ``BadInput`` for a scene without an actor list, for image-to-scene without an input scene, and for a record
+    of another scene.
     """
-    actors = _actors_of(snapshot, "snapshot")
-    role = roles(actors)
-    scene = scene_bodies(snapshot)
-    whole = is_construction(setting)
-    if whole:
-        chosen = list(range(len(actors)))
-        floating = _scene_floating(snapshot)
+    scene = PhysicsScene(setting, snapshot, input_snapshot)
+    if scene.fault:
+        return _withheld(scene.actors, scene.fault)
+    if contacts is None:
+        found = contacts_of(scene)
+    elif isinstance(contacts, Mapping):
+        found = checked(scene, contacts, ContactsRecord)
     else:
-        if input_snapshot is None:
-            raise BadInput("image-to-scene physics needs the input snapshot", where=setting)
-        _actors_of(input_snapshot, "input snapshot")
-        try:
-            chosen = edited_actors(snapshot, input_snapshot)
-        except BadInput as error:
-            if error.where != CANDIDATE:
-                raise
-            return _withheld(actors, error.line())
-        floating = _edited_floating(actors, role, scene, chosen)
-    if contacts is not None:
-        scene = SceneBodies(scene.bodies, scene.owners, {})
+        found = given_contacts(scene, contacts)
+    held = support_of(scene, meshes, alone=alone) if support is None else checked(scene, support, SupportRecord)
+    return _judged(scene, found, held)
+
+
+def _judged(scene: PhysicsScene, contacts: ContactsRecord, support: SupportRecord) -> Verdict:
+    actors, role, chosen, whole = scene.actors, scene.role, scene.chosen, scene.whole
+    unknown = {row["index"]: row["reason"] for row in contacts["unknown"]}
+    floating = _scene_floating(scene, support) if whole else _edited_floating(support)
     tolerances = tolerances_cm(actors, role, chosen, adaptive=whole)
-    found = (
-        list(contacts)
-        if contacts is not None
-        else scene_contacts(
-            snapshot,
-            scene,
-            minimum_depth_cm=FIXED_TOLERANCE_CM,
-            actors=None if whole else chosen,
-            rule=contact_rule(actors, role, tolerances),
-        )
-    )
     judged = penetration(
-        actors, role, found, scene, scored=chosen, tolerances=tolerances, noise_cm=NOISE_CM if contacts is None else 0.0
+        actors,
+        role,
+        read_contacts(contacts),
+        SceneBodies(unresolved=unknown),
+        scored=chosen,
+        tolerances=tolerances,
+        noise_cm=contacts["noise_cm"],
     )
     solid = _penetration_leaf(actors, chosen, judged, whole)
     leaves = {"leaf_results": [floating, solid], "leaf_score_directions": DIRECTIONS}
@@ -106,9 +114,10 @@ def verify_physics(
         measurements={
             **leaves,
             "leaves": total["leaves"],
+            "diagnostic_leaves": [] if whole else [_near_bodies(actors, support["near_bodies"])],
             "role_policy": ROLE_POLICY,
             "profile": WHOLE_SCENE_PROFILE if whole else EDITED_ACTORS_PROFILE,
-            "roles": {_name(actors[i]): role[i] for i in chosen},
+            "roles": {actor_name(actors[i]): role[i] for i in chosen},
         },
         population={
             "actors": len(actors),
@@ -117,8 +126,8 @@ def verify_physics(
             **_leaf_population("solid_penetration", solid),
             **{f"role_{name}": n for name, n in sorted(Counter(role[i] for i in chosen).items())},
         },
-        advisories=_advisories(actors, chosen, scored, judged, scene, (floating, solid))
-        + (_support_oddities(snapshot, actors, scored) if whole else []),
+        advisories=_advisories(actors, chosen, scored, judged, {*contacts["with_bodies"], *unknown}, (floating, solid))
+        + (_support_oddities(scene, scored) if whole else _hidden_by_edits(support)),
     )
 
 
@@ -153,19 +162,13 @@ def _withheld(actors: Sequence[Mapping[str, Any]], reason: str) -> Verdict:
         measurements={
             **leaves,
             "leaves": total["leaves"],
+            "diagnostic_leaves": [],
             "role_policy": ROLE_POLICY,
             "profile": EDITED_ACTORS_PROFILE,
             "roles": {},
         },
         population={"actors": len(actors)},
     )
-
-
-def _actors_of(snapshot: Mapping[str, Any], what: str) -> list[Mapping[str, Any]]:
-    actors = snapshot.get("actors")
-    if not isinstance(actors, list) or not all(isinstance(actor, Mapping) for actor in actors):
-        raise BadInput(f"the {what} has no list of actors", todo="export the scene again")
-    return actors
 
 
 def report(verdict: Verdict) -> dict[str, Any]:
@@ -194,67 +197,64 @@ def _leaf_population(name: str, leaf: Leaf) -> dict[str, int]:
     return {f"{name}_{key}": leaf[key] for key in ("evaluated", "unresolved", "failed")}
 
 
-def _name(actor: Mapping[str, Any]) -> str:
-    return str(actor.get("name") or actor.get("label"))
-
-
-def _scene_floating(snapshot: Mapping[str, Any]) -> Leaf:
+def _scene_floating(scene: PhysicsScene, support: SupportRecord) -> Leaf:
     """Text-to-scene: the box rule over all generated actors."""
-    try:
-        support: Support = text_to_scene_support(snapshot)
-    except ValueError as error:
-        return _floating("error", None, 0, 0, [], reason=str(error))
-    failed = [
-        _name(actor) for actor, state in zip(snapshot["actors"], support.per_actor, strict=True) if state == "floating"
-    ]
-    status, score = ("measured", support.rate) if support.evaluated else _empty(len(support.per_actor), None)
-    return _floating(
-        status,
-        score,
-        support.evaluated,
-        0,
-        failed,
-        metric=T2S_FLOATING_METRIC,
-        excluded=support.per_actor.count("excluded"),
-    )
+    if support["error"]:
+        return _floating("error", None, 0, 0, [], reason=support["error"])
+    states = [row["state"] for row in support["rows"]]
+    failed = [row["actor"] for row in support["rows"] if row["state"] == "floating"]
+    rate = round(len(failed) / len(states), PHYSICS_DIGITS) if states else None
+    status, score = ("measured", rate) if states else _empty(len(scene.actors), None)
+    return _floating(status, score, len(states), 0, failed, metric=T2S_FLOATING_METRIC, excluded=support["excluded"])
 
 
-def _edited_floating(
-    actors: Sequence[Mapping[str, Any]], role: Sequence[Role], scene: SceneBodies, chosen: Sequence[int]
-) -> Leaf:
+def _edited_floating(support: SupportRecord) -> Leaf:
     """Image-to-scene: support of the edited actors, without non-solid ones and broad thin ground surfaces.
 
     When none is left the leaf is neutral; the penetration leaf is then not applicable. One actor without evidence
     withholds the leaf, whatever the others show: here a failure proves nothing about the rest (all as published).
     """
-    tested = [i for i in chosen if not needs_no_support(actors[i])]
-    solid = {i for i in range(len(actors)) if role[i] != "non_solid"}
-    unknown = [
-        (box[0] - box[1], box[0] + box[1])
-        if (box := bounds_of(actors[i])) is not None
-        else (np.full(3, -math.inf), np.full(3, math.inf))
-        for i in scene.unresolved
-        if i in solid
-    ]
-    boxes = {i: (box[0] - box[1], box[0] + box[1]) for i in tested if (box := bounds_of(actors[i])) is not None}
-    states = edited_support(scene, tested, solid, unknown, boxes)
-    failed = [_name(actors[i]) for i, state in states.items() if state == "floating"]
-    unresolved = [_name(actors[i]) for i, state in states.items() if state == "unresolved"]
-    evaluated = len(states) - len(unresolved)
-    if not tested:
-        status, score = "measured", 0.0
-    elif unresolved:
-        status, score = "not_evaluated", None
-    else:
-        status, score = "measured", len(failed) / evaluated
+    named = {state: [row["actor"] for row in support["rows"] if row["state"] == state] for state in _STATES}
+    failed, unresolved = named["floating"], named["unresolved"]
+    status, score = _rate(len(failed), len(unresolved), len(support["rows"]))
     return _floating(
         status,
         score,
-        evaluated,
+        len(support["rows"]) - len(unresolved),
         len(unresolved),
         failed,
         metric=I2S_FLOATING_METRIC,
         gap_cm=GAP_CM,
+        unresolved_actors=unresolved,
+        actors=[{key: value for key, value in row.items() if key in _SHOWN} for row in support["rows"]],
+    )
+
+
+def _rate(failed: int, unresolved: int, tested: int) -> tuple[str, float | None]:
+    if not tested:
+        return "measured", 0.0
+    return ("not_evaluated", None) if unresolved else ("measured", failed / tested)
+
+
+def _near_bodies(actors: Actors, record: NearBodies) -> Leaf:
+    """The same question asked of the collision bodies, for comparison: no weight, and in no score."""
+    named = {
+        state: [actor_name(actors[row["index"]]) for row in record["states"] if row["state"] == state]
+        for state in _STATES
+    }
+    failed, unresolved = named["floating"], named["unresolved"]
+    status, score = _rate(len(failed), len(unresolved), len(record["states"]))
+    return _leaf(
+        "near_bodies",
+        status,
+        score,
+        "lower_is_better",
+        weight=None,
+        metric=record["metric"],
+        evaluated=len(record["states"]) - len(unresolved),
+        unresolved=len(unresolved),
+        failed=len(failed),
+        floating_actors=failed,
         unresolved_actors=unresolved,
     )
 
@@ -309,17 +309,17 @@ def _penetration_leaf(
         failed=len(judged.violators),
         violations=[
             {
-                "actor": _name(actors[i]),
+                "actor": actor_name(actors[i]),
                 "tolerance_cm": judged.tolerances_cm[i],
                 **_contact_rows(actors, judged.violating(i)),
             }
             for i in judged.violators
         ],
-        unresolved_actors=[_name(actors[i]) for i in judged.unresolved],
+        unresolved_actors=[actor_name(actors[i]) for i in judged.unresolved],
         measured_beyond_cm=FIXED_TOLERANCE_CM,
         actors=[
             {
-                "actor": _name(actors[i]),
+                "actor": actor_name(actors[i]),
                 "state": state[i],
                 "tolerance_cm": judged.tolerances_cm.get(i),
                 **_contact_rows(actors, judged.contacts.get(i, [])),
@@ -333,24 +333,37 @@ def _penetration_leaf(
 def _contact_rows(actors: Sequence[Mapping[str, Any]], rows: Sequence[tuple[int, float, bool]]) -> dict[str, Any]:
     """The deepest contacts of an actor, and their number where more were found."""
     listed = [
-        {"actor": _name(actors[other]), "depth_cm": None if math.isnan(depth) else round(depth, 4), "trusted": trusted}
+        {
+            "actor": actor_name(actors[other]),
+            "depth_cm": None if math.isnan(depth) else round(depth, 4),
+            "trusted": trusted,
+        }
         for other, depth, trusted in rows[:MOST_LISTED]
     ]
     return {"contacts": listed} if len(rows) <= MOST_LISTED else {"contacts": listed, "contacts_found": len(rows)}
 
 
-def _support_oddities(
-    snapshot: Mapping[str, Any], actors: Sequence[Mapping[str, Any]], scored: Sequence[int]
-) -> list[dict[str, Any]]:
+def _support_oddities(scene: PhysicsScene, scored: Sequence[int]) -> list[dict[str, Any]]:
     try:
-        support = text_to_scene_support(snapshot)
+        support = text_to_scene_support(scene.snapshot)
     except ValueError:
         return []
-    return _unscored_labels(actors, scored) + support_advisories(snapshot, support)
+    return _unscored_labels(scene.actors, scored) + support_advisories(scene.snapshot, support)
+
+
+def _hidden_by_edits(support: SupportRecord) -> list[dict[str, Any]]:
+    """Actors that float by the published probe, although collision bodies hold them."""
+    near = {row["index"] for row in support["near_bodies"]["states"] if row["state"] == "supported"}
+    named = [row["actor"] for row in support["rows"] if row["state"] == "floating" and row["index"] in near]
+    text = (
+        "these float although a body is within 5 cm below or at the side: edits of one group do not hold each other, a "
+        "line stops at the first surface, and only thin standing panels are held sideways"
+    )
+    return [{"code": "floats_beside_a_body", "text": text, "actors": named}] if named else []
 
 
 def _unscored_labels(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> list[dict[str, Any]]:
-    named = [_name(actors[i]) for i in scored if excluded_by_label(actors[i])]
+    named = [actor_name(actors[i]) for i in scored if excluded_by_label(actors[i])]
     return (
         [
             {
@@ -369,7 +382,7 @@ def _one_object(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> l
     """Scored actors that share a logical object with another actor."""
     objects = [str(actor.get("logical_object_id") or "") for actor in actors]
     members = Counter(objects)
-    return [_name(actors[i]) for i in scored if objects[i] and members[objects[i]] > 1]
+    return [actor_name(actors[i]) for i in scored if objects[i] and members[objects[i]] > 1]
 
 
 def _advisories(
@@ -377,10 +390,10 @@ def _advisories(
     chosen: Sequence[int],
     scored: Sequence[int],
     judged: Penetration,
-    scene: SceneBodies,
+    known: set[int],
     leaves: tuple[Leaf, Leaf],
 ) -> list[dict[str, Any]]:
-    """Known oddities of the protocol in this scene."""
+    """Known oddities of the protocol in this scene. ``known``: actors with bodies, or with bodies not at hand."""
     notes: list[dict[str, Any]] = []
     if not chosen and leaves[1]["status"] == "measured":
         notes.append({"code": "empty_population", "text": "no actor was edited: both leaves are neutral", "actors": []})
@@ -389,7 +402,7 @@ def _advisories(
             {
                 "code": "all_excluded",
                 "text": "every selected actor is excluded from a leaf, which is not applicable and counts 0",
-                "actors": [_name(actors[i]) for i in chosen],
+                "actors": [actor_name(actors[i]) for i in chosen],
             }
         )
     if judged.unresolved and judged.violators:
@@ -397,7 +410,7 @@ def _advisories(
             {
                 "code": "violation_lifts_unresolved",
                 "text": "a proven violation makes the leaf measured although other actors are unresolved",
-                "actors": [_name(actors[i]) for i in judged.unresolved],
+                "actors": [actor_name(actors[i]) for i in judged.unresolved],
             }
         )
     whole = _one_object(actors, scored)
@@ -409,8 +422,7 @@ def _advisories(
                 "actors": whole,
             }
         )
-    owners = set(scene.owners)
-    bare = [_name(actors[i]) for i in scored if i not in owners and i not in scene.unresolved]
+    bare = [actor_name(actors[i]) for i in scored if i not in known]
     if bare:
         notes.append(
             {
