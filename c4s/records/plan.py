@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
-from c4s.records.base import Record
+from c4s.records.base import Record, Sealed
 from c4s.records.suite import Setting
 
 
@@ -30,9 +30,10 @@ class PlannedCase(Record):
     withheld_digest: str
 
 
-class Plan(Record):
+class Plan(Sealed):
     """What a run will do, frozen before it starts. Nothing volatile (path, port, time) is part of it."""
 
+    REMEDY: ClassVar[str] = "restore the file, or choose another --run-id"
     schema_version: Literal["c4s.plan.v1"] = "c4s.plan.v1"
     run_id: str
     suite_id: str

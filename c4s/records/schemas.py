@@ -9,6 +9,7 @@ from pydantic import BaseModel
 
 from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.base import SEAL, Sealed
 from c4s.records.level import Level
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration, Plan
@@ -37,7 +38,11 @@ def write_schemas(folder: Path) -> list[Path]:
     files = []
     for name, model in FORMATS.items():
         files.append(folder / f"{name}.schema.json")
-        write_json(files[-1], model.model_json_schema(by_alias=True))
+        schema = model.model_json_schema(by_alias=True)
+        if issubclass(model, Sealed):
+            schema["properties"][SEAL] = {"pattern": "^[0-9a-f]{64}$", "title": "Digest of the rest", "type": "string"}
+            schema["required"] = [*schema.get("required", []), SEAL]
+        write_json(files[-1], schema)
     return files
 
 

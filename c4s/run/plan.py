@@ -12,6 +12,7 @@ from c4s.files import digest
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.suite import SuiteFolder
+from c4s.records.suite_check import check_case
 
 VERSIONED = ("prefect", "numpy", "scipy", "embreex", "python-fcl", "coal", "trimesh", "mcp", "duckdb", "pyarrow")
 
@@ -74,13 +75,18 @@ def make_plan(
     repeats: int = 1,
     cases: Sequence[str] = (),
 ) -> Plan:
-    """A plan over the suite's cases (all, or those named). Raises ``BadInput`` for an unknown case."""
+    """A plan over the suite's cases (all, or those named).
+
+    Raises ``BadInput`` for an unknown case, and for a case or pack that is not as it was frozen.
+    """
     record = suite.suite()
     known = {case.case_id for case in record.cases}
     for case_id in cases:
         if case_id not in known:
             raise BadInput(f"no case {case_id!r} in suite {record.suite_id!r}", todo="see `c4s suite show`")
     chosen = [case for case in record.cases if not cases or case.case_id in cases]
+    for case in chosen:
+        check_case(suite, case)
     planned = [
         PlannedCase(
             case_id=case.case_id,

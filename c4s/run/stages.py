@@ -16,13 +16,14 @@ from typing import Any
 
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import append_json_line, digest_file, read_json
-from c4s.home import packs_root
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase
+from c4s.records.suite_check import check_case
 from c4s.records.verdict import Verdict
+from c4s.run.check import check_evidence, check_submission
 from c4s.run.plan import Trial
 
 ATTEMPTS = 2
@@ -41,17 +42,9 @@ class TrialInputs:
 
 
 def inputs(trial: Trial) -> TrialInputs:
-    """Open the case package and check that every pack is there with the frozen digest (``BadInput`` otherwise)."""
+    """Open the case package; ``BadInput`` where it or one of its packs is not as the plan froze it."""
     suite = SuiteFolder(trial.suite)
-    case = suite.agent_case(trial.case.case_id)
-    folders = []
-    for reference in case.packs:
-        folder = packs_root() / reference.pack_id
-        if not (folder / "pack.json").is_file():
-            raise BadInput(
-                f"pack {reference.pack_id!r} is missing", where=trial.case.case_id, todo=f"build it into {packs_root()}"
-            )
-        folders.append(folder)
+    case, folders = check_case(suite, trial.case)
     return TrialInputs(
         case=case,
         withheld=suite.withheld_case(case.case_id),
@@ -120,6 +113,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         )
         return False
     started, given = time.perf_counter(), inputs(trial)
+    check_submission(attempt_folder, outcome)
     evidence = trial.folder.evidence
     authored = []
     if given.case.setting != "text-to-scene":
@@ -154,7 +148,9 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     )
     if verdict.status == "error":
         raise MachineryFault(verdict.reason, where=trial.name, todo="run the same command again")
-    verdict = verdict.model_copy(update={"inputs": _digests(evidence, "snapshot.json", "dependencies.json")})
+    verdict = verdict.model_copy(
+        update={"inputs": _digests(evidence, "snapshot.json", "dependencies.json", "digests.json")}
+    )
     verdict.write(trial.folder.verdict("integrity"))
     verdict.write(path)
     _timed(trial, f"integrity-{number}", started)
@@ -257,6 +253,7 @@ def _verdict(trial: Trial, verifier: str, verify: Any) -> Verdict:
     if path.is_file():
         return Verdict.read(path)
     started = time.perf_counter()
+    check_evidence(trial.folder)
     verdict: Verdict = verify(inputs(trial), trial.folder.evidence)
     verdict.write(path)
     _timed(trial, verifier, started)

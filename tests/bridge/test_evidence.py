@@ -12,7 +12,8 @@ import pytest
 
 from c4s.errors import BadInput
 from c4s.evidence.collect import collect, export_level
-from c4s.files import digest_file, digest_tree, read_json, write_json
+from c4s.files import digest_file, read_json, write_json
+from c4s.trees import digest_tree
 
 PACKAGE = "/Game/SavedScenes/Room"
 
