@@ -37,9 +37,14 @@ def write_text(path: Path, text: str) -> None:
     write_bytes(path, text.encode())
 
 
+def json_text(value: Any, *, indent: int | None = 1) -> str:
+    """JSON as it is written to files; NaN and infinities are refused (``ValueError``)."""
+    return json.dumps(value, indent=indent, ensure_ascii=False, allow_nan=False) + "\n"
+
+
 def write_json(path: Path, value: Any, *, indent: int | None = 1) -> None:
     """Write JSON atomically; NaN and infinities are refused (``ValueError``)."""
-    write_text(path, json.dumps(value, indent=indent, ensure_ascii=False, allow_nan=False) + "\n")
+    write_text(path, json_text(value, indent=indent))
 
 
 def canonical_json(value: Any) -> str:
@@ -63,12 +68,6 @@ def digest_file(path: Path) -> str:
         return hashlib.file_digest(source, "sha256").hexdigest()
 
 
-def digest_tree(folder: Path) -> str:
-    """SHA-256 of the sorted relative names and contents of all files under ``folder``."""
-    files = sorted(p for p in folder.rglob("*") if p.is_file())
-    return digest([[p.relative_to(folder).as_posix(), digest_file(p)] for p in files])
-
-
 def parse_json(data: bytes) -> Any:
     """Parse JSON. The tokens NaN and Infinity, which some exporters write, are accepted; else ``ValueError``."""
     with put_off():
@@ -80,6 +79,18 @@ def parse_json(data: bytes) -> Any:
 
 def read_json(path: Path, *, what: str = "file") -> Any:
     """Read a JSON file. Raises ``BadInput`` when it is missing, truncated or not JSON."""
+    return _read_json(path, what)[0]
+
+
+def read_written_json(path: Path, *, what: str = "file", todo: str = "") -> Any:
+    """Read a file that ``write_json`` wrote; ``BadInput`` also when its bytes are not those that it writes."""
+    value, data = _read_json(path, what)
+    if json_text(value).encode() != data:
+        raise BadInput("the file has changed since it was written", where=str(path), todo=todo)
+    return value
+
+
+def _read_json(path: Path, what: str) -> tuple[Any, bytes]:
     try:
         data = path.read_bytes()
     except FileNotFoundError:
@@ -87,7 +98,7 @@ def read_json(path: Path, *, what: str = "file") -> Any:
     except OSError as error:
         raise BadInput(f"cannot read this {what}: {error}", where=str(path)) from None
     try:
-        return parse_json(data)
+        return parse_json(data), data
     except (ValueError, RecursionError) as error:
         raise BadInput(f"this {what} is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
 

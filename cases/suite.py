@@ -2,8 +2,8 @@
 
 Levels are corrupted here; what a level looks like to the verifiers (its snapshot) and to the agent (reference pictures)
 is exported by the same clean engine process that later reads the submissions. A suite is built beside its place and
-renamed when it is whole, so an interrupted build leaves nothing half done. The digest of the definition decides
-whether a suite that is there is the one that is asked for.
+moved there when it is whole, so an interrupted build leaves nothing half done. The digest of the definition decides
+whether a suite that is there is the one that is asked for; another one is replaced only where that is asked for.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ from typing import Any
 
 from c4s.errors import BadInput
 from c4s.files import digest, read_json, write_json, write_text
+from c4s.folders import beside, put_folder
+from c4s.packs.check import check_pack
 from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
@@ -26,10 +28,13 @@ from cases.corruption import Recipe, apply, with_identities
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, Scene, SuiteDefinition, TextCase
 from cases.prompts import repair_prompt, spawn_path, text_prompt
 from cases.requirements import bundle
+from cases.settle import to_build
 from cases.views import cameras_record
 
 BUILDER_VERSION = 3
 """Part of the definition's digest: raise it when the same definition is built into other files."""
+STAMP = "build.json"
+"""Beside ``suite.json``: the digest of the definition that the suite was built from."""
 SCENES_AT_ONCE = 2
 """An engine starts and writes its files on one processor; meanwhile that of another scene renders on the others."""
 BLANK_STAGE = "/Game/SceneBench/BlankStage"
@@ -73,41 +78,41 @@ def _case_digest(case: RepairCase | TextCase) -> str:
     return digest(repr(case))
 
 
-def build_suite(definition: SuiteDefinition, root: Path, packs_root: Path, progress: Progress = print) -> Suite:
+def build_suite(
+    definition: SuiteDefinition, root: Path, packs_root: Path, progress: Progress = print, *, replace: bool = False
+) -> Suite:
     """Build the suite at ``root`` unless the same one is there.
 
     Args:
         definition: scenes and cases.
-        root: the suite's folder; an older build of the suite is replaced as a whole.
+        root: the suite's folder.
         packs_root: where the packs lie, one folder a pack.
         progress: called with a line for each step.
+        replace: put the new suite in the place of another one, or of one that was changed, when it is whole.
 
     Raises:
-        BadInput: a pack is missing, or a case cannot be used (the message names it).
+        BadInput: a pack is missing or was changed, a case cannot be used (the message names it), or what lies at
+            ``root`` is not to be replaced.
         MachineryFault: the engine failed.
     """
     check_definition(definition)
+    for pack_id in definition.packs:
+        check_pack(packs_root / pack_id)
     packs = {pack_id: Pack.read(packs_root / pack_id / "pack.json") for pack_id in definition.packs}
     references = [PackRef(pack_id=pack_id, digest=pack.sha256()) for pack_id, pack in packs.items()]
     wanted = definition_digest(definition, references)
-    if (
-        (root / "suite.json").is_file()
-        and (root / "build.json").is_file()
-        and read_json(root / "build.json").get("definition") == wanted
-    ):
+    same = (root / STAMP).is_file() and read_json(root / STAMP).get("definition") == wanted
+    if not to_build(root, same=same, replace=replace):
         progress(f"suite {definition.suite_id}: already built")
         return SuiteFolder(root).suite()
-    root.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=root.parent, prefix=f".{root.name}.") as scratch:
-        folder = SuiteFolder(Path(scratch) / "suite")
+    with beside(root) as scratch:
+        folder = SuiteFolder(scratch / "suite")
         builder = _Builder(definition, folder, packs, packs_root, progress)
         with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
             list(pool.map(builder.scene, definition.scenes))
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
-        write_json(folder.root / "build.json", {"definition": wanted})
-        if root.exists():
-            shutil.rmtree(root)
-        folder.root.rename(root)
+        write_json(folder.root / STAMP, {"definition": wanted})
+        put_folder(folder.root, root)
     return suite
 
 

@@ -17,12 +17,15 @@ from trimesh.visual.material import PBRMaterial
 
 from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, digest_file, read_json, write_bytes, write_json
+from c4s.folders import beside
 from c4s.geometry.transform import affine, transformed_box
 from c4s.home import packs_root
+from c4s.packs.check import pack_changes
 from c4s.packs.meshes import Mesh
 from c4s.records.level import Transform
-from c4s.records.pack import Asset, BlueprintPart, Material, MaterialSlot, Pack
+from c4s.records.pack import MANIFEST, STAMP, Asset, BlueprintPart, Material, MaterialSlot, Pack
 from catalog.preview import write_previews
+from catalog.settle import check_kept, settle
 from catalog.shapes import AssetSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec, Shape
 from catalog.shapes.spec import asset_id, readable
 from catalog.shapes.textures import png
@@ -151,9 +154,19 @@ class _Writer:
         )
 
 
-def build_pack(spec: PackSpec, root: Path) -> Pack:
-    """Write a pack to ``root/<pack id>`` and return its manifest; ``BadInput`` when the specification is wrong."""
-    writer = _Writer(spec, root / spec.pack_id)
+def build_pack(spec: PackSpec, root: Path, *, replace: bool = False) -> Pack:
+    """Write a pack to ``root/<pack id>`` and return its manifest.
+
+    Raises ``BadInput`` when the specification is wrong, or where another pack lies there and ``replace`` is not given.
+    """
+    with beside(root / spec.pack_id) as scratch:
+        pack = _written(spec, scratch / spec.pack_id)
+        settle(scratch / spec.pack_id, root / spec.pack_id, replace=replace)
+    return pack
+
+
+def _written(spec: PackSpec, folder: Path) -> Pack:
+    writer = _Writer(spec, folder)
     materials = [writer.material(material) for material in spec.materials]
     assets = [writer.asset(asset) for asset in spec.assets]
     assets += [writer.blueprint(blueprint) for blueprint in spec.blueprints]
@@ -171,8 +184,8 @@ def build_pack(spec: PackSpec, root: Path) -> Pack:
         materials=materials,
         category_descriptions=spec.category_descriptions,
     )
-    pack.write(writer.folder / "pack.json")
-    return write_previews(writer.folder)
+    pack.write(folder / MANIFEST)
+    return write_previews(folder)
 
 
 def sources_digest() -> str:
@@ -185,12 +198,18 @@ def sources_digest() -> str:
     return digest([[path.name, digest_file(path)] for path in (*files, Path(c4s.records.pack.__file__))])
 
 
-def ensure_pack(pack_id: str, root: Path) -> Pack:
-    """The starter pack under ``root``: as it is there when it was built by these sources, else built now."""
-    manifest, stamp = root / pack_id / "pack.json", root / pack_id / "build.json"
-    if manifest.is_file() and stamp.is_file() and read_json(stamp).get("sources") == sources_digest():
-        return Pack.read(manifest)
-    pack = build_pack(starter_pack(pack_id), root)
+def ensure_pack(pack_id: str, root: Path, *, replace: bool = False) -> Pack:
+    """The starter pack under ``root``: as it is there when these sources built it, else built now.
+
+    Raises ``BadInput`` where the pack that is there was changed, or where these sources build another one, unless
+    ``replace`` is given.
+    """
+    place, stamp = root / pack_id, root / pack_id / STAMP
+    ours = (place / MANIFEST).is_file() and stamp.is_file() and read_json(stamp).get("sources") == sources_digest()
+    if ours and not (replace and pack_changes(place)):
+        check_kept(place)
+        return Pack.read(place / MANIFEST)
+    pack = build_pack(starter_pack(pack_id), root, replace=replace)
     write_json(stamp, {"sources": sources_digest()})
     return pack
 
@@ -204,9 +223,10 @@ def starter_pack(pack_id: str) -> PackSpec:
     return spec
 
 
-def build_starter(root: Path | None = None, pack_ids: list[str] | None = None) -> list[Pack]:
+def build_starter(root: Path | None = None, pack_ids: list[str] | None = None, *, replace: bool = False) -> list[Pack]:
     """Build the named starter packs, or all, under ``root`` (default: the packs folder of ``C4S_HOME``)."""
-    return [build_pack(starter_pack(pack_id), root or packs_root()) for pack_id in pack_ids or list(STARTER)]
+    named = pack_ids or list(STARTER)
+    return [build_pack(starter_pack(pack_id), root or packs_root(), replace=replace) for pack_id in named]
 
 
 def main() -> None:
@@ -214,8 +234,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Build starter packs.")
     parser.add_argument("packs", nargs="*", help=f"of {', '.join(STARTER)}; all when none is named")
     parser.add_argument("--out", type=Path, default=None)
+    parser.add_argument("--replace", action="store_true", help="replace another pack of the same name")
     options = parser.parse_args()
-    for pack in build_starter(options.out, options.packs):
+    for pack in build_starter(options.out, options.packs, replace=options.replace):
         print(f"{pack.pack_id}: {len(pack.assets)} assets, {len(pack.materials)} materials, {pack.sha256()[:12]}")
 
 

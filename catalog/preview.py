@@ -21,8 +21,9 @@ from c4s.geometry.transform import affine, look_at, rotation_matrix
 from c4s.home import cache_root
 from c4s.packs.meshes import Mesh
 from c4s.packs.store import PackStore
-from c4s.records.pack import Asset, Material, Pack
+from c4s.records.pack import MANIFEST, STAMP, Asset, Material, Pack
 from c4s.render import Camera, Instance, Lights, Renderer, Sky, Sun, SurfaceMaterial
+from c4s.trees import read_listing
 
 SIZE = 160
 """Pixels a side of a preview."""
@@ -143,7 +144,9 @@ def _key(store: PackStore, asset: Asset) -> str:
 
 
 def write_previews(folder: Path) -> Pack:
-    """Draw ``previews/<id>.png`` of every asset of the pack in ``folder``, and name them in its manifest.
+    """Draw ``previews/<id>.png`` of every asset of the pack in ``folder``; name them in its manifest, and freeze it.
+
+    The manifest then holds the digest of every file of the folder: this is the last step of a build.
 
     Pictures are kept in the cache under ``C4S_HOME`` by the digest of meshes, materials and the renderer's sources.
     """
@@ -157,8 +160,9 @@ def write_previews(folder: Path) -> Pack:
         name = f"previews/{asset.id}.png"
         write_bytes(folder / name, kept.read_bytes())
         named.append(asset.model_copy(update={"preview": name}))
-    pack = pack.model_copy(update={"assets": named})
-    pack.write(folder / "pack.json")
+    files = {name: value for name, value in read_listing(folder).items() if name not in (MANIFEST, STAMP)}
+    pack = pack.model_copy(update={"assets": named, "files": dict(sorted(files.items()))})
+    pack.write(folder / MANIFEST)
     return pack
 
 

@@ -15,6 +15,7 @@ from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
+from c4s.run.check import check_kept
 from c4s.run.configurations import configuration
 from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.verify.registry import is_judged, verifiers_of
@@ -98,6 +99,8 @@ def evaluate(
     warehouse = warehouse_root()
     ingest_schedule(run, folder, plan, warehouse)
     missing = [trial for trial in trials(run, folder, plan) if not is_stored(trial, plan, warehouse)]
+    for trial in missing:
+        check_kept(trial)
     if missing:
         with engine_slots(slots or os.cpu_count() or 1):
             submitted = [(trial, _submit(trial, plan, warehouse)) for trial in missing]

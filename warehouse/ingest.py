@@ -15,6 +15,7 @@ from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.records.suite import SuiteFolder, WithheldFolder
 from c4s.records.verdict import Verdict
+from c4s.run.check import check_evidence
 from c4s.run.configurations import is_ranked
 from c4s.run.plan import Trial, trial_id, trials
 from c4s.verify.registry import verifier_named
@@ -163,6 +164,7 @@ def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:
 def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureRow]:
     index = trial.folder.evidence.captures_index
     if index.is_file():
+        check_evidence(trial.folder)
         for capture in read_json(index)["views"]:
             width, height, jpeg = _jpeg(index.parent / capture["file"])
             yield PictureRow(**key, role="submission", view=capture["name"], width=width, height=height, jpeg=jpeg)

@@ -16,6 +16,7 @@ from c4s.records.attempt import AttemptOutcome
 from c4s.records.folder import TrialFolder
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
+from c4s.run.check import check_evidence
 
 _LEAF_OF_REASON = {
     "unresolved_dependencies": "content_and_dependency_parity",
@@ -107,6 +108,7 @@ def _integrity(verdict: Verdict) -> dict[str, Any]:
 
 
 def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld: Path | None) -> dict[str, Any]:
+    check_evidence(folder)
     physics = Verdict.read(folder.verdict("physics"))
     report = {
         "report_id": "physical_safety",

@@ -121,6 +121,9 @@ def build(
     hulls_of: Annotated[
         list[str] | None, typer.Option(help="another choice for some files, once for each: 'bench*=decompose'")
     ] = None,
+    replace: Annotated[
+        bool, typer.Option("--replace", help="replace a pack of this id that is another, or was changed")
+    ] = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Turn a folder of mesh files into a pack. Files that cannot be used are named and skipped."""
@@ -141,6 +144,7 @@ def build(
             up=up,
             hulls=hulls,
             hulls_of=hulls_of or (),
+            replace=replace,
             progress=step,
         )
         progress.update(task, completed=report["files"], total=report["files"], description=f"{'pack written':51}")

@@ -6,14 +6,14 @@ import time
 
 from c4s.cli.board import print_leaderboard
 from c4s.cli.evaluation import evaluate_here
-from c4s.cli.suite import build_starter_visibly
+from c4s.cli.suite import Replace, build_starter_visibly
 from c4s.run.configurations import BASELINES
 
 
-def demo() -> None:
+def demo(replace: Replace = False) -> None:
     """Build the starter suite, run the five baselines on it, print the leaderboard and the page's address."""
     started = time.perf_counter()
-    build_starter_visibly()
+    build_starter_visibly(replace=replace)
     made = evaluate_here("starter", BASELINES, run_id=None, cases=(), repeats=1, slots=None)
     print_leaderboard("starter")
     print(f"{made.ran} trials run, {made.skipped} already done, {time.perf_counter() - started:.0f} s in all")

@@ -13,6 +13,7 @@ from c4s.errors import BadInput
 from c4s.home import home, runs_root, site_root, suites_root, warehouse_root
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.suite import SuiteFolder
+from c4s.run.check import check_kept
 from c4s.run.configurations import BASELINES, configuration
 from c4s.run.plan import make_plan, open_run, trial_id, trials
 
@@ -85,6 +86,8 @@ def evaluate_here(
     for trial in {trial.case.case_id: trial for trial in scheduled}.values():
         inputs(trial)
     missing = [trial for trial in scheduled if not is_stored(trial, plan, warehouse_root())]
+    for trial in missing:
+        check_kept(trial)
     if missing:
         for chosen in plan.configurations:
             agent = agent_of(chosen)

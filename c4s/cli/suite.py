@@ -11,14 +11,19 @@ from c4s.cli.output import grouped, print_json, print_table
 from c4s.cli.progress import bars, step_line
 from c4s.errors import BadInput
 from c4s.home import checked_id, packs_root, suites_root
+from c4s.packs.suite_check import suite_changes
 from c4s.records.suite import Suite, SuiteFolder
+from c4s.trees import refuse
 
-app = typer.Typer(help="Suites: build, list, show, import.", no_args_is_help=True)
+app = typer.Typer(help="Suites: build, list, show, check, import.", no_args_is_help=True)
 importing = typer.Typer(help="Bring other layouts in as a suite.", no_args_is_help=True)
 app.add_typer(importing, name="import")
+Replace = Annotated[
+    bool, typer.Option("--replace", help="replace what lies under this name and is another, or was changed")
+]
 
 
-def build_starter_visibly() -> Suite:
+def build_starter_visibly(*, replace: bool = False) -> Suite:
     """Build the starter suite and its packs, or find them built; with progress."""
     from cases.starter.suite import build_starter
 
@@ -29,19 +34,21 @@ def build_starter_visibly() -> Suite:
             progress.update(task, description=f"building {message:42.42}")
             step_line(message)
 
-        suite = build_starter(suites_root() / "starter", packs_root(), step)
+        suite = build_starter(suites_root() / "starter", packs_root(), step, replace=replace)
         progress.update(task, description=f"{'starter suite ready':51}")
     return suite
 
 
 @app.command()
 def build(
-    name: Annotated[str, typer.Argument(help="`starter`")], json_output: Annotated[bool, typer.Option("--json")] = False
+    name: Annotated[str, typer.Argument(help="`starter`")],
+    replace: Replace = False,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Build a shipped suite with its asset packs."""
     if name != "starter":
         raise BadInput(f"unknown shipped suite {name!r}", todo="the shipped suite is `starter`")
-    _tell(build_starter_visibly(), suites_root() / name, json_output)
+    _tell(build_starter_visibly(replace=replace), suites_root() / name, json_output)
 
 
 @app.command("list")
@@ -71,10 +78,39 @@ def show(
     _tell(SuiteFolder(suites_root() / name).suite(), suites_root() / name, json_output)
 
 
+@app.command()
+def check(
+    name: Annotated[str, typer.Argument(help="id of a built suite")],
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
+    """Read every byte of a suite and of its packs, and compare it with what was frozen. Exit 2 where one differs."""
+    folder = SuiteFolder(suites_root() / name)
+    read = 0
+    with bars() as progress:
+        task = progress.add_task(f"checking {name:42.42}", total=None)
+
+        def told(file: str) -> None:
+            nonlocal read
+            read += 1
+            progress.update(task, completed=read)
+
+        found = suite_changes(folder, told)
+        progress.update(task, total=read, completed=read, description=f"{f'{read} files read':51}")
+    rows = [{"file": str(change.file), "problem": change.told()} for change in found]
+    if json_output:
+        print_json({"suite": name, "sha256": folder.suite().sha256(), "files": read, "problems": rows})
+    elif rows:
+        print_table(["file", "problem"], [[row["file"], row["problem"]] for row in rows])
+    else:
+        print(f"{name}: {read} files are as they were frozen ({folder.suite().sha256()[:12]})")
+    refuse(found, todo="restore the files, or build again with --replace")
+
+
 @importing.command()
 def code4scene(
     folder: Annotated[Path, typer.Argument(help="folder with the published task layout")],
     suite_id: Annotated[str | None, typer.Option("--id", help="id of the suite to write")] = None,
+    replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes."""
@@ -87,7 +123,7 @@ def code4scene(
         def step(message: str) -> None:
             progress.update(task, description=f"importing {message:41.41}")
 
-        report = import_code4scene(folder, suites_root() / name, packs_root(), step)
+        report = import_code4scene(folder, suites_root() / name, packs_root(), step, replace=replace)
     if json_output:
         print_json(report)
         return
@@ -104,10 +140,11 @@ def import_scene_file(
     scene_id: Annotated[str, typer.Option("--id", help="id of the scene: its pack and its folder under the suites")],
     scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
     without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
-    replace: Annotated[
+    mesh: Annotated[
         list[str] | None,
         typer.Option(help="NAME=FILE#PART: read a mesh that an SDF world names from another file; repeatable"),
     ] = None,
+    replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Bring a human-made scene in as a source scene: a pack of its meshes and a level with an actor a placed thing."""
@@ -126,7 +163,8 @@ def import_scene_file(
             packs=packs_root(),
             scale=scale,
             without=without or [],
-            replace=replace or [],
+            meshes=mesh or [],
+            replace=replace,
             progress=step,
         )
         progress.update(task, description=f"{'scene written':51}")
@@ -141,7 +179,7 @@ def import_scene_file(
         print(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
     if any("mesh" in row["reason"] and row["reason"].endswith("is missing") for row in report["skipped"]):
         print(
-            "a missing mesh can be read from a part of another file: see --replace; "
+            "a missing mesh can be read from a part of another file: see --mesh; "
             f"every name is in {suites_root() / scene_id / 'import.json'}"
         )
     for text, names in grouped(report["notes"], "note", "name").items():
@@ -160,21 +198,19 @@ def make_cases(
     changes: Annotated[int, typer.Option(min=1, max=8, help="most changes of a case")] = 3,
     seed: Annotated[int, typer.Option(help="another seed, other cases")] = 0,
     outdoor: Annotated[bool, typer.Option(help="cases of the outdoor setting")] = False,
+    replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original."""
-    from dataclasses import replace
+    import dataclasses
 
-    from c4s.records.level import Level
     from cases.generate import generated, sound_things
-    from cases.importers.scene import LEVEL_FILE
+    from cases.importers.scene import imported_scene
     from cases.suite import build_suite
 
     if suite_id is not None and checked_id(suite_id, "suite") == scene:
         raise BadInput("the suite cannot have the scene's own id", where=f"--id {scene}")
-    document = suites_root() / scene / LEVEL_FILE
-    if not document.is_file():
-        raise BadInput(f"no imported scene {scene!r}", where=str(suites_root()), todo="see `c4s suite import-scene`")
+    level = imported_scene(suites_root(), packs_root(), scene)
     with bars() as progress:
         task = progress.add_task("looking at the scene", total=None)
 
@@ -182,7 +218,6 @@ def make_cases(
             progress.update(task, description=f"building {message:42.42}")
             step_line(message)
 
-        level = Level.read(document)
         things = sound_things(level, [packs_root() / scene])
         definition = generated(
             scene,
@@ -195,8 +230,8 @@ def make_cases(
             seed=seed,
             environment="outdoor" if outdoor else "indoor",
         )
-        definition = replace(definition, suite_id=suite_id or definition.suite_id)
-        suite = build_suite(definition, suites_root() / definition.suite_id, packs_root(), step)
+        definition = dataclasses.replace(definition, suite_id=suite_id or definition.suite_id)
+        suite = build_suite(definition, suites_root() / definition.suite_id, packs_root(), step, replace=replace)
     _tell(suite, suites_root() / suite.suite_id, json_output)
 
 

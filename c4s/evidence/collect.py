@@ -15,7 +15,9 @@ from c4s.engine.content import content_fault
 from c4s.engine.headless.host.session import EngineCallError, EngineSession
 from c4s.errors import BadInput
 from c4s.evidence.pictures import take_pictures
-from c4s.files import digest_file, write_json
+from c4s.files import write_json
+from c4s.records.evidence_digests import EXPORTED, SEEN, note_digests
+from c4s.records.folder import EvidenceFolder
 
 Cameras = Sequence[Mapping[str, Any]] | Callable[[dict[str, Any]], Sequence[Mapping[str, Any]]]
 
@@ -35,7 +37,7 @@ def collect(
     """Export the submitted level ``package`` from ``submission_content`` into ``out``.
 
     Writes ``snapshot.json``, ``dependencies.json``, ``captures/<view>.png`` and ``.actors.npz`` for each camera,
-    ``captures/captures.json``, and ``digests.json`` (SHA-256 of each). ``cameras`` may be a function of the snapshot.
+    ``captures/captures.json``, and ``digests/`` (SHA-256 of each). ``cameras`` may be a function of the snapshot.
     Pictures that were kept of the same scene are not taken again; ``keep_pictures`` keeps these
     (``c4s.evidence.pictures``).
     What was in ``out`` is replaced as a whole. Raises ``BadInput`` when the level cannot be loaded, ``MachineryFault``
@@ -61,14 +63,8 @@ def collect(
                     made / "captures" / "captures.json",
                     {"schema_version": CAPTURES_VERSION, "engine": "headless", "package": package, "views": records},
                 )
-        write_json(
-            made / "digests.json",
-            {
-                path.relative_to(made).as_posix(): digest_file(path)
-                for path in sorted(made.rglob("*"))
-                if path.is_file()
-            },
-        )
+                note_digests(EvidenceFolder(made), SEEN, (made / "captures").iterdir())
+        note_digests(EvidenceFolder(made), EXPORTED, [made / "snapshot.json", made / "dependencies.json"])
         _replace(made, out)
 
 
@@ -90,14 +86,7 @@ def look_at(
         out / "captures" / "captures.json",
         {"schema_version": CAPTURES_VERSION, "engine": "headless", "package": package, "views": records},
     )
-    write_json(
-        out / "digests.json",
-        {
-            path.relative_to(out).as_posix(): digest_file(path)
-            for path in sorted(out.rglob("*"))
-            if path.is_file() and path.name != "digests.json"
-        },
-    )
+    note_digests(EvidenceFolder(out), SEEN, (out / "captures").iterdir())
 
 
 def export_level(*, packs: Sequence[Path], level: Path, out: Path) -> None:

@@ -13,6 +13,8 @@ from typing import Final, Literal, TypeAlias
 
 from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, TEXT_TO_SCENE, Setting
 
+GATE: Final = "integrity"
+"""The verifier that decides whether a submission is measured at all."""
 T2S_POLICY: Final = "text-to-scene-human-aligned"
 I2S_POLICY: Final = "i2s-actor-f1-0.8-physics-0.2-case-macro.v1"
 MODEL_POLICY: Final = "t2s-0.5-i2s-0.5-pooled-case-macro.v2"

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import ClassVar, Literal
 
-from c4s.records.base import Record
+from c4s.records.base import Sealed
 
 EndedBy = Literal["finished", "call_budget", "wall_budget", "agent_error", "killed"]
 
 
-class AttemptOutcome(Record):
+class AttemptOutcome(Sealed):
     """How one attempt ended. Every attempt is kept."""
 
+    REMEDY: ClassVar[str] = "restore the file, or run this trial again under another --run-id"
     schema_version: Literal["c4s.attempt.v1"] = "c4s.attempt.v1"
     attempt: int
     """1 or 2."""

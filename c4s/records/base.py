@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from c4s.errors import BadInput
-from c4s.files import digest, read_json, write_json
+from c4s.files import digest, read_json, read_written_json, write_json
+
+SEAL = "sha256"
+"""Key of a sealed record's own digest in its file."""
 
 
 class Record(BaseModel):
@@ -42,3 +45,26 @@ class Record(BaseModel):
     def sha256(self) -> str:
         """SHA-256 of the canonical JSON."""
         return digest(self.plain())
+
+
+class Sealed(Record):
+    """A record whose file holds its own digest, so that a file that was changed is refused."""
+
+    REMEDY: ClassVar[str] = ""
+    """What to do about a file that was changed."""
+
+    @classmethod
+    def read(cls, path: Path) -> Self:
+        """Read, compare with the digest in the file, and validate; ``BadInput`` for a file that was changed."""
+        value = read_written_json(path, what=cls.__name__, todo=cls.REMEDY)
+        seal = value.pop(SEAL, None) if isinstance(value, dict) else None
+        if seal is None:
+            raise BadInput(f"this {cls.__name__} holds no digest of itself", where=str(path), todo=cls.REMEDY)
+        if seal != digest(value):
+            raise BadInput("the file has changed since it was written", where=str(path), todo=cls.REMEDY)
+        return cls.parse(value, where=str(path))
+
+    def write(self, path: Path) -> None:
+        """Write as JSON with the digest at its end, atomically."""
+        value = self.plain()
+        write_json(path, {**value, SEAL: digest(value)})

@@ -49,6 +49,8 @@ class Evidence:
     files: Mapping[EvidenceName, Path]
     packs: Sequence[Path] = ()
     """Pack folders of the case, for what an asset is called and made of."""
+    noted: Mapping[EvidenceName, str] = field(default_factory=dict)
+    """The digests that these files had when they were made; any other is refused."""
     minimum_actors: int = 1
     """Of the case: fewer make a scene invalid."""
     manifest: ManifestDigests | None = None
@@ -77,8 +79,19 @@ class Evidence:
             value = parse_json(data)
         except (ValueError, RecursionError) as error:
             raise BadInput(f"the {what} is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
-        self.digests[name] = digest_bytes(data)
+        self.note(name, digest_bytes(data))
         return value
+
+    def note(self, name: str, sha256: str) -> None:
+        """Note what was read. ``BadInput`` when the file is not the one that was made."""
+        for known, path in self.files.items():
+            if known == name and known in self.noted and self.noted[known] != sha256:
+                raise BadInput(
+                    "the file has changed since it was written",
+                    where=str(path),
+                    todo="restore the file, or run this trial again under another --run-id",
+                )
+        self.digests[name] = sha256
 
     def catalog(self) -> dict[str, dict[str, Any]]:
         """What a judge may know of assets: path to name, category, tags, description, size and slot materials."""

@@ -41,10 +41,13 @@ class EvidenceFolder:
         """What was taken: a record a view."""
         return self.captures / "captures.json"
 
-    @property
-    def digests(self) -> Path:
-        """SHA-256 of each file of the evidence, by its relative name."""
-        return self.root / "digests.json"
+    def digests(self, maker: str) -> Path:
+        """SHA-256 of each file that a stage made, by its relative name."""
+        return self.root / "digests" / f"{maker}.json"
+
+    def listings(self) -> list[Path]:
+        """The lists of digests that are there."""
+        return sorted((self.root / "digests").glob("*.json"))
 
 
 class AttemptFolder:
@@ -82,6 +85,11 @@ class AttemptFolder:
     def submission(self) -> Path:
         """The content that the engine saved."""
         return self.root / "submission"
+
+    @property
+    def submission_digests(self) -> Path:
+        """SHA-256 of each file that the engine saved, to tell which one was changed."""
+        return self.root / "submission.digests.json"
 
     @property
     def saves(self) -> Path:

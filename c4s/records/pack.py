@@ -49,6 +49,8 @@ class HullBody(Record):
     vertices: list[Vector]
 
 
+MANIFEST, STAMP = "pack.json", "build.json"
+"""The two files of a pack that its manifest does not list: itself, and what its builder notes about the build."""
 CollisionBody = Annotated[BoxBody | SphereBody | CapsuleBody | HullBody, Field(discriminator="kind")]
 
 
@@ -139,4 +141,18 @@ class Pack(Record):
     description: str = ""
     assets: list[Asset]
     materials: list[Material] = Field(default_factory=list)
+    files: dict[str, str] = Field(default_factory=dict)
+    """SHA-256 (64 hex) of every file of the pack by its relative name: meshes, textures, previews, licence text."""
     category_descriptions: dict[str, str] = Field(default_factory=dict)
+
+    def named_files(self) -> set[str]:
+        """The files that assets and materials name."""
+        names = [name for asset in self.assets for name in (asset.mesh, asset.preview)]
+        for material in self.materials:
+            names += [
+                material.texture,
+                material.normal_texture,
+                material.roughness_metal_texture,
+                material.emissive_texture,
+            ]
+        return {name for name in names if name is not None}

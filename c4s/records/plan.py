@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
 from c4s.protocol.settings import Setting
-from c4s.records.base import Record
+from c4s.records.base import Record, Sealed
 
 
 class Configuration(Record):
@@ -46,9 +46,10 @@ class Host(Record):
     """What confines engines here: ``bubblewrap``, ``landlock``, ``none`` by choice; null where there is nothing."""
 
 
-class Plan(Record):
+class Plan(Sealed):
     """What a run will do, frozen before it starts. Nothing volatile (path, port, time) is part of it."""
 
+    REMEDY: ClassVar[str] = "restore the file, or choose another --run-id"
     schema_version: Literal["c4s.plan.v1"] = "c4s.plan.v1"
     run_id: str
     suite_id: str

@@ -12,6 +12,7 @@ from pydantic import BaseModel
 
 from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.base import SEAL, Sealed
 from c4s.records.judgement import Judgements
 from c4s.records.level import Level
 from c4s.records.pack import Pack
@@ -44,7 +45,11 @@ def write_schemas(folder: Path) -> list[Path]:
     files = []
     for name, model in FORMATS.items():
         files.append(folder / f"{name}.schema.json")
-        write_json(files[-1], model.model_json_schema(by_alias=True))
+        schema = model.model_json_schema(by_alias=True)
+        if issubclass(model, Sealed):
+            schema["properties"][SEAL] = {"pattern": "^[0-9a-f]{64}$", "title": "Digest of the rest", "type": "string"}
+            schema["required"] = [*schema.get("required", []), SEAL]
+        write_json(files[-1], schema)
     return files
 
 

@@ -2,7 +2,8 @@
 
 ::
 
-    <suite>/suite.json                       Suite: the frozen list of cases
+    <suite>/suite.json                       Suite: the frozen list of cases, with its own digest
+    <suite>/digests.json                     SHA-256 of every file of both trees, to tell which one was changed
     <suite>/agent/<case>/case.json           AgentCase: all that an agent may see ...
     <suite>/agent/<case>/start.level.json    ... the level it starts from (image-to-scene: the corrupted copy)
     <suite>/agent/<case>/references/*.png    ... reference views (image-to-scene)
@@ -20,14 +21,17 @@ under ``c4s.home.packs_root()``.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field
 
 from c4s.errors import BadInput
-from c4s.files import digest_tree
+from c4s.files import write_json
 from c4s.protocol.settings import Setting
-from c4s.records.base import Record
+from c4s.records.base import Record, Sealed
+from c4s.trees import listing_digest, read_listing
+
+DIGESTS = "digests.json"
 
 
 class Budget(Record):
@@ -91,9 +95,10 @@ class SuiteCase(Record):
     withheld_digest: str
 
 
-class Suite(Record):
+class Suite(Sealed):
     """A frozen list of cases."""
 
+    REMEDY: ClassVar[str] = "restore the file, or build the suite again with --replace"
     schema_version: Literal["c4s.suite.v1"] = "c4s.suite.v1"
     suite_id: str
     title: str
@@ -168,15 +173,21 @@ class SuiteFolder:
 
     def freeze(self, suite_id: str, title: str, description: str, packs: list[PackRef]) -> Suite:
         """Digest both trees of every case and write ``suite.json``."""
-        cases = [
-            SuiteCase(
-                case_id=path.name,
-                setting=self.agent_case(path.name).setting,
-                agent_digest=digest_tree(path),
-                withheld_digest=digest_tree(self.withheld(path.name)),
+        cases: list[SuiteCase] = []
+        files: dict[str, str] = {}
+        for path in sorted((self.root / "agent").iterdir()):
+            agent, withheld = read_listing(path), read_listing(self.withheld(path.name))
+            files |= {f"agent/{path.name}/{name}": value for name, value in agent.items()}
+            files |= {f"withheld/{path.name}/{name}": value for name, value in withheld.items()}
+            cases.append(
+                SuiteCase(
+                    case_id=path.name,
+                    setting=self.agent_case(path.name).setting,
+                    agent_digest=listing_digest(agent),
+                    withheld_digest=listing_digest(withheld),
+                )
             )
-            for path in sorted((self.root / "agent").iterdir())
-        ]
+        write_json(self.root / DIGESTS, dict(sorted(files.items())))
         suite = Suite(suite_id=suite_id, title=title, description=description, packs=packs, cases=cases)
         suite.write(self.root / "suite.json")
         return suite

@@ -1,9 +1,9 @@
 """One attempt: an engine, a gateway, an agent, and what is kept of it.
 
 ``<attempt>/`` holds ``trajectory.jsonl``, ``usage.jsonl``, ``manifest.json`` (pack digests that the engine mounted),
-``submission/`` (the content that the engine saved), ``scratch/`` (engine log, job logs, screenshots), ``agent/`` (the
-client's own files), and ``outcome.json``, which is written last: an attempt with it is done, one without it is repeated
-and the remains are kept beside it as ``<attempt>.interrupted-<n>``.
+``submission/`` (the content that the engine saved) and its ``submission.digests.json``, ``scratch/`` (engine log, job
+logs, screenshots), ``agent/`` (the client's own files), and ``outcome.json``, which is written last: an attempt with it
+is done, one without it is repeated and the remains are kept beside it as ``<attempt>.interrupted-<n>``.
 """
 
 from __future__ import annotations
@@ -23,14 +23,16 @@ from c4s.engine.bridge import BridgeFault
 from c4s.engine.content import content_fault
 from c4s.engine.headless.host.session import EngineDied, EngineSession
 from c4s.errors import AgentFault, BadInput, MachineryFault
-from c4s.files import append_json_line, digest_tree, json_lines, write_json
+from c4s.files import append_json_line, json_lines, write_json
 from c4s.meter.record import sums
 from c4s.meter.spending import SpendingLimitReached
 from c4s.records.attempt import AttemptOutcome, EndedBy
+from c4s.records.folder import AttemptFolder
 from c4s.records.level import Level
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration
 from c4s.records.suite import AgentCase
+from c4s.run.check import freeze_submission
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import RunStopped
 from c4s.toolbox.gateway import Gateway
@@ -228,7 +230,7 @@ def _outcome(
         attempt=attempt,
         ended_by=ended_by,
         submission=submission,
-        submission_sha256=digest_tree(content) if submission is not None else None,
+        submission_sha256=freeze_submission(AttemptFolder(content.parent)) if submission is not None else None,
         tool_calls=run.calls,
         wall_s=round(run.wall_s, 3),
         input_tokens=used["input_tokens"],

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from c4s.errors import BadInput
 from c4s.files import digest
+from c4s.packs.suite_check import check_case
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.suite import SuiteFolder
@@ -74,7 +75,10 @@ def make_plan(
     repeats: int = 1,
     cases: Sequence[str] = (),
 ) -> Plan:
-    """A plan over the suite's cases (all, or those named). Raises ``BadInput`` for an unknown case."""
+    """A plan over the suite's cases (all, or those named).
+
+    Raises ``BadInput`` for an unknown case, and for a case or pack that is not as it was frozen.
+    """
     from c4s.run.host import this_host
 
     record = suite.suite()
@@ -83,6 +87,8 @@ def make_plan(
         if case_id not in known:
             raise BadInput(f"no case {case_id!r} in suite {record.suite_id!r}", todo="see `c4s suite show`")
     chosen = [case for case in record.cases if not cases or case.case_id in cases]
+    for case in chosen:
+        check_case(suite, case)
     planned = [
         PlannedCase(
             case_id=case.case_id,

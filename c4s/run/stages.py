@@ -14,11 +14,13 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput, MachineryFault
-from c4s.files import append_json_line, read_json, write_json
-from c4s.home import packs_root
+from c4s.files import append_json_line, digest_file, read_json, write_json
+from c4s.packs.suite_check import check_case
+from c4s.protocol.rules import GATE
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
-from c4s.records.evidence import Evidence, ManifestDigests
+from c4s.records.evidence import Evidence, EvidenceName, ManifestDigests
+from c4s.records.evidence_digests import EXPORTED, MEASURED, note_digests
 from c4s.records.folder import AttemptFolder, RunFolder
 from c4s.records.judgement import Judgements
 from c4s.records.pack import Pack
@@ -26,8 +28,9 @@ from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase, WithheldFolder
 from c4s.records.verdict import Verdict
+from c4s.run.check import LISTING, check_submission, judged_digests, noted_digests
 from c4s.run.plan import Trial
-from c4s.verify.registry import GATE, make_verdict, measure, verifiers_of
+from c4s.verify.registry import make_verdict, measure, verifiers_of
 
 ATTEMPTS = 2
 
@@ -44,17 +47,9 @@ class TrialInputs:
 
 
 def inputs(trial: Trial) -> TrialInputs:
-    """Open the case package and check that every pack is there (``BadInput`` otherwise)."""
+    """Open the case package; ``BadInput`` where it or one of its packs is not as the plan froze it."""
     suite = SuiteFolder(trial.suite)
-    case = suite.agent_case(trial.case.case_id)
-    folders = []
-    for reference in case.packs:
-        folder = packs_root() / reference.pack_id
-        if not (folder / "pack.json").is_file():
-            raise BadInput(
-                f"pack {reference.pack_id!r} is missing", where=trial.case.case_id, todo=f"build it into {packs_root()}"
-            )
-        folders.append(folder)
+    case, folders = check_case(suite, trial.case)
     return TrialInputs(
         case=case,
         withheld=suite.withheld_case(case.case_id),
@@ -114,6 +109,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         return False
     with timed(trial, f"integrity-{number}"):
         given = inputs(trial)
+        check_submission(folder, outcome)
         try:
             collect(
                 packs=given.packs,
@@ -125,6 +121,8 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
             verdict = unloadable(error.line())
         else:
             verdict = make_verdict(GATE, evidence(trial, plan, given, manifest=_manifest(given, folder)))
+            listing = {LISTING: digest_file(trial.folder.evidence.digests(EXPORTED))}
+            verdict = verdict.model_copy(update={"inputs": verdict.inputs | listing})
         if verdict.status == "error":
             raise MachineryFault(verdict.reason, where=trial.name, todo="run the same command again")
         verdict.write(trial.folder.verdict(GATE))
@@ -145,20 +143,25 @@ def _manifest(given: TrialInputs, attempt_folder: AttemptFolder) -> ManifestDige
 def evidence(trial: Trial, plan: Plan, given: TrialInputs, manifest: ManifestDigests | None = None) -> Evidence:
     """The files of a trial that its judge and its verifiers may read."""
     exported, withheld = trial.folder.evidence, given.withheld_folder
+    made: dict[EvidenceName, Path] = {
+        "candidate_snapshot": exported.snapshot,
+        "dependencies": exported.dependencies,
+        "captures": exported.captures_index,
+        "contacts": exported.contacts,
+        "support": exported.support,
+    }
+    noted = noted_digests(exported) if manifest else judged_digests(trial.folder)
     return Evidence(
         setting=given.case.setting,
         prompt=given.case.prompt,
         files={
-            "candidate_snapshot": exported.snapshot,
-            "dependencies": exported.dependencies,
-            "captures": exported.captures_index,
-            "contacts": exported.contacts,
-            "support": exported.support,
+            **made,
             "input_snapshot": withheld.input_snapshot,
             "truth_snapshot": withheld.truth_snapshot,
             "requirements": withheld.requirements,
             "judgements": trial.folder.judgements(plan.judge),
         },
+        noted={name: noted.get(path.relative_to(exported.root).as_posix(), "") for name, path in made.items()},
         packs=given.packs,
         minimum_actors=given.withheld.minimum_actors,
         manifest=manifest,
@@ -222,8 +225,11 @@ def verify(trial: Trial, plan: Plan, name: str) -> Verdict:
         return Verdict.read(path)
     with timed(trial, name):
         given = evidence(trial, plan, inputs(trial))
-        for measured, record in measure(name, given).items():
+        made = measure(name, given)
+        for measured, record in made.items():
             write_json(given.path(measured), record, indent=None)
+        if made:
+            note_digests(trial.folder.evidence, MEASURED, [given.path(measured) for measured in made])
         verdict = make_verdict(name, evidence(trial, plan, inputs(trial)))
         verdict.write(path)
     return verdict

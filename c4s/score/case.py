@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from c4s.protocol.case import SEMANTIC, i2s_case, semantic_score, t2s_case
-from c4s.protocol.rules import CASE_POLICY, I2S_WEIGHTS, T2S_WEIGHTS
+from c4s.protocol.rules import CASE_POLICY, GATE, I2S_WEIGHTS, T2S_WEIGHTS
 from c4s.protocol.settings import Setting, is_construction
 from c4s.records.score import CaseStatus, TrialScore
 from c4s.records.verdict import Verdict
-from c4s.verify.registry import GATE, headlines_of, verifiers_of
+from c4s.verify.registry import headlines_of, verifiers_of
 
 
 def case_score(

@@ -14,6 +14,7 @@ from typing import Any
 
 from c4s.errors import BadInput
 from c4s.protocol.numbers import mean
+from c4s.protocol.rules import GATE
 from c4s.protocol.settings import Setting
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Plan
@@ -21,7 +22,7 @@ from c4s.records.policy import ScorePolicy
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
-from c4s.verify.registry import GATE, verifier_named, verifiers_of
+from c4s.verify.registry import verifier_named, verifiers_of
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,6 @@ VERIFIERS: Final[dict[str, Verifier]] = {
     verifier.name: verifier for verifier in (INTEGRITY, REPAIR, DETAILED, OVERVIEW, PHYSICS)
 }
 """By name, in the order in which tables and pages show them."""
-GATE: Final = INTEGRITY.name
 DECIDE: Final = ("verify", "semantics", "protocol", "collision", "geometry", "records")
 """Folders of ``c4s`` whose sources decide what a verdict says."""
 
@@ -59,6 +58,6 @@ def measure(name: str, evidence: Evidence) -> dict[EvidenceName, Mapping[str, An
 def make_verdict(name: str, evidence: Evidence) -> Verdict:
     """A verifier's verdict, with the digests of what it read and the version of the code that made it."""
     verdict = verifier_named(name).verify(evidence)
-    return verdict.model_copy(
-        update={"inputs": {**verdict.inputs, **evidence.digests}, "made_by": code_version(*DECIDE)}
-    )
+    for read, sha256 in verdict.inputs.items():
+        evidence.note(read, sha256)
+    return verdict.model_copy(update={"inputs": dict(evidence.digests), "made_by": code_version(*DECIDE)})

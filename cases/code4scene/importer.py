@@ -9,32 +9,66 @@ from typing import Any
 
 from c4s.errors import BadInput
 from c4s.files import write_json, write_text
+from c4s.folders import beside, put_folder
 from c4s.protocol.settings import is_construction
 from c4s.records.level import Level
-from c4s.records.suite import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
+from c4s.records.suite import AgentCase, PackRef, SuiteFolder, WithheldCase
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
+from cases.settle import to_build
 from catalog.proxy import build_proxy_pack
+from catalog.settle import settle
 
 MINIMUM_ACTORS = 1
 """The published tasks name no minimum; an empty scene fails."""
 
 
-def import_code4scene(folder: Path, out: Path, packs_root: Path, progress: Callable[[str], None]) -> dict[str, Any]:
+def import_code4scene(
+    folder: Path, out: Path, packs_root: Path, progress: Callable[[str], None], *, replace: bool = False
+) -> dict[str, Any]:
     """Import every task at or below ``folder`` as the suite ``out``; returns a report, one row a task.
 
-    Raises ``BadInput`` for a malformed task, two tasks of one id, or where no task can be run.
+    Raises ``BadInput`` for a malformed task, two tasks of one id, or where no task can be run; without ``replace`` also
+    where another suite of this name, or another pack of a task, is there or was changed.
     """
     tasks = [read_task(path) for path in find_tasks(folder)]
     names = [task.case_id for task in tasks]
     for name in names:
         if names.count(name) > 1:
             raise BadInput(f"task id {name!r} occurs twice", where=str(folder))
-    fresh = SuiteFolder(out.with_name(f".{out.name}.new"))
-    shutil.rmtree(fresh.root, ignore_errors=True)
-    rows, packs = [], []
+    with beside(out) as made, beside(packs_root / out.name) as made_packs:
+        fresh = SuiteFolder(made / out.name)
+        rows, packs = _cases(tasks, fresh, made_packs, progress)
+        if not packs:
+            raise BadInput(
+                "none of these tasks can be run without its content",
+                where=str(folder),
+                todo="image-to-scene tasks need their Unreal levels",
+            )
+        suite = fresh.freeze(out.name, f"Imported from {folder.name}", "Published tasks with proxy assets", packs)
+        same = not replace and (out / "suite.json").is_file() and SuiteFolder(out).suite() == suite
+        wanted = to_build(out, same=same, replace=replace)
+        for pack in packs:
+            settle(made_packs / pack.pack_id, packs_root / pack.pack_id, replace=replace)
+        if wanted:
+            put_folder(fresh.root, out)
+    return {
+        "suite": suite.suite_id,
+        "sha256": suite.sha256(),
+        "folder": str(out),
+        "runnable": len(packs),
+        "cases": rows,
+    }
+
+
+def _cases(
+    tasks: list[Task], suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
+) -> tuple[list[dict[str, Any]], list[PackRef]]:
+    """Write the cases that can be run, and their packs under ``packs_root``; a report row a task."""
+    rows: list[dict[str, Any]] = []
+    packs: list[PackRef] = []
     for task in tasks:
         if is_construction(task.setting):
-            pack, count = _text_case(task, fresh, packs_root, progress)
+            pack, count = _text_case(task, suite, packs_root, progress)
             packs.append(pack)
             rows.append(
                 {
@@ -57,24 +91,7 @@ def import_code4scene(folder: Path, out: Path, packs_root: Path, progress: Calla
                     "note": f"needs the levels and content of {', '.join(task.packs) or 'its packs'}",
                 }
             )
-    if not packs:
-        shutil.rmtree(fresh.root, ignore_errors=True)
-        raise BadInput(
-            "none of these tasks can be run without its content",
-            where=str(folder),
-            todo="image-to-scene tasks need their Unreal levels",
-        )
-    suite = fresh.freeze(out.name, f"Imported from {folder.name}", "Published tasks with proxy assets", packs)
-    shutil.rmtree(out, ignore_errors=True)
-    out.parent.mkdir(parents=True, exist_ok=True)
-    fresh.root.rename(out)
-    return {
-        "suite": suite.suite_id,
-        "sha256": Suite.read(out / "suite.json").sha256(),
-        "folder": str(out),
-        "runnable": len(packs),
-        "cases": rows,
-    }
+    return rows, packs
 
 
 def _text_case(

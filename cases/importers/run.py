@@ -25,7 +25,8 @@ def import_scene(
     packs: Path,
     scale: float = 1.0,
     without: Sequence[str] = (),
-    replace: Sequence[str] = (),
+    meshes: Sequence[str] = (),
+    replace: bool = False,
     progress: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
     """Bring a scene file in as pack ``suite_id`` and ``suites/<suite_id>/scene.level.json``; returns the report.
@@ -37,7 +38,8 @@ def import_scene(
         packs: where packs lie.
         scale: metres per unit; SDF is metres by definition.
         without: patterns of actors that are left out.
-        replace: ``NAME=FILE`` or ``NAME=FILE#PART,PART``: meshes of an SDF world that are read from another file.
+        meshes: ``NAME=FILE`` or ``NAME=FILE#PART,PART``: meshes of an SDF world that are read from another file.
+        replace: put the scene and its pack in the place of others of this name.
         progress: told what is being read.
 
     Raises:
@@ -50,13 +52,13 @@ def import_scene(
         raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
     if (suites / suite_id / "suite.json").exists():
         raise BadInput("a suite of this name exists", where=suite_id, todo="choose another --id")
-    if replace and kind not in SDF:
-        raise BadInput("only meshes of an SDF world can be replaced", where=f"--replace {replace[0]}")
+    if meshes and kind not in SDF:
+        raise BadInput("only meshes of an SDF world can be read from another file", where=f"--mesh {meshes[0]}")
     folder, scene = source.parent, ImportedScene()
     if kind in SDF:
         if scale != 1.0:
             raise BadInput("SDF is in metres", where=f"--scale {scale}", todo="leave --scale out")
-        scene, folder = read_sdf(source, progress, _replacements(replace)), scene_root(source)
+        scene, folder = read_sdf(source, progress, _replacements(meshes)), scene_root(source)
     elif kind in TREE:
         scene = read_tree(source, scale=scale)
     elif kind in TABLE:
@@ -68,7 +70,15 @@ def import_scene(
             todo=f"it reads {', '.join(SDF + TREE + TABLE)}",
         )
     return write_scene(
-        scene, suite_id, source=source, license_folder=folder, suites=suites, packs=packs, without=without, scale=scale
+        scene,
+        suite_id,
+        source=source,
+        license_folder=folder,
+        suites=suites,
+        packs=packs,
+        without=without,
+        scale=scale,
+        replace=replace,
     )
 
 
@@ -77,6 +87,6 @@ def _replacements(rows: Sequence[str]) -> dict[str, str]:
     for row in rows:
         name, equals, file = row.partition("=")
         if not (name and equals and file):
-            raise BadInput("a replacement is NAME=FILE or NAME=FILE#PART", where=f"--replace {row}")
+            raise BadInput("a mesh is named as NAME=FILE or NAME=FILE#PART", where=f"--mesh {row}")
         found[name.strip()] = file.strip()
     return found

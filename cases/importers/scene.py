@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from c4s.errors import BadInput
-from c4s.files import write_json
+from c4s.files import json_text, read_json, write_json
 from c4s.geometry.transform import rotator_from_quat
+from c4s.packs.check import check_pack
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.pack import CollisionBody
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
@@ -29,7 +30,7 @@ from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.ingest.writer import PackWriter, identifier
 
 Matrix = NDArray[np.float64]
-LEVEL_FILE = "scene.level.json"
+LEVEL_FILE, REPORT = "scene.level.json", "import.json"
 
 
 @dataclass
@@ -145,12 +146,14 @@ def write_scene(
     packs: Path,
     without: Sequence[str] = (),
     scale: float = 1.0,
+    replace: bool = False,
 ) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
     ``without`` are patterns of actors' paths that are left out (a roof, say); ``scale`` is the factor that was applied,
     in units of which another is proposed. The report is written beside the level
-    as ``import.json``. Raises ``BadInput`` when no actor is left.
+    as ``import.json``. Raises ``BadInput`` when no actor is left; without ``replace`` also where another scene or pack
+    of this name is there.
     """
     kept = [actor for actor in scene.actors if not any(fnmatch(actor.path, pattern) for pattern in without)]
     if not kept:
@@ -160,7 +163,7 @@ def write_scene(
     licence_id, text = licence(license_folder)
     if licence_id == "unknown":
         scene.note("", "no file of the scene tells the licence")
-    with PackWriter(suite_id, packs) as writer:
+    with PackWriter(suite_id, packs, replace=replace) as writer:
         paths, shown = {}, short_names(scene.assets[key].name for key in count)
         for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
             asset = scene.assets[key]
@@ -180,20 +183,22 @@ def write_scene(
             )
             paths[key] = record.path
         sizes = [(asset.name, max(asset.size_m)) for asset in writer.assets]
+        level = with_identities(
+            Level(
+                package=f"/Game/{writer.folder_name}/Maps/{identifier(suite_id)}",
+                actors=[*_actors(scene, kept, paths, suite_id), *_cameras(scene, suite_id), *_lights(scene, suite_id)],
+            ),
+            suite_id,
+        )
+        folder = suites / suite_id
+        if not replace:
+            _refuse_other(folder / LEVEL_FILE, level)
         pack = writer.finish(
             title=f"Meshes of {source.stem}",
             license_id=licence_id,
             license_text=text,
             description=f"Imported from {source.name}",
         )
-    level = with_identities(
-        Level(
-            package=f"/Game/{pack.content_folder}/Maps/{identifier(suite_id)}",
-            actors=[*_actors(scene, kept, paths, suite_id), *_cameras(scene, suite_id), *_lights(scene, suite_id)],
-        ),
-        suite_id,
-    )
-    folder = suites / suite_id
     level.write(folder / LEVEL_FILE)
     units = check_units(sizes).proposed
     proposed = None if scene.metric or units is None else float(f"{units * scale:.2g}")
@@ -212,9 +217,31 @@ def write_scene(
         "notes": scene.notes,
         "proposed_scale": proposed,
         "sha256": level.sha256(),
+        "pack_sha256": pack.sha256(),
     }
-    write_json(folder / "import.json", report)
+    write_json(folder / REPORT, report)
     return report
+
+
+def _refuse_other(path: Path, level: Level) -> None:
+    """``BadInput`` where another level lies at ``path``."""
+    if path.is_file() and path.read_bytes() != json_text(level.plain()).encode():
+        raise BadInput(
+            "another scene of this name lies here", where=str(path), todo="give --replace, or choose another --out"
+        )
+
+
+def imported_scene(suites: Path, packs: Path, name: str) -> Level:
+    """The level of an imported scene; ``BadInput`` where there is none, or it or its pack was changed since."""
+    path = suites / name / LEVEL_FILE
+    if not path.is_file():
+        raise BadInput(f"no imported scene {name!r}", where=str(suites), todo="see `c4s suite import-scene`")
+    level, report = Level.read(path), read_json(suites / name / REPORT, what="import report")
+    if level.sha256() != report.get("sha256"):
+        todo = "restore the file, or import the scene again with --replace"
+        raise BadInput("the file has changed since the scene was imported", where=str(path), todo=todo)
+    check_pack(packs / name, report.get("pack_sha256"))
+    return level
 
 
 def _actors(scene: ImportedScene, kept: list[SceneActor], paths: dict[str, str], suite_id: str) -> list[LevelActor]:

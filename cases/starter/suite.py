@@ -32,29 +32,34 @@ def definition() -> SuiteDefinition:
     )
 
 
-def build_packs(root: Path, progress: Progress = print) -> None:
+def build_packs(root: Path, progress: Progress = print, *, replace: bool = False) -> None:
     """Build the four packs under ``root`` where they are not there yet; the same sources give the same bytes."""
 
     def build(pack_id: str) -> None:
         progress(f"pack {pack_id}")
-        ensure_pack(pack_id, root)
+        ensure_pack(pack_id, root, replace=replace)
 
     with ThreadPoolExecutor(PACKS_AT_ONCE) as pool:
         list(pool.map(build, STARTER))
 
 
-def build_starter(root: Path, packs: Path, progress: Progress = print) -> Suite:
-    """Build the packs under ``packs``, then the suite at ``root``; what is there already stays."""
-    build_packs(packs, progress)
-    return build_suite(definition(), root, packs, progress)
+def build_starter(root: Path, packs: Path, progress: Progress = print, *, replace: bool = False) -> Suite:
+    """Build the packs under ``packs``, then the suite at ``root``; what is there already stays.
+
+    Raises ``BadInput`` where something else of these names is there, or something that was changed, unless ``replace``
+    is given.
+    """
+    build_packs(packs, progress, replace=replace)
+    return build_suite(definition(), root, packs, progress, replace=replace)
 
 
 def main() -> None:
     """``python -m cases.starter.suite``: build everything under ``C4S_HOME``."""
     parser = argparse.ArgumentParser(description="Build the starter packs and suite.")
     parser.add_argument("--out", type=Path, default=None, help="suite folder (default: under C4S_HOME)")
+    parser.add_argument("--replace", action="store_true", help="replace other packs and another suite of these names")
     options = parser.parse_args()
-    suite = build_starter(options.out or suites_root() / SUITE_ID, packs_root())
+    suite = build_starter(options.out or suites_root() / SUITE_ID, packs_root(), replace=options.replace)
     print(f"{suite.suite_id}: {len(suite.cases)} cases, {suite.sha256()[:12]}")
 
 

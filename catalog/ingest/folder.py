@@ -11,7 +11,9 @@ import numpy as np
 
 from c4s.errors import BadInput
 from c4s.files import digest, read_json, write_json
-from c4s.records.pack import Pack
+from c4s.packs.check import pack_changes
+from c4s.records.pack import MANIFEST, STAMP
+from c4s.trees import refuse
 from catalog.build import sources_digest
 from catalog.ingest.collision import How, HullChoice, collision_of
 from catalog.ingest.colours import colours_of
@@ -22,6 +24,7 @@ from catalog.ingest.surface import SourcePart
 from catalog.ingest.units import check_units, words
 from catalog.ingest.vocabulary import is_compound, kind_of, readable, search_words, spoken
 from catalog.ingest.writer import PackWriter, identifier
+from catalog.settle import TODO
 from catalog.starter import STARTER
 
 PLAIN_FOLDERS = {
@@ -46,8 +49,6 @@ PLAIN_FOLDERS = {
     "lowpoly",
 }
 """Folder names that say nothing about what is inside."""
-STAMP = "build.json"
-"""Beside the manifest: what the pack was built from, and the report."""
 
 
 def categories(files: list[Path], folder: Path) -> dict[Path, str]:
@@ -88,25 +89,28 @@ def ingest(
     up: Up | None = None,
     hulls: How = "asset",
     hulls_of: Sequence[str] = (),
+    replace: bool = False,
     progress: Callable[[int, int, str], None] | None = None,
 ) -> dict[str, Any]:
     """Build the pack ``root/<pack_id>`` of all mesh files under ``folder`` and return the report.
 
     Args:
         folder: source folder; nothing outside it is read.
-        pack_id: id of the pack; one that exists is replaced when all is done, and left when nothing has changed.
+        pack_id: id of the pack; one that exists is left when nothing has changed.
         root: where packs lie.
         scale: factor from the files' units to metres.
         title: title of the pack; the folder's name when left out.
         up: axis that points up in OBJ files (and others, against what they say).
         hulls: how collision is made where a file brings none.
         hulls_of: other choices for some files, as ``bench*=decompose``; the last that fits wins.
+        replace: put the new pack in the place of another one of this id, when all is done.
         progress: told (files done, files, name).
 
     The report names every file that was skipped and why, every note on the others, and what the sizes say.
 
     Raises:
-        BadInput: no such folder, a bad id or scale, or no file that can be used.
+        BadInput: no such folder, a bad id or scale, or no file that can be used; without ``replace`` also where
+            another pack of this id lies there, or one that was changed.
     """
     if not np.isfinite(scale) or not 1e-6 <= scale <= 1e6:
         raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
@@ -116,13 +120,23 @@ def ingest(
     wanted = digest([sources_digest(), inputs_digest(folder), scale, title, up, choice.plain(), folder.name])
     stamp = root / pack_id / STAMP
     known = read_json(stamp) if stamp.is_file() else {}
-    if (
-        known.get("inputs") == wanted
-        and (root / pack_id / "pack.json").is_file()
-        and Pack.read(root / pack_id / "pack.json").sha256() == known["report"]["sha256"]
-    ):
-        return {**known["report"], "folder": str(root / pack_id), "cached": True}
-    report = _built(found.files, found.skipped, folder, pack_id, root, scale, title, up, choice, progress)
+    if known.get("inputs") == wanted and (root / pack_id / MANIFEST).is_file():
+        changed = pack_changes(root / pack_id, known["report"]["sha256"])
+        if not changed:
+            return {**known["report"], "folder": str(root / pack_id), "cached": True}
+        if not replace:
+            refuse(changed, todo=f"restore the file, or {TODO}")
+    report = _built(
+        found.files,
+        found.skipped,
+        folder,
+        PackWriter(pack_id, root, replace=replace),
+        scale,
+        title,
+        up,
+        choice,
+        progress,
+    )
     write_json(stamp, {"inputs": wanted, "report": report})
     return {**report, "folder": str(root / pack_id), "cached": False}
 
@@ -131,8 +145,7 @@ def _built(
     files: list[Path],
     skipped: list[dict[str, str]],
     folder: Path,
-    pack_id: str,
-    root: Path,
+    place: PackWriter,
     scale: float,
     title: str | None,
     up: Up | None,
@@ -143,7 +156,7 @@ def _built(
     name, text = licence(folder)
     if name == UNKNOWN:
         notes.append({"file": "", "note": "no file here tells the licence"})
-    with PackWriter(pack_id, root) as writer:
+    with place as writer:
         for number, path in enumerate(files):
             relative = path.relative_to(folder).as_posix()
             if progress:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
-import tempfile
 import unicodedata
 from pathlib import Path
 from typing import Literal
@@ -13,12 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.files import digest, digest_bytes, write_bytes
+from c4s.folders import beside
 from c4s.home import checked_id
 from c4s.packs.meshes import Mesh
-from c4s.records.pack import Asset, CollisionBody, Material, MaterialSlot, Pack
+from c4s.records.pack import MANIFEST, Asset, CollisionBody, Material, MaterialSlot, Pack
 from catalog.build import glb
 from catalog.ingest.surface import SourcePart, Surface
 from catalog.preview import write_previews
+from catalog.settle import settle
 
 MAX_NAME = 100
 NAMES_TOLD = 8
@@ -52,22 +52,27 @@ def _colors(parts: list[SourcePart]) -> NDArray[np.float32] | None:
 
 
 class PackWriter:
-    """Writes one pack under ``root``, in a folder beside it that takes its place when all is done."""
+    """Writes one pack under ``root``, in a folder beside it that takes its place when all is done.
 
-    def __init__(self, pack_id: str, root: Path) -> None:
+    ``replace``: put it in the place of another pack of this id.
+    """
+
+    def __init__(self, pack_id: str, root: Path, *, replace: bool = False) -> None:
         self.pack_id, self.root, self.folder_name = pack_id, root, content_folder(pack_id)
-        root.mkdir(parents=True, exist_ok=True)
-        self.folder = Path(tempfile.mkdtemp(prefix=f".{pack_id}.", dir=root))
+        self.replace = replace
+        self._scratch = beside(root / pack_id)
+        self.folder = root
         self.assets: list[Asset] = []
         self.materials: dict[str, Material] = {}
         self._by_surface: dict[str, str] = {}
         self._names: set[str] = set()
 
     def __enter__(self) -> PackWriter:
+        self.folder = self._scratch.__enter__() / self.pack_id
         return self
 
     def __exit__(self, *_: object) -> None:
-        shutil.rmtree(self.folder, ignore_errors=True)
+        self._scratch.__exit__(None, None, None)
 
     def material(self, surface: Surface) -> str:
         """Path of the material of a surface; surfaces that look alike share one."""
@@ -164,7 +169,10 @@ class PackWriter:
         return asset
 
     def finish(self, *, title: str, license_id: str, description: str, license_text: str) -> Pack:
-        """Write the manifest and put the folder in place of what was there."""
+        """Write the manifest and put the folder in its place.
+
+        Raises ``BadInput`` where another pack lies there that is not to be replaced.
+        """
         categories = sorted({asset.category for asset in self.assets})
         pack = Pack(
             pack_id=self.pack_id,
@@ -176,19 +184,11 @@ class PackWriter:
             materials=list(self.materials.values()),
             category_descriptions={name: self._told(name) for name in categories},
         )
-        pack.write(self.folder / "pack.json")
-        pack = write_previews(self.folder)
+        pack.write(self.folder / MANIFEST)
         if license_text:
             write_bytes(self.folder / "LICENSE.txt", license_text.encode())
-        final = self.root / self.pack_id
-        self.folder.chmod(0o755)
-        if final.exists():
-            old = Path(tempfile.mkdtemp(prefix=f".{self.pack_id}.old.", dir=self.root))
-            final.rename(old / "pack")
-            self.folder.rename(final)
-            shutil.rmtree(old)
-        else:
-            self.folder.rename(final)
+        pack = write_previews(self.folder)
+        settle(self.folder, self.root / self.pack_id, replace=self.replace)
         return pack
 
     def _told(self, category: str) -> str:

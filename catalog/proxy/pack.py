@@ -45,7 +45,10 @@ class PaletteEntry:
 def build_proxy_pack(
     pack_id: str, title: str, entries: Sequence[PaletteEntry], root: Path, progress: Callable[[str], None]
 ) -> Pack:
-    """Write ``root/<pack_id>`` with a proxy and a preview for every entry; the same entries give the same bytes."""
+    """Write ``root/<pack_id>`` with a proxy and a preview for every entry; the same entries give the same bytes.
+
+    ``root`` is a folder to build in: nothing of that name may lie there.
+    """
     folder = root / pack_id
     materials: dict[str, Material] = {}
     assets: list[Asset] = []

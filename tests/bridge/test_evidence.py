@@ -12,7 +12,10 @@ import pytest
 
 from c4s.errors import BadInput
 from c4s.evidence.collect import collect, export_level
-from c4s.files import digest_file, digest_tree, read_json, write_json
+from c4s.files import digest_file, read_json, write_json
+from c4s.records.folder import EvidenceFolder
+from c4s.run.check import noted_digests
+from c4s.trees import digest_tree
 
 PACKAGE = "/Game/SavedScenes/Room"
 
@@ -53,19 +56,19 @@ def test_everything_is_exported_and_digested(tmp_path: Path, submission: Path) -
     assert view["camera"]["width"] == 160 and view["visible"]["StaticMeshActor_1"] > 100
     mask = np.load(out / "captures" / view["actors"])
     assert mask["labels"][mask["actor"][45, 80]] == "Box"
-    assert set(read_json(out / "digests.json")) == {
+    assert set(noted_digests(EvidenceFolder(out))) == {
         "snapshot.json",
         "dependencies.json",
         "captures/captures.json",
         "captures/front.png",
         "captures/front.actors.npz",
     }
-    assert all(digest_file(out / name) == value for name, value in read_json(out / "digests.json").items())
+    assert all(digest_file(out / name) == value for name, value in noted_digests(EvidenceFolder(out)).items())
     assert digest_tree(submission) == before
 
-    first = read_json(out / "digests.json")
+    first = noted_digests(EvidenceFolder(out))
     collect(packs=[], submission_content=submission, package=PACKAGE, out=out, cameras=look)
-    assert read_json(out / "digests.json") == first
+    assert noted_digests(EvidenceFolder(out)) == first
 
 
 def test_a_level_that_is_not_there_is_bad_input_and_leaves_nothing(tmp_path: Path, submission: Path) -> None:

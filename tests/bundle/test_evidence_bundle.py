@@ -24,6 +24,7 @@ from c4s.records.folder import TrialFolder
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
+from c4s.trees import read_listing
 from c4s.verify.physics.verdict import verify_physics
 from c4s.verify.repair import verify_repair
 
@@ -67,6 +68,8 @@ VALID = Verdict(verifier="integrity", status="valid", policy="c4s.integrity.v1")
 
 def store(root: Path, setting: Any, verdicts: dict[str, Verdict], *, submitted: bool = True) -> TrialFolder:
     folder = TrialFolder(root / "agent" / "case" / "r1")
+    if folder.evidence.root.is_dir():
+        write_json(folder.evidence.digests("export"), read_listing(folder.evidence.root))
     for name, verdict in verdicts.items():
         verdict.write(folder.verdict(name))
     kept = 1 if submitted and verdicts["integrity"].status == "valid" else None

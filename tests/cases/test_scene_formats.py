@@ -132,7 +132,7 @@ def test_parts_of_meshes_scripts_transparency_state_and_lights(tmp_path: Path) -
       <state world_name="w"><model name="all"><pose>7 0 0 0 0 0</pose></model></state>"""
     with_out = sdf(tmp_path, world)
     assert {row["name"]: row["reason"] for row in with_out["skipped"]} == {"lost": "mesh 'old/chair.obj' is missing"}
-    report = sdf(tmp_path, world, replace=["old/chair.obj=set.obj#seat"])
+    report = sdf(tmp_path, world, meshes=["old/chair.obj=set.obj#seat"], replace=True)
     store, placed = PackStore([tmp_path / "packs" / "a"]), actors_of(report)
     part, lost = (store.asset(str(placed[name].components[0].static_mesh)) for name in ("part", "lost"))
     assert part is not None and part.bounds_max_cm == pytest.approx((50, 100, 50)) and report["skipped"] == []
@@ -147,7 +147,7 @@ def test_parts_of_meshes_scripts_transparency_state_and_lights(tmp_path: Path) -
     with pytest.raises(BadInput, match="has no part 'leg'"):
         sdf(tmp_path, world.split("</model>", 1)[0].replace("back", "leg") + "</model>")
     with pytest.raises(BadInput, match="NAME=FILE"):
-        sdf(tmp_path, world, replace=["nonsense"])
+        sdf(tmp_path, world, meshes=["nonsense"])
 
 
 def test_a_gltf_tree_brings_names_instances_lights_and_cameras(tmp_path: Path) -> None:

@@ -198,7 +198,7 @@ def test_lost_meshes_of_the_office_can_be_replaced_by_parts_that_are_there(tmp_p
         suites=tmp_path / "suites",
         packs=tmp_path / "packs",
         without=["*Cubicle*", "ceiling"],
-        replace=[f"model://{lost}=model://{there}" for lost, there in parts.items()],
+        meshes=[f"model://{lost}=model://{there}" for lost, there in parts.items()],
     )
     assert {row["reason"] for row in report["skipped"]} == {"animated people are not part of a still scene"}
     assert report["actors"] + report["left_out"] == 314

@@ -16,8 +16,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
-from c4s.files import digest_tree
 from c4s.packs.store import PackStore
+from c4s.trees import digest_tree
 from catalog.ingest.folder import ingest
 from catalog.ingest.hulls import MAX_VERTICES, bodies, hull
 from catalog.ingest.units import check_units

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from c4s.errors import BadInput
-from c4s.files import digest_tree, read_json
+from c4s.files import read_json
 from c4s.packs.store import PackStore
+from c4s.trees import digest_tree
 from catalog.ingest.colours import colours_of
 from catalog.ingest.folder import ingest
 from catalog.ingest.source import read_source
@@ -113,12 +114,17 @@ def test_an_unchanged_folder_is_not_built_again_and_a_changed_one_is(tmp_path: P
     again = ingest(source, "p", packs)
     assert again == {**first, "cached": True} and (packs / "p" / "pack.json").stat().st_mtime_ns == before
     assert digest_tree(packs / "p") and skipped(again) == skipped(first) != {}
-    assert not ingest(source, "p", packs, scale=2.0)["cached"]
+    with pytest.raises(BadInput, match=r"another pack of this name.*--replace"):
+        ingest(source, "p", packs, scale=2.0)
+    assert ingest(source, "p", packs) == again, "what is there was left alone"
+    assert not ingest(source, "p", packs, scale=2.0, replace=True)["cached"]
     box(source / "a.glb", (4, 4, 4))
-    changed = ingest(source, "p", packs, scale=2.0)
+    changed = ingest(source, "p", packs, scale=2.0, replace=True)
     assert not changed["cached"] and assets(changed)["a"]["bounds_max_cm"] == [400, 400, 400]
     (packs / "p" / "pack.json").write_text((packs / "p" / "pack.json").read_text().replace('"a"', '"b"'))
-    assert not ingest(source, "p", packs, scale=2.0)["cached"], "a manifest that somebody changed is made anew"
+    with pytest.raises(BadInput, match=r"pack\.json: .*--replace"):
+        ingest(source, "p", packs, scale=2.0)
+    assert not ingest(source, "p", packs, scale=2.0, replace=True)["cached"], "a manifest that was changed is made anew"
 
 
 @pytest.mark.parametrize(

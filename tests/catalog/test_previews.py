@@ -106,10 +106,10 @@ def _leaves(folder: Path) -> Path:
 
 def test_foliage_has_holes_and_painted_vertices_their_colour(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("C4S_HOME", str(tmp_path / "home"))
-    ingest(_leaves(tmp_path / "leaves"), "leaves", tmp_path)
+    ingest(_leaves(tmp_path / "leaves"), "leaves", tmp_path / "packs")
     seen = {}
     for name in ("leaf", "whole", "painted"):
-        with Image.open(tmp_path / f"leaves/previews/{name}.png") as picture:
+        with Image.open(tmp_path / f"packs/leaves/previews/{name}.png") as picture:
             pixels = np.asarray(picture.convert("RGB")).astype(int)
         seen[name] = (pixels[..., 0] > 2 * pixels[..., 1]).sum(), (pixels.max(axis=2) < 40).sum()
     assert seen["whole"][1] > SIZE * SIZE / 10, "the hidden half of the texture is black"

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
-from c4s.files import digest_tree
 from c4s.packs.store import PackStore
+from c4s.trees import digest_tree
 from catalog.build import build_pack
 from catalog.shapes import AssetSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec, Part
 from catalog.shapes.patches import Patch, box, cylinder, ellipsoid, extrude, prism, tube

@@ -44,9 +44,9 @@ def environment(home: Path) -> dict[str, str]:
 
 @pytest.fixture
 def c4s(home: Path) -> Command:
-    """Run the command line in the home."""
+    """Run the command line in the home, or in another one."""
 
-    def run(*arguments: str, timeout: float = 280) -> subprocess.CompletedProcess[str]:
+    def run(*arguments: str, timeout: float = 280, home: Path = home) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
             [sys.executable, "-m", "c4s.cli", *arguments],
             env=environment(home),

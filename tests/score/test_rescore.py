@@ -14,13 +14,13 @@ import yaml
 
 from bench.scored_run import make_run
 from c4s.errors import BadInput
-from c4s.files import digest_tree
 from c4s.protocol.rules import FAMILY_WEIGHTS, I2S_WEIGHTS, OVERVIEW_WEIGHTS, PHYSICS_LEAF_WEIGHTS, T2S_WEIGHTS
 from c4s.records.folder import RunFolder
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.score.policies import POLICIES, PUBLISHED, ScorePolicy, policy_named
 from c4s.score.rescore import rescore
+from c4s.trees import digest_tree
 from tests.work import calls_in
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from c4s.errors import MachineryFault
+from c4s.protocol.rules import GATE
 from c4s.protocol.settings import SETTINGS
 from c4s.records.evidence import Evidence
 from c4s.records.verdict import Verdict
@@ -20,7 +21,7 @@ def _verify(evidence: Evidence) -> Verdict:
 
 
 INTEGRITY = Verifier(
-    name="integrity",
+    name=GATE,
     title="Integrity",
     settings=SETTINGS,
     needs=frozenset({"candidate_snapshot", "dependencies"}),
