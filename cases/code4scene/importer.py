@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.files import write_json, write_text
+from c4s.files import read_json, write_json, write_text
+from c4s.protocol.bundle import read_requirements
 from c4s.records.level import Level
 from c4s.records.suite import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
@@ -21,13 +22,16 @@ MINIMUM_ACTORS = 1
 def import_code4scene(folder: Path, out: Path, packs_root: Path, progress: Callable[[str], None]) -> dict[str, Any]:
     """Import every task at or below ``folder`` as the suite ``out``; returns a report, one row a task.
 
-    Raises ``BadInput`` for a malformed task, two tasks of one id, or where no task can be run.
+    Raises ``BadInput`` for a malformed task or requirement bundle, two tasks of one id, or where no task can be run.
     """
     tasks = [read_task(path) for path in find_tasks(folder)]
     names = [task.case_id for task in tasks]
     for name in names:
         if names.count(name) > 1:
             raise BadInput(f"task id {name!r} occurs twice", where=str(folder))
+    for task in tasks:
+        if task.bundle is not None:
+            read_requirements(read_json(task.bundle, what="requirement bundle"), where=str(task.bundle))
     fresh = SuiteFolder(out.with_name(f".{out.name}.new"))
     shutil.rmtree(fresh.root, ignore_errors=True)
     rows, packs = [], []

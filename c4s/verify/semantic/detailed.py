@@ -8,12 +8,13 @@ from typing import Any
 
 from c4s.errors import BadInput
 from c4s.judge.rule.judge import RuleJudge
+from c4s.judge.version import judge_version
 from c4s.protocol.bundle import read_requirements
 from c4s.protocol.families import attach_families
 from c4s.protocol.requirements import protocol_detailed, semantic_case
 from c4s.protocol.rules import SEMANTIC_CASE_POLICY
 from c4s.records.verdict import Verdict
-from c4s.semantics.inventory import Facts
+from c4s.semantics.kinds import Facts
 from c4s.semantics.views import read_views
 
 
@@ -36,7 +37,6 @@ def verify_detailed(
     requirements = read_requirements(bundle)
     judge = RuleJudge(requirements, snapshot, catalog)
     views = read_views(captures)
-    scopes = {row["node_id"]: row.get("entity_scopes") for row in bundle["requirements"]}
     rows, decisions = [], []
     for node in requirements.scored:
         predicate, found = requirements.predicates[node], judge.decide(node)
@@ -46,7 +46,7 @@ def verify_detailed(
                 "text": predicate.text,
                 "source_span": list(predicate.span),
                 "predicate_type": predicate.type,
-                "entity_scopes": scopes[node],
+                "entity_scopes": requirements.scopes[node],
                 "evaluation_status": found.status,
                 "score": found.score,
             }
@@ -63,7 +63,7 @@ def verify_detailed(
                 "seen_actors": None if views is None else sum(views.sees(actor) for actor in found.actors),
             }
         )
-    measurements: dict[str, Any] = {"judge": "rule", "decisions": decisions}
+    measurements: dict[str, Any] = {"judge": "rule", "judge_version": judge_version(), "decisions": decisions}
     tally = Counter(decision["status"] for decision in decisions)
     population = {
         "requirements": len(rows),

@@ -7,12 +7,13 @@ from typing import Any
 
 from c4s.judge.rule.judge import RuleJudge
 from c4s.judge.rule.overview import Part, dimensions, structural_integrity
+from c4s.judge.version import judge_version
 from c4s.protocol.bundle import Requirements, read_requirements
 from c4s.protocol.numbers import mean
 from c4s.protocol.overview import overview_score
 from c4s.protocol.rules import OVERVIEW_RULE_POLICY, OVERVIEW_VIEWS
 from c4s.records.verdict import Verdict
-from c4s.semantics.inventory import Facts
+from c4s.semantics.kinds import Facts
 from c4s.semantics.views import read_views
 
 
@@ -33,7 +34,7 @@ def verify_overview(
     A rule judge sees no severe visual defect, so the cap for one never applies.
     """
     requirements = (
-        Requirements(bundle_or_prompt, {}, {}, (), {})
+        Requirements(bundle_or_prompt, {}, {}, (), {}, {})
         if isinstance(bundle_or_prompt, str)
         else read_requirements(bundle_or_prompt)
     )
@@ -43,7 +44,7 @@ def verify_overview(
             verifier="overview",
             status="not_evaluated",
             policy=OVERVIEW_RULE_POLICY,
-            measurements={"judge": "rule"},
+            measurements={"judge": "rule", "judge_version": judge_version()},
             reason=f"needs {OVERVIEW_VIEWS} overview views with actor masks, has {views.count if views else 0}",
         )
     judge = RuleJudge(requirements, snapshot, catalog)
@@ -59,6 +60,7 @@ def verify_overview(
         policy=OVERVIEW_RULE_POLICY,
         measurements={
             "judge": "rule",
+            "judge_version": judge_version(),
             **{key: value for key, value in total.items() if key not in ("status", "score")},
             "dimensions": {
                 name: {"score": scores[name], "parts": [_part(part) for part in rows]} for name, rows in parts.items()
