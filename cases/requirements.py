@@ -1,7 +1,8 @@
 """Requirement bundles: from a compact authored list to the published bundle format (``schema_version`` 1.0).
 
 An author names entities and predicates by the very words of the prompt; the spans are found here, and everything is
-validated: a bundle whose words are not in its prompt, or whose references do not resolve, is never written.
+validated: a bundle whose words are not in its prompt, whose references do not resolve, or that the reader of bundles
+refuses is never written.
 """
 
 from __future__ import annotations
@@ -9,10 +10,12 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 from c4s.errors import BadInput
 from c4s.files import digest_bytes
+from c4s.protocol.bundle import read_requirements
+from c4s.protocol.rules import FAMILY_OF_TYPE, Family
 
 PredicateType = Literal[
     "scene_identity",
@@ -25,18 +28,8 @@ PredicateType = Literal[
     "distribution",
     "composition",
 ]
-FAMILIES: dict[str, str] = {
-    "scene_identity": "identity_environment",
-    "environment": "identity_environment",
-    "existence": "content_quantity",
-    "quantity": "content_quantity",
-    "attribute": "attributes_materials",
-    "material": "attributes_materials",
-    "spatial_relation": "spatial_composition",
-    "distribution": "spatial_composition",
-    "composition": "spatial_composition",
-}
-"""Family of each predicate type, as the published scorer assigns them."""
+FAMILIES: dict[str, Family] = {kind: FAMILY_OF_TYPE[kind] for kind in get_args(PredicateType)}
+"""Family of each predicate type that can be authored."""
 COMPILER = "c4s-authored-requirements"
 COMPILER_VERSION = "1"
 
@@ -171,7 +164,7 @@ def bundle(case_id: str, description: str, prompt: str, spec: RequirementSpec) -
         }
     )
     sha256 = digest_bytes(prompt.encode())
-    return {
+    made = {
         "schema_version": "1.0",
         "task_mode": "generation",
         "bundle_id": f"semantic_{case_id}_{sha256[:12]}",
@@ -206,9 +199,11 @@ def bundle(case_id: str, description: str, prompt: str, spec: RequirementSpec) -
             "basis": ["every_span_equals_the_prompt", "every_reference_resolves"],
         },
     }
+    read_requirements(made, where=case_id)
+    return made
 
 
-def families(spec: RequirementSpec) -> set[str]:
+def families(spec: RequirementSpec) -> set[Family]:
     """The families that a spec asks for."""
     return {FAMILIES[predicate.type] for predicate in spec.predicates}
 

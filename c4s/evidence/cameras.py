@@ -9,9 +9,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
+
+from c4s.geometry.transform import WORLD_CM
+
+Array: TypeAlias = NDArray[np.float64]
 
 VIEWS = 4
 HORIZONTAL_FOV_DEG = 60.0
@@ -20,14 +25,18 @@ SIZE_PX = {"width": 960, "height": 540}
 """Size of evidence pictures."""
 
 
-def _content_boxes(snapshot: Mapping[str, Any]) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Origins and half extents (n, 2, 3) of the actors with a real box that is not a plate or a sky dome."""
+def _content_boxes(snapshot: Mapping[str, Any]) -> Array:
+    """Origins and half extents (n, 2, 3) of the actors with a real box that is not a plate or a sky dome.
+
+    What lies beyond the largest world counts as at its edge.
+    """
     boxes = [
         (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"])
         for actor in snapshot["actors"]
         if actor.get("bounds") and actor.get("component_asset_paths")
     ]
     found = np.asarray(boxes, dtype=float).reshape(-1, 2, 3)
+    found = np.clip(found[np.isfinite(found).all(axis=(1, 2))], -WORLD_CM, WORLD_CM)
     solid = found[(found[:, 1].max(axis=1) > 1.0) & (found[:, 1, :2].max(axis=1) < 6000.0)]
     standing = solid[solid[:, 1, 2] > 0.03 * solid[:, 1, :2].max(axis=1)]
     return np.asarray(standing if len(standing) else solid)
@@ -56,15 +65,38 @@ def overview_cameras(snapshot: Mapping[str, Any]) -> list[dict[str, Any]]:
             [math.cos(azimuth) * math.cos(elevation), math.sin(azimuth) * math.cos(elevation), 0.0]
         )
         eye[2] = low[2] + distance * math.sin(elevation)
-        while len(boxes) and np.any(np.all(np.abs(boxes[:, 0] - eye) < boxes[:, 1] + CLEARANCE_CM, axis=1)):
-            eye[2] += CLEARANCE_CM
         cameras.append(
             {
                 "name": f"overview-{index + 1}",
-                "location_cm": [float(v) for v in eye],
+                "location_cm": [float(eye[0]), float(eye[1]), _clear_height(eye, boxes)],
                 "target_cm": target,
                 "fov_deg": HORIZONTAL_FOV_DEG,
                 **SIZE_PX,
             }
         )
     return cameras
+
+
+def _clear_height(eye: Array, boxes: Array) -> float:
+    """The eye's height, lifted in steps of the clearance until no box holds the eye, clearance included."""
+    over = np.all(np.abs(boxes[:, 0, :2] - eye[:2]) < boxes[:, 1, :2] + CLEARANCE_CM, axis=1)
+    centre, half = boxes[over, 0, 2], boxes[over, 1, 2] + CLEARANCE_CM
+    order = np.argsort(centre - half)
+    bottoms, tops = (centre - half)[order], np.maximum.accumulate((centre + half)[order])
+    height = float(eye[2])
+    while (below := int(np.searchsorted(bottoms, height))) and tops[below - 1] > height:
+        height = _lifted(height, float(tops[below - 1]))
+    return height
+
+
+def _lifted(height: float, top: float) -> float:
+    """The first of the sums height + 100 cm + 100 cm ... that is at least ``top``.
+
+    Each sum is rounded as if it were made step by step; a sum that stays below the next power of two is exact.
+    """
+    while height < top:
+        end = min(top, 2.0 ** math.frexp(height)[1]) if height >= 0 else min(top, 0.0)
+        height += math.floor((end - height) / CLEARANCE_CM) * CLEARANCE_CM
+        if height < top:
+            height += CLEARANCE_CM
+    return height

@@ -16,6 +16,9 @@ from numpy.typing import NDArray
 Array: TypeAlias = NDArray[np.float64]
 Vec3: TypeAlias = Sequence[float]
 
+WORLD_CM = 8.8e12
+"""How far from its origin Unreal's largest world reaches: nothing lies, is met or is looked at beyond."""
+
 
 def quat_from_rotator(rotation_deg: Vec3) -> tuple[float, float, float, float]:
     """Quaternion (x, y, z, w) of ``[pitch, yaw, roll]`` degrees."""

@@ -8,13 +8,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from c4s.errors import BadInput
+from c4s.protocol.bundle import node_types, scope_edges, word
 from c4s.protocol.numbers import records
 from c4s.protocol.rules import FAMILY_OF_TYPE, FAMILY_WEIGHTS, Family
-
-
-def word(value: Any) -> str:
-    """A name as it is compared: trimmed, case-folded."""
-    return str(value).strip().casefold()
 
 
 def predicate_type(requirement: Mapping[str, Any]) -> str:
@@ -56,59 +52,39 @@ def node_name(requirement: Mapping[str, Any], number: int) -> str:
     )
 
 
-def _list(graph: Mapping[str, Any], name: str) -> Sequence[Any]:
-    found = graph.get(name) or ()
-    if not isinstance(found, (list, tuple)):
-        raise BadInput(f"the graph's {name} must be a list")
-    return found
-
-
-def _scope_edges(graph: Mapping[str, Any]) -> list[tuple[str, Any]]:
-    """Scope edges as (parent, child); without those that name no parent."""
-    edges = (edge for edge in _list(graph, "edges") if isinstance(edge, Mapping))
-    return [
-        (str(edge["source_id"]), edge.get("target_id"))
-        for edge in edges
-        if word(edge.get("edge_type", "")) == "scope" and edge.get("source_id") is not None
-    ]
-
-
 def families_from_graph(graph: Mapping[str, Any]) -> dict[str, Family]:
     """Family of each predicate node. A logic node has one only if all families in its scope are one.
 
-    The scope is followed through logic nodes only; nodes of a type without a family say nothing.
+    The scope is followed through logic nodes only; nodes of a type without a family say nothing, nor does a node that
+    is met again below itself.
     """
-    types = {
-        str(node["id"]): word(node["predicate_type"])
-        for node in _list(graph, "nodes")
-        if isinstance(node, Mapping) and node.get("id") is not None and node.get("predicate_type") is not None
-    }
+    types = node_types(graph)
     scoped: dict[str, list[str]] = defaultdict(list)
-    for parent, child in _scope_edges(graph):
+    for parent, child in scope_edges(graph):
         if child is not None:
             scoped[parent].append(str(child))
     known: dict[str, frozenset[Family]] = {}
-
-    def families(node: str, above: frozenset[str]) -> frozenset[Family]:
-        if node in known or node in above:
-            return known.get(node, frozenset())
-        kind = types.get(node, "")
-        if kind == "logic":
-            inner = [families(child, above | {node}) for child in scoped[node]]
-            known[node] = frozenset().union(*inner)
-        else:
-            own = FAMILY_OF_TYPE.get(kind) if kind != "presence" else None
-            known[node] = frozenset({own}) if own else frozenset()
-        return known[node]
-
-    found = {node: families(node, frozenset()) for node in types}
-    return {node: next(iter(shared)) for node, shared in found.items() if len(shared) == 1}
+    for root in types:
+        entered: set[str] = set()
+        stack = [root]
+        while stack:
+            node = stack[-1]
+            inner = scoped[node] if types.get(node) == "logic" else []
+            if node not in known and node not in entered:
+                entered.add(node)
+                stack += [child for child in reversed(inner) if child not in known and child not in entered]
+                continue
+            if node not in known:
+                own = FAMILY_OF_TYPE.get(types.get(node, "")) if types.get(node) != "presence" else None
+                known[node] = frozenset({own} if own else ()).union(*(known.get(child, ()) for child in inner))
+            stack.pop()
+    return {node: next(iter(known[node])) for node in types if len(known[node]) == 1}
 
 
 def attach_families(graph: Mapping[str, Any], requirements: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
     """Requirements with their node's family, and a mark on those whose scoped children replace them."""
     families = families_from_graph(graph)
-    parents = {parent for parent, _ in _scope_edges(graph)}
+    parents = {parent for parent, _ in scope_edges(graph)}
     attached = []
     for number, requirement in enumerate(records(requirements, "requirements")):
         row, node = dict(requirement), node_name(requirement, number)

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import bisect
 import math
 import re
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from c4s.errors import BadInput
 from c4s.protocol.detailed import clauses_of, detailed_score
@@ -81,9 +86,26 @@ def _identity(row: Row, requirement: Mapping[str, Any]) -> str:
     return repr((row["source_span"], " ".join(row["text"].casefold().split()), row["predicate_type"], bound))
 
 
-def _inside(inner: Row, outer: Row) -> bool:
-    a, b = inner["source_span"], outer["source_span"]
-    return bool(b[0] <= a[0] and a[1] <= b[1] and a != b)
+class _Spans:
+    """The distinct spans of rows, by start and, from one start, the longest first: outer before inner."""
+
+    def __init__(self, rows: Sequence[Row]) -> None:
+        self.spans = sorted({tuple(row["source_span"]) for row in rows}, key=lambda span: (span[0], -span[1]))
+        self.number = {span: number for number, span in enumerate(self.spans)}
+        rank = {place: number for number, place in enumerate(sorted({place for span in self.spans for place in span}))}
+        self._ends = np.array([rank[end] for _, end in self.spans], dtype=np.int64)
+
+    def inner(self, span: tuple[int, int]) -> NDArray[np.int64]:
+        """Numbers of the spans strictly inside one of them."""
+        number = self.number[span]
+        after = bisect.bisect_left(self.spans, span[1], key=lambda other: other[0])
+        return number + 1 + np.flatnonzero(self._ends[number + 1 : after] <= self._ends[number])
+
+    def direct(self, span: tuple[int, int]) -> NDArray[np.int64]:
+        """Numbers of the spans strictly inside one of them and inside no other such span."""
+        inner = self.inner(span)
+        reach = np.maximum.accumulate(np.concatenate([[-1], self._ends[inner]]))[:-1]
+        return inner[self._ends[inner] > reach]
 
 
 def _exclude(rows: list[Row], requirements: Sequence[Mapping[str, Any]]) -> None:
@@ -93,13 +115,12 @@ def _exclude(rows: list[Row], requirements: Sequence[Mapping[str, Any]]) -> None
         if identity in first:
             row["exclusion_reason"] = "exact_duplicate"
         first.add(identity)
-    distinct = [row for row in rows if row["exclusion_reason"] is None]
+    spans = _Spans([row for row in rows if row["exclusion_reason"] is None])
     for row, requirement in zip(rows, requirements, strict=True):
         if row["exclusion_reason"] is not None:
             continue
-        composite = row["predicate_type"] in COMPOSITE_TYPES
-        if composite and (
-            requirement.get("semantic_replaced_by_children") or any(_inside(other, row) for other in distinct)
+        if row["predicate_type"] in COMPOSITE_TYPES and (
+            requirement.get("semantic_replaced_by_children") or len(spans.inner(tuple(row["source_span"])))
         ):
             row["exclusion_reason"] = "composite_replaced_by_children"
         elif row["semantic_family"] is None:
@@ -108,21 +129,37 @@ def _exclude(rows: list[Row], requirements: Sequence[Mapping[str, Any]]) -> None
 
 def _cap(rows: list[Row]) -> None:
     """A conjunction is worth at most its direct span-children, recursively."""
-    inner = {id(row): [other for other in rows if _inside(other, row)] for row in rows}
-    done: dict[int, tuple[float, bool]] = {}
-    for row in sorted(rows, key=lambda r: r["source_span"][1] - r["source_span"][0]):
-        own = (row["value"], row["score_known"])
-        children = inner[id(row)]
-        if row["predicate_type"] in CONJUNCTIVE_TYPES and children:
-            direct = [c for c in children if not any(_inside(c, middle) for middle in children)]
-            parts = [own, *(done[id(c)] for c in direct)]
-            value = min(score for score, _ in parts)
-            known = all(k for _, k in parts) or any(k and score == 0 for score, k in parts)
-            row["parent_constrained"] = known != own[1] or not math.isclose(value, own[0], abs_tol=_NOISE)
-            own = (value, known)
-        done[id(row)] = own
+    spans = _Spans(rows)
+    groups: dict[tuple[int, int], list[Row]] = defaultdict(list)
     for row in rows:
-        row["value"], row["score_known"] = done[id(row)]
+        groups[tuple(row["source_span"])].append(row)
+    least, known, refuted = (np.zeros(len(spans.spans)) for _ in range(3))
+    for span in sorted(groups, key=lambda s: s[1] - s[0]):
+        conjunctive = any(row["predicate_type"] in CONJUNCTIVE_TYPES for row in groups[span])
+        inner = spans.direct(span) if conjunctive else ()
+        for row in groups[span]:
+            if row["predicate_type"] in CONJUNCTIVE_TYPES and len(inner):
+                own = row["value"], row["score_known"]
+                row["value"] = min(own[0], float(least[inner].min()))
+                row["score_known"] = bool(
+                    (own[1] and known[inner].all()) or (own[1] and own[0] == 0) or refuted[inner].any()
+                )
+                row["parent_constrained"] = row["score_known"] != own[1] or not math.isclose(
+                    row["value"], own[0], abs_tol=_NOISE
+                )
+        number = spans.number[span]
+        least[number] = min(row["value"] for row in groups[span])
+        known[number] = all(row["score_known"] for row in groups[span])
+        refuted[number] = any(row["score_known"] and row["value"] == 0 for row in groups[span])
+
+
+def _clause(span: Sequence[int], starts: NDArray[np.int64], ends: NDArray[np.int64]) -> int:
+    """The clause that holds most of a span, the first of equals; the first of all where none holds any."""
+    start, end = (min(place, int(ends[-1])) for place in span)
+    first, after = int(np.searchsorted(ends, start, side="right")), int(np.searchsorted(starts, end))
+    if first >= after:
+        return 0
+    return first + int(np.argmax(np.minimum(ends[first:after], end) - np.maximum(starts[first:after], start)))
 
 
 def decided_rows(prompt: str, requirements: Sequence[Mapping[str, Any]]) -> list[Row]:
@@ -150,13 +187,11 @@ def decided_rows(prompt: str, requirements: Sequence[Mapping[str, Any]]) -> list
     _exclude(rows, requirements)
     active = [row for row in rows if row["exclusion_reason"] is None]
     _cap(active)
-    spans = clause_spans(prompt) or [(0, len(prompt))]
+    starts, ends = np.array(clause_spans(prompt) or [(0, len(prompt))], dtype=np.int64).T
     for row in rows:
         row["included"] = row["exclusion_reason"] is None
         if row["included"]:
-            start, end = row["source_span"]
-            overlaps = [min(end, b) - max(start, a) for a, b in spans]
-            row["clause_index"] = max(range(len(spans)), key=lambda i: (max(0, overlaps[i]), -i))
+            row["clause_index"] = _clause(row["source_span"], starts, ends)
         row["effective_score"] = round(row["value"], DETAILED_DIGITS)
     return rows
 

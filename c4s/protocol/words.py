@@ -61,33 +61,20 @@ def tokens(text: str) -> tuple[str, ...]:
 
 def head(text: str) -> tuple[str, ...]:
     """The words of a name up to and including its head noun: prefixes, what follows ``with``, variants dropped."""
-    words = list(tokens(text))
-    while words and words[0] in _PREFIXES:
-        words.pop(0)
-    cut = next((i for i, word in enumerate(words) if i and word in CUTS), len(words))
-    words = words[:cut]
-    while len(words) > 1 and (words[-1].isdigit() or len(words[-1]) == 1 or words[-1] in VARIANTS):
-        words.pop()
-    return tuple(words)
-
-
-def names_object(name: str, phrases: Iterable[tuple[str, ...]]) -> bool:
-    """Whether a name's head noun phrase ends with one of the phrases: a ``table lamp`` is a lamp and no table."""
-    noun = head(name)
-    return any(phrase and noun[-len(phrase) :] == phrase for phrase in phrases)
+    found = tokens(text)
+    words = found[next((i for i, word in enumerate(found) if word not in _PREFIXES), len(found)) :]
+    end = next((i for i, word in enumerate(words) if i and word in CUTS), len(words))
+    while end > 1 and (words[end - 1].isdigit() or len(words[end - 1]) == 1 or words[end - 1] in VARIANTS):
+        end -= 1
+    return words[:end]
 
 
 def phrases_of(names: Iterable[str]) -> list[tuple[str, ...]]:
     """Phrases of an entity's name and aliases, articles dropped, without repeats."""
-    found = []
-    for name in names:
-        words = tuple(word for word in tokens(name) if word not in ("a", "an", "the"))
-        if words and words not in found:
-            found.append(words)
-    return found
+    found = (tuple(word for word in tokens(name) if word not in ("a", "an", "the")) for name in names)
+    return list(dict.fromkeys(words for words in found if words))
 
 
-def has_phrase(text: str, phrase: tuple[str, ...]) -> bool:
-    """Whether the phrase occurs in the text as whole words in a row."""
-    words = tokens(text)
-    return any(words[i : i + len(phrase)] == phrase for i in range(len(words) - len(phrase) + 1))
+def spoken(words: Iterable[str]) -> str:
+    """Words as one text in which ``spoken`` of some of them in a row is found as a part."""
+    return " ".join(("", *words, ""))

@@ -5,7 +5,7 @@ Who reads a file through here leaves its SHA-256 in ``digests``, so a verdict or
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
@@ -14,7 +14,7 @@ from c4s.errors import BadInput
 from c4s.files import digest_bytes, parse_json
 from c4s.protocol.settings import Setting
 from c4s.records.base import Record
-from c4s.records.pack import Pack
+from c4s.records.pack import MANIFEST, Pack
 
 EvidenceName = Literal[
     "candidate_snapshot",
@@ -94,19 +94,24 @@ class Evidence:
         self.digests[name] = sha256
 
     def catalog(self) -> dict[str, dict[str, Any]]:
-        """What a judge may know of assets: path to name, category, tags, description, size and slot materials."""
-        facts: dict[str, dict[str, Any]] = {}
-        for folder in self.packs:
-            pack = Pack.read(folder / "pack.json")
-            self.digests[f"pack {pack.pack_id}"] = pack.sha256()
-            materials = {material.path: material.plain() for material in pack.materials}
-            for asset in pack.assets:
-                facts[asset.path] = {
-                    "name": asset.name,
-                    "category": asset.category,
-                    "tags": asset.tags,
-                    "description": asset.description,
-                    "size_m": list(asset.size_m),
-                    "materials": [materials[slot.material] for slot in asset.slots if slot.material in materials],
-                }
-        return facts
+        """What a judge may know of the assets of the case's packs."""
+        packs = [Pack.read(folder / MANIFEST) for folder in self.packs]
+        self.digests.update({f"pack {pack.pack_id}": pack.sha256() for pack in packs})
+        return catalog_facts(packs)
+
+
+def catalog_facts(packs: Iterable[Pack]) -> dict[str, dict[str, Any]]:
+    """Asset path to name, category, tags, description, size and slot materials."""
+    facts: dict[str, dict[str, Any]] = {}
+    for pack in packs:
+        materials = {material.path: material.plain() for material in pack.materials}
+        for asset in pack.assets:
+            facts[asset.path] = {
+                "name": asset.name,
+                "category": asset.category,
+                "tags": asset.tags,
+                "description": asset.description,
+                "size_m": list(asset.size_m),
+                "materials": [materials[slot.material] for slot in asset.slots if slot.material in materials],
+            }
+    return facts

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from c4s.protocol.words import tokens, word_set
-from c4s.semantics.inventory import Facts, Thing, leaf, trusted
+from c4s.semantics.inventory import Thing, trusted
+from c4s.semantics.kinds import Facts, leaf
 
 MATERIAL_WORDS: dict[str, frozenset[str]] = {
     "wood": word_set("wood wooden timber oak pine plank walnut birch bamboo log"),
@@ -38,7 +39,7 @@ def material_families(words: Iterable[str]) -> set[str]:
 def _shown_materials(thing: Thing, catalog_materials: Mapping[str, Facts]) -> list[Facts]:
     """Records of the materials that the actor shows, else the asset's own."""
     shown = [catalog_materials[path] for path in thing.materials if path in catalog_materials]
-    return shown or list((thing.facts or {}).get("materials") or [])
+    return shown or list((thing.kind.facts or {}).get("materials") or [])
 
 
 def material_index(catalog: Mapping[str, Facts]) -> dict[str, Facts]:
@@ -55,7 +56,7 @@ def is_made_of(thing: Thing, wanted: str, materials: Mapping[str, Facts]) -> boo
     """Whether a thing is of a material, by its asset's words or material names; False when they name another only."""
     phrase = tokens(wanted)
     told = [leaf(path) for path in thing.materials if trusted(path, materials)]
-    if thing.says(phrase) or any(word in tokens(name) for name in told for word in phrase):
+    if thing.kind.says(phrase) or any(word in tokens(name) for name in told for word in phrase):
         return True
     asked = material_families(phrase)
     shown = _shown_materials(thing, materials)
@@ -91,7 +92,7 @@ def color_name(base_color: Sequence[float]) -> str:
 def has_color(thing: Thing, wanted: str, materials: Mapping[str, Facts]) -> bool | None:
     """Whether a thing shows a colour: by its asset's words, or by untextured base colours; None when neither says."""
     phrase = tokens(wanted)
-    if thing.says(phrase):
+    if thing.kind.says(phrase):
         return True
     asked = [_SAME_COLOR.get(word, word) for word in phrase if word in COLORS]
     if len(asked) != 1:

@@ -1,7 +1,7 @@
 """Geometric measures behind spatial decisions. All lengths in cm; plan means x and y.
 
-Each relation is a test of one subject box against the reference boxes. Its thresholds are written in
-``docs/rule-judge.md``.
+Each relation says of every subject whether it stands in it to the references (to any of them, itself aside). The
+relations and their thresholds are written in ``docs/rule-judge.md``.
 """
 
 from __future__ import annotations
@@ -11,115 +11,161 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
+from numpy.typing import NDArray
+from scipy.spatial import KDTree
 
+from c4s.semantics.between import between_any
+from c4s.semantics.boxes import Boxes, Flags, holds_to_any
+from c4s.semantics.hull import in_ring, in_ring_of_others
 from c4s.semantics.inventory import Array, Thing
 
-Test: TypeAlias = Callable[[Thing, Sequence[Thing]], bool]
+Test: TypeAlias = Callable[[Sequence[Thing], Sequence[Thing]], Flags]
 
 CONTACT_CM = 10.0
 NEAR_CM = 300.0
-LINE_SHARE = 0.25
+ROW_SHARE = 0.15
 AROUND_GAP_DEG = 150.0
+_TIES = 6
+"""Neighbours that are measured to find the nearest: on a grid several are equally near but for rounding."""
 
 
-def plan_gap(a: Thing, b: Thing) -> float:
-    """Distance of two plan boxes (cm), 0 when they overlap."""
-    apart = np.maximum(np.maximum(a.low[:2] - b.high[:2], b.low[:2] - a.high[:2]), 0.0)
-    return float(np.hypot(*apart))
+def plan_centres(things: Sequence[Thing]) -> Array:
+    """Plan centres (n, 2) of things."""
+    return np.array([thing.centre[:2] for thing in things]).reshape(-1, 2)
 
 
-def box_gap(a: Thing, b: Thing) -> float:
-    """Distance of two boxes (cm), 0 when they overlap."""
-    return float(np.linalg.norm(np.maximum(np.maximum(a.low - b.high, b.low - a.high), 0.0)))
-
-
-def _near_limit(subject: Thing, reference: Thing) -> float:
-    """Near: within 3 m, or within half the larger plan size."""
-    size = max(float((thing.high - thing.low)[:2].max()) for thing in (subject, reference))
-    return max(NEAR_CM, 0.5 * size)
-
-
-def on(subject: Thing, references: Sequence[Thing]) -> bool:
-    """Its bottom is at a reference's top (10 cm, or inside the upper half) and its centre is over it."""
-    for other in references:
-        inside = np.all((subject.centre[:2] >= other.low[:2]) & (subject.centre[:2] <= other.high[:2]))
-        step = subject.low[2] - other.high[2]
-        if (
-            inside
-            and -0.5 * (other.high[2] - other.low[2]) - CONTACT_CM <= step <= CONTACT_CM
-            and subject.high[2] > other.high[2]
-        ):
-            return True
-    return False
-
-
-def above(subject: Thing, references: Sequence[Thing]) -> bool:
-    """Its bottom is at least at a reference's top (10 cm slack) and their plans overlap."""
-    return any(plan_gap(subject, other) == 0 and subject.low[2] >= other.high[2] - CONTACT_CM for other in references)
-
-
-def below(subject: Thing, references: Sequence[Thing]) -> bool:
-    """Its centre is under a reference's top, it reaches the reference's plan, and it starts lower."""
-    return any(
-        plan_gap(subject, other) == 0
-        and subject.low[2] < other.low[2] + CONTACT_CM
-        and subject.centre[2] < other.high[2]
-        for other in references
+def _is_on(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    over = np.all((subject.centre[:, :2] >= least.low[:, :2]) & (subject.centre[:, :2] <= most.high[:, :2]), axis=1)
+    return np.asarray(
+        over
+        & (-0.5 * most.height - CONTACT_CM <= subject.low[:, 2] - least.high[:, 2])
+        & (subject.low[:, 2] - most.high[:, 2] <= CONTACT_CM)
+        & (subject.high[:, 2] > least.high[:, 2])
     )
 
 
-def inside(subject: Thing, references: Sequence[Thing]) -> bool:
+def _overlaps_in_plan(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    return np.asarray(
+        np.all((least.low[:, :2] <= subject.high[:, :2]) & (subject.low[:, :2] <= most.high[:, :2]), axis=1)
+    )
+
+
+def _is_above(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    return _overlaps_in_plan(subject, least, most) & (subject.low[:, 2] >= least.high[:, 2] - CONTACT_CM)
+
+
+def _is_below(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    return (
+        _overlaps_in_plan(subject, least, most)
+        & (subject.low[:, 2] < most.low[:, 2] + CONTACT_CM)
+        & (subject.centre[:, 2] < most.high[:, 2])
+    )
+
+
+def _is_in_box(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    return np.asarray(np.all((subject.centre >= least.low) & (subject.centre <= most.high), axis=1))
+
+
+def _gaps(subject: Boxes, least: Boxes, most: Boxes) -> Array:
+    """Distances along each axis (cm), 0 where the boxes overlap."""
+    return np.maximum(np.maximum(least.low - subject.high, subject.low - most.high), 0.0)
+
+
+def _is_near(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    gaps = _gaps(subject, least, most)
+    limit = np.maximum(NEAR_CM, 0.5 * np.maximum(subject.plan_size, most.plan_size))
+    return np.asarray(np.hypot(gaps[:, 0], gaps[:, 1]) <= limit)
+
+
+def _is_against(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    return np.asarray(np.linalg.norm(_gaps(subject, least, most), axis=1) <= 3 * CONTACT_CM)
+
+
+def on(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
+    """Its bottom is at a reference's top (10 cm, or inside the upper half) and its centre is over it."""
+    return holds_to_any(subjects, references, _is_on)
+
+
+def above(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
+    """Its bottom is at least at a reference's top (10 cm slack) and their plans overlap."""
+    return holds_to_any(subjects, references, _is_above)
+
+
+def below(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
+    """Its centre is under a reference's top, it reaches the reference's plan, and it starts lower."""
+    return holds_to_any(subjects, references, _is_below)
+
+
+def inside(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
     """Its centre lies in a reference's box, or in plan within the ring that at least three references form."""
-    if any(bool(np.all((subject.centre >= other.low) & (subject.centre <= other.high))) for other in references):
-        return True
-    return len(references) >= 3 and in_hull(subject.centre[:2], np.array([o.centre[:2] for o in references]))
+    places = plan_centres(references)
+    ringed = in_ring(plan_centres(subjects), places) if len(places) >= 3 else np.zeros(len(subjects), dtype=bool)
+    among = _numbers(subjects, references)
+    if (among >= 0).any():
+        others = in_ring_of_others(places) if len(places) > 3 else np.zeros(len(places), dtype=bool)
+        ringed[among >= 0] = others[among[among >= 0]]
+    return ringed | holds_to_any(subjects, references, _is_in_box)
 
 
-def near(subject: Thing, references: Sequence[Thing]) -> bool:
+def near(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
     """Within 3 m of a reference, or within half the larger one's size."""
-    return any(plan_gap(subject, other) <= _near_limit(subject, other) for other in references)
+    return holds_to_any(subjects, references, _is_near)
 
 
-def against(subject: Thing, references: Sequence[Thing]) -> bool:
+def against(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
     """Its box is within 30 cm of a reference's box."""
-    return any(box_gap(subject, other) <= 3 * CONTACT_CM for other in references)
+    return holds_to_any(subjects, references, _is_against)
 
 
-def apart(subject: Thing, references: Sequence[Thing]) -> bool:
+def apart(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
     """Further than near from every reference."""
-    return all(plan_gap(subject, other) > _near_limit(subject, other) for other in references)
+    return ~near(subjects, references)
 
 
-def along(subject: Thing, references: Sequence[Thing]) -> bool:
-    """Beside (within near of, not on the middle of) a reference that is at least twice as long as wide."""
-    for other in references:
-        size = np.sort((other.high - other.low)[:2])
-        if size[1] >= 2 * size[0] and plan_gap(subject, other) <= _near_limit(subject, other):
-            return True
-    return _row_of(references) and near(subject, references)
+def along(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
+    """Beside (within near of) a reference that is at least twice as long as wide, or a row of three and more."""
+    sides = np.array([np.sort((other.high - other.low)[:2]) for other in references]).reshape(-1, 2)
+    long = [other for other, (short, longer) in zip(references, sides, strict=True) if longer >= 2 * short]
+    found = near(subjects, long)
+    places = plan_centres(references)
+    rowed = np.full(len(subjects), len(places) >= 3 and is_row(places)[0])
+    among = _numbers(subjects, references)
+    if (among >= 0).any():
+        rowed[among >= 0] = _row_of_others(places)[among[among >= 0]]
+    return found | rowed & near(subjects, references)
 
 
-def between(subject: Thing, references: Sequence[Thing]) -> bool:
+def between(subjects: Sequence[Thing], references: Sequence[Thing]) -> Flags:
     """Its plan centre is near the middle part of a line between two references (a quarter of its length aside)."""
-    for i, first in enumerate(references):
-        for second in references[i + 1 :]:
-            way = second.centre[:2] - first.centre[:2]
-            length = float(np.hypot(*way))
-            if length == 0:
-                continue
-            offset = subject.centre[:2] - first.centre[:2]
-            share = float(offset @ way) / length**2
-            aside = abs(float(way[0] * offset[1] - way[1] * offset[0])) / length
-            if 0.1 <= share <= 0.9 and aside <= LINE_SHARE * length:
-                return True
-    return False
+    return between_any(plan_centres(subjects), plan_centres(references))
+
+
+def _numbers(subjects: Sequence[Thing], references: Sequence[Thing]) -> NDArray[np.int64]:
+    """Each subject's own place among the references, -1 where it is none."""
+    place = {id(thing): number for number, thing in enumerate(references)}
+    return np.array([place.get(id(thing), -1) for thing in subjects], dtype=np.int64)
+
+
+def _row_of_others(points: Array) -> Flags:
+    """Whether the other points (at least three) lie on a line, for each of the points; by moments less one point."""
+    n = len(points)
+    if n < 4:
+        return np.zeros(n, dtype=bool)
+    offsets = points - points.mean(axis=0)
+    full = offsets.T @ offsets
+    rest = full - n / (n - 1) * offsets[:, :, None] * offsets[:, None, :]
+    half_sum, half_gap = (rest[:, 0, 0] + rest[:, 1, 1]) / 2, (rest[:, 0, 0] - rest[:, 1, 1]) / 2
+    bend = np.hypot(half_gap, rest[:, 0, 1])
+    across, along_ = np.maximum(half_sum - bend, 0.0), half_sum + bend
+    held = np.where(along_ > 0, across <= ROW_SHARE**2 * along_, False)
+    for lone in np.flatnonzero(2 * half_sum < 1e-6 * np.trace(full)):
+        held[lone] = is_row(np.delete(points, lone, axis=0))[0]
+    return held
 
 
 def encircles(subjects: Sequence[Thing], references: Sequence[Thing]) -> tuple[bool, float]:
     """Whether the subjects stand all around the references: no angle of 150 degrees without one; the largest gap."""
-    centre = np.mean([other.centre[:2] for other in references], axis=0)
-    largest = angular_gap(np.array([thing.centre[:2] for thing in subjects]), centre)
+    largest = angular_gap(plan_centres(subjects), plan_centres(references).mean(axis=0))
     return largest <= AROUND_GAP_DEG, largest
 
 
@@ -133,24 +179,11 @@ def angular_gap(points: Array, centre: Array) -> float:
     return float(np.diff(np.append(angles, angles[0] + 360)).max())
 
 
-def in_hull(point: Array, corners: Array) -> bool:
-    """Whether a plan point lies in the convex hull of plan points."""
-    try:
-        planes = ConvexHull(corners).equations
-    except (QhullError, ValueError):
-        return False
-    return bool(np.all(planes[:, :2] @ point + planes[:, 2] <= 1e-6))
-
-
-def _row_of(things: Sequence[Thing]) -> bool:
-    return len(things) >= 3 and is_row(np.array([thing.centre[:2] for thing in things]))[0]
-
-
 def is_row(points: Array) -> tuple[bool, float]:
     """Whether points lie on a line: the spread across it is at most 15 % of the spread along it; that share."""
     spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
     share = float(spread[1] / spread[0]) if spread[0] > 0 else 1.0
-    return share <= 0.15, share
+    return share <= ROW_SHARE, share
 
 
 def is_ring(points: Array) -> tuple[bool, float]:
@@ -165,14 +198,20 @@ def is_ring(points: Array) -> tuple[bool, float]:
 
 def nearest(points: Array) -> Array:
     """Distance of every point to its nearest other point."""
-    distances = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
-    np.fill_diagonal(distances, np.inf)
-    return np.asarray(distances.min(axis=1))
+    places, inverse, count = np.unique(points, axis=0, return_inverse=True, return_counts=True)
+    ways = np.zeros(len(places))
+    if len(places) > 1:
+        close = KDTree(places).query(places, k=min(_TIES, len(places)))[1]
+        every = np.hypot(*(places[:, None] - places[close]).transpose(2, 0, 1))
+        every[close == np.arange(len(places))[:, None]] = np.inf
+        ways = every.min(axis=1)
+    ways[count > 1] = 0.0
+    return np.asarray(ways[inverse.ravel()])
 
 
 def is_cluster(things: Sequence[Thing]) -> tuple[bool, float]:
     """Whether things stand together: the median way to the nearest is at most twice their plan size, or 3 m."""
-    way = float(np.median(nearest(np.array([thing.centre[:2] for thing in things]))))
+    way = float(np.median(nearest(plan_centres(things))))
     size = float(np.median([(thing.high - thing.low)[:2].max() for thing in things]))
     return way <= max(2 * size, NEAR_CM), way
 

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.files import write_json, write_text
+from c4s.files import read_json, write_json, write_text
 from c4s.folders import beside, put_folder
+from c4s.protocol.bundle import read_requirements
 from c4s.protocol.settings import is_construction
 from c4s.records.level import Level
 from c4s.records.suite import AgentCase, PackRef, SuiteFolder, WithheldCase
@@ -27,14 +28,17 @@ def import_code4scene(
 ) -> dict[str, Any]:
     """Import every task at or below ``folder`` as the suite ``out``; returns a report, one row a task.
 
-    Raises ``BadInput`` for a malformed task, two tasks of one id, or where no task can be run; without ``replace`` also
-    where another suite of this name, or another pack of a task, is there or was changed.
+    Raises ``BadInput`` for a malformed task or requirement bundle, two tasks of one id, or where no task can be run;
+    without ``replace`` also where another suite of this name, or another pack of a task, is there or was changed.
     """
     tasks = [read_task(path) for path in find_tasks(folder)]
     names = [task.case_id for task in tasks]
     for name in names:
         if names.count(name) > 1:
             raise BadInput(f"task id {name!r} occurs twice", where=str(folder))
+    for task in tasks:
+        if task.bundle is not None:
+            read_requirements(read_json(task.bundle, what="requirement bundle"), where=str(task.bundle))
     with beside(out) as made, beside(packs_root / out.name) as made_packs:
         fresh = SuiteFolder(made / out.name)
         rows, packs = _cases(tasks, fresh, made_packs, progress)

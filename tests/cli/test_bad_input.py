@@ -80,6 +80,15 @@ def test_malformed_tasks(tmp_path: Path, text: str, expected: str) -> None:
     assert "task.yaml" in done.stderr
 
 
+def test_a_malformed_requirement_bundle_is_not_imported(tmp_path: Path) -> None:
+    text = TASK + "verifiers:\n- name: semantic_requirements\n  verification_bundle: yard.bundle.json\n"
+    folder = _task(tmp_path / "tasks/yard", text)
+    (folder / "yard.bundle.json").write_text('{"graph": {"prompt": "", "nodes": [], "edges": [7]}, "requirements": []}')
+    done = _c4s(tmp_path / "home", "suite", "import", "code4scene", str(folder))
+    assert done.returncode == 2 and "requirement bundle cannot be read" in done.stderr and done.stderr.count("\n") == 1
+    assert "yard.bundle.json" in done.stderr and not (tmp_path / "home" / "suites").exists()
+
+
 def test_truncated_and_wrong_snapshots(tmp_path: Path) -> None:
     (tmp_path / "cut.json").write_text('{"schema_version": "0.3.0", "actors": [')
     (tmp_path / "list.json").write_text("[]")

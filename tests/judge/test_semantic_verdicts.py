@@ -8,9 +8,7 @@ from typing import Any
 import pytest
 
 from c4s.errors import BadInput
-from c4s.judge.rule.judging import judge_by_rule
-from c4s.records.verdict import Verdict
-from c4s.verify.semantic import detailed, overview
+from tests.judge.judged import verify_detailed, verify_overview
 from tests.shared import SHARED
 
 ALLEY = SHARED / "upstream/tests/fixtures/synthetic-alley.bundle.json"
@@ -90,15 +88,6 @@ def bundle() -> dict[str, Any]:
         "graph": {"prompt": PROMPT, "nodes": nodes, "edges": [edge for _, edges in made for edge in edges]},
         "requirements": [{"node_id": node["id"], "entity_scopes": {}} for node, _ in made],
     }
-
-
-def verify_detailed(asked: Any, snapshot: dict[str, Any], catalog: Any, shown: Any) -> Verdict:
-    return detailed.verify_detailed(asked, judge_by_rule(asked, PROMPT, snapshot, catalog, shown))
-
-
-def verify_overview(asked: Any, snapshot: dict[str, Any], catalog: Any, shown: Any) -> Verdict:
-    bundle = None if isinstance(asked, str) else asked
-    return overview.verify_overview(judge_by_rule(bundle, PROMPT, snapshot, catalog, shown))
 
 
 GOOD = {"actors": [*(actor(f"bench{i}", BENCH, i * 200.0) for i in range(3)), actor("cart", CART, 200.0, 250.0)]}

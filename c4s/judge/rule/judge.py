@@ -6,17 +6,28 @@ each kind of requirement means to it.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
 
-from c4s.protocol.bundle import Entity, Predicate, Requirements
-from c4s.protocol.words import tokens
-from c4s.semantics.inventory import Facts, Thing, inventory
+from c4s.protocol.bundle import LOGIC_TYPES, Entity, Predicate, Requirements
+from c4s.protocol.words import phrases_of, tokens
+from c4s.semantics.inventory import Thing, inventory
+from c4s.semantics.kinds import Facts, Kind, KindIndex
 from c4s.semantics.looks import has_color, is_made_of, material_index
-from c4s.semantics.measures import RELATIONS, SYNONYMS, encircles, is_cluster, is_ring, is_row, is_scattered
+from c4s.semantics.measures import (
+    RELATIONS,
+    SYNONYMS,
+    encircles,
+    is_cluster,
+    is_ring,
+    is_row,
+    is_scattered,
+    plan_centres,
+)
 from c4s.semantics.quantities import limits
 
 Status = Literal["MATCH", "MISMATCH", "UNKNOWN"]
@@ -100,31 +111,51 @@ class RuleJudge:
     def __init__(self, requirements: Requirements, snapshot: Mapping[str, Any], catalog: Mapping[str, Facts]) -> None:
         self.requirements = requirements
         self.things = inventory(snapshot, catalog)
-        self.closed = all(thing.facts is not None and not thing.basic_shape for thing in self.things)
+        self._places: dict[Kind, list[int]] = {}
+        for place, thing in enumerate(self.things):
+            self._places.setdefault(thing.kind, []).append(place)
+        self.closed = all(kind.facts is not None and not kind.basic_shape for kind in self._places)
         """Every placed object is a known catalog asset, so what is not named is not there."""
+        self._kinds = KindIndex(self._places)
+        self._phrases = {entity.id: phrases_of(entity.names) for entity in requirements.entities.values()}
         self._materials = material_index(catalog)
+        self._named: dict[tuple[Kind, ...], list[Thing]] = {}
         self._grounded: dict[str, list[Thing]] = {}
         self._decisions: dict[str, Decision] = {}
+        self._holding: dict[tuple[str, tuple[str, ...], tuple[str, ...]], list[Thing]] = {}
 
     def ground(self, entity_id: str) -> list[Thing]:
         """The things that an entity names."""
         if entity_id not in self._grounded:
-            entity = self.requirements.entities.get(entity_id)
-            phrases = entity.phrases if entity else ()
-            self._grounded[entity_id] = [thing for thing in self.things if thing.is_a(phrases)]
+            kinds = tuple(self._kinds.find(self._phrases.get(entity_id, ())))
+            if kinds not in self._named:
+                places = sorted(place for kind in kinds for place in self._places[kind])
+                self._named[kinds] = [self.things[place] for place in places]
+            self._grounded[entity_id] = self._named[kinds]
         return self._grounded[entity_id]
 
     def decide(self, predicate_id: str) -> Decision:
-        """The decision on a predicate of the bundle."""
-        if predicate_id not in self._decisions:
-            self._decisions[predicate_id] = unknown("the requirement refers to itself")
-            predicate = self.requirements.predicates[predicate_id]
-            found = self._decide(predicate)
-            self._decisions[predicate_id] = negation(found) if predicate.negative else found
+        """The decision on a predicate of the bundle; a logic predicate's operands are decided before it."""
+        entered: set[str] = set()
+        stack = [predicate_id]
+        while stack:
+            node = stack[-1]
+            predicate = self.requirements.predicates[node]
+            if node not in self._decisions:
+                entered.add(node)
+                self._decisions[node] = unknown("the requirement refers to itself")
+                if predicate.type in LOGIC_TYPES and all(o in self.requirements.predicates for o in predicate.operands):
+                    stack += [operand for operand in reversed(predicate.operands) if operand not in self._decisions]
+                continue
+            if node in entered:
+                entered.remove(node)
+                found = self._decide(predicate)
+                self._decisions[node] = negation(found) if predicate.negative else found
+            stack.pop()
         return self._decisions[predicate_id]
 
     def _decide(self, predicate: Predicate) -> Decision:
-        if predicate.type in ("logic", "set") and predicate.operands:
+        if predicate.type in LOGIC_TYPES and predicate.operands:
             return self._logic(predicate)
         deciders: dict[str, Callable[[Predicate], Decision]] = {
             "existence": self._existence,
@@ -144,7 +175,7 @@ class RuleJudge:
         missing = [operand for operand in predicate.operands if operand not in self.requirements.predicates]
         if missing:
             return unknown(f"unknown operand {missing[0]}")
-        parts = [self.decide(operand) for operand in predicate.operands]
+        parts = [self._decisions[operand] for operand in predicate.operands]
         if predicate.operator in ("any_of", "or"):
             return disjunction(parts)
         if predicate.operator in ("all_of", "and"):
@@ -155,7 +186,8 @@ class RuleJudge:
 
     def _presence(self, entity_ids: Sequence[str]) -> tuple[list[Thing], Decision | None]:
         """Things of the entities, or the decision when there are none."""
-        things = list(dict.fromkeys(thing for entity_id in entity_ids for thing in self.ground(entity_id)))
+        named = {id(things): things for things in map(self.ground, entity_ids)}
+        things = list(dict.fromkeys(itertools.chain.from_iterable(named.values())))
         if things:
             return things, None
         if not self.things:
@@ -163,12 +195,12 @@ class RuleJudge:
         entities = [self.requirements.entities[i] for i in entity_ids if i in self.requirements.entities]
         if not entities:
             return [], unknown("the requirement names no entity")
-        named = " / ".join(" ".join(entity.phrases[0]) for entity in entities if entity.phrases)
+        wanted = " / ".join(" ".join(phrases[0]) for phrases in (self._phrases[e.id] for e in entities) if phrases)
         if not all(entity.is_object for entity in entities):
-            return [], unknown(f"{named} is a region that has to be seen")
+            return [], unknown(f"{wanted} is a region that has to be seen")
         if self.closed:
-            return [], decided(False, f"no object of the scene is a {named}")
-        return [], unknown(f"no object is named {named}, but some objects are primitives or not in the catalog")
+            return [], decided(False, f"no object of the scene is a {wanted}")
+        return [], unknown(f"no object is named {wanted}, but some objects are primitives or not in the catalog")
 
     def _existence(self, predicate: Predicate) -> Decision:
         things, absent = self._presence(predicate.subjects)
@@ -215,19 +247,25 @@ class RuleJudge:
         return conjunction([self._shows(things, kind, words, individual) for kind, words in predicate.qualifiers])
 
     def _shows(self, things: Sequence[Thing], kind: str, words: str, individual: bool) -> Decision:
-        answers: list[bool | None]
-        if kind == "material":
-            answers = [is_made_of(thing, words, self._materials) for thing in things]
-        elif kind == "color":
-            answers = [has_color(thing, words, self._materials) for thing in things]
-        else:
-            answers = [True if thing.says(tokens(words)) else None for thing in things]
+        found: dict[tuple[Kind, tuple[str, ...]], bool | None] = {}
+        for thing in things:
+            if (thing.kind, thing.materials) not in found:
+                found[thing.kind, thing.materials] = self._shown(thing, kind, words)
+        answers = [found[thing.kind, thing.materials] for thing in things]
         holding = [thing for thing, answer in zip(things, answers, strict=True) if answer]
         if individual and holding:
             return shared(things, holding, f"{kind} {words}", any_suffices=True)
         if None in answers and len(holding) < len(things):
             return unknown(f"{kind} {words} is not said by the assets", actor_names(things))
         return shared(things, holding, f"{kind} {words}", any_suffices=individual)
+
+    def _shown(self, thing: Thing, kind: str, words: str) -> bool | None:
+        """What a thing's asset and materials say of a qualifier."""
+        if kind == "material":
+            return is_made_of(thing, words, self._materials)
+        if kind == "color":
+            return has_color(thing, words, self._materials)
+        return True if thing.kind.says(tokens(words)) else None
 
     def _entities(self, ids: Sequence[str]) -> list[Entity]:
         return [self.requirements.entities[i] for i in ids if i in self.requirements.entities]
@@ -245,17 +283,21 @@ class RuleJudge:
             return missing
         if relation is None:
             return unknown(f"the relation {word or 'given'} is not decidable by geometry", actor_names(subjects))
-        if relation.endswith("_inverse"):
-            subjects, references, relation = references, subjects, relation.removesuffix("_inverse")
-        if relation == "between_references":
-            subjects, references, relation = references, subjects, "between"
-        others = [thing for thing in references if thing not in set(subjects)] or references
+        sides = tuple(predicate.subjects), tuple(predicate.references)
+        if relation.endswith("_inverse") or relation == "between_references":
+            subjects, references, sides = references, subjects, sides[::-1]
+            relation = "between" if relation == "between_references" else relation.removesuffix("_inverse")
+        among = set(subjects)
+        others = [thing for thing in references if thing not in among] or references
         if relation == "around":
             return self._around(subjects, others)
-        test = RELATIONS[relation]
-        holding = [thing for thing in subjects if test(thing, [o for o in others if o is not thing])]
+        if (relation, *sides) not in self._holding:
+            holds = RELATIONS[relation](subjects, others)
+            self._holding[relation, *sides] = [subjects[place] for place in np.flatnonzero(holds).tolist()]
         individual = all(not entity.collection for entity in self._entities(predicate.subjects))
-        return shared(subjects, holding, f"{relation} {len(others)} reference(s)", any_suffices=individual)
+        return shared(
+            subjects, self._holding[relation, *sides], f"{relation} {len(others)} reference(s)", any_suffices=individual
+        )
 
     def _around(self, subjects: Sequence[Thing], references: Sequence[Thing]) -> Decision:
         if len(subjects) < 3:
@@ -277,9 +319,9 @@ class RuleJudge:
             for text in (predicate.relation or "", *(name for _, name in predicate.qualifiers), predicate.text)
             for word in tokens(text)
         }
-        points = np.array([thing.centre[:2] for thing in things])
         if len(things) < 3:
             return unknown("fewer than three objects have no distribution", actor_names(things))
+        points = plan_centres(things)
         if words & {"row", "line", "lined", "queue"}:
             holds, value = is_row(points)
             return decided(holds, "in a row", things, spread_share=round(value, 4))

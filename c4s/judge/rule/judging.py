@@ -12,15 +12,19 @@ from c4s.protocol.numbers import mean
 from c4s.protocol.rules import OVERVIEW_VIEWS
 from c4s.records.judgement import ClaimJudgement, Judgements, OverviewDimension, OverviewJudgement, OverviewPart
 from c4s.records.version import code_version
-from c4s.semantics.inventory import Facts
+from c4s.semantics.kinds import Facts
 from c4s.semantics.views import Views, read_views
 
 RULE = "rule"
 
 
+DECIDE = ("judge", "semantics", "protocol", "geometry")
+"""Folders of ``c4s`` whose sources decide what the rule judge says."""
+
+
 def rule_version() -> str:
     """Changes with any source or word list that the rule judge decides by."""
-    return code_version("judge", "semantics", "protocol", "geometry")
+    return code_version(*DECIDE)
 
 
 def judge_by_rule(
@@ -42,7 +46,7 @@ def judge_by_rule(
     A rule judge sees no severe visual defect, so the cap for one never applies. Raises ``BadInput`` for a bundle that
     cannot be read.
     """
-    requirements = Requirements(prompt, {}, {}, (), {}) if bundle is None else read_requirements(bundle)
+    requirements = Requirements(prompt, {}, {}, (), {}, {}) if bundle is None else read_requirements(bundle)
     judge = RuleJudge(requirements, snapshot, catalog)
     views = read_views(captures)
     enough = views is not None and views.count == OVERVIEW_VIEWS

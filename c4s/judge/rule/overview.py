@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from c4s.geometry.transform import WORLD_CM
 from c4s.judge.rule.judge import RuleJudge
 from c4s.protocol.bundle import Entity
 from c4s.protocol.numbers import mean
+from c4s.semantics.boxes import Boxes, Flags, holds_to_any
 from c4s.semantics.inventory import Thing
 from c4s.semantics.quantities import needed
 from c4s.semantics.views import Views
@@ -20,6 +22,8 @@ STYLE_TYPES = frozenset({"attribute", "material", "style_bundle", "environment",
 SPATIAL_TYPES = frozenset({"spatial_relation", "distribution", "composition", "boundary"})
 STRETCH = 4.0
 """A thing is stretched out of shape when its largest scale factor exceeds its smallest by more than this factor."""
+FLAT_CM = 0.1
+"""A thing is flattened when two of its sides are not longer than this."""
 BURIED = 0.5
 LIKE_SIZE = 8.0
 """A thing is swallowed when another's box, of up to 8 times its volume, holds more than half of its own box.
@@ -40,47 +44,60 @@ class Part:
 
 def dimensions(judge: RuleJudge, views: Views) -> dict[str, list[Part]]:
     """The parts of the four prompt dimensions, by dimension name."""
-    seen = [thing for thing in judge.things if views.sees(thing.actor)]
+    seen = views.seen(judge.things)
     objects = [entity for entity in judge.requirements.entities.values() if entity.is_object]
+    counts = _seen_counts(judge, seen, objects)
     return {
-        "global_prompt_alignment": [_named_objects(judge, views, objects)],
+        "global_prompt_alignment": [_named_objects(counts)],
         "composition_and_layout": [
             _requirements("spatial_requirements", judge, SPATIAL_TYPES, bool(seen)),
             _occupancy(seen),
             _unswallowed(seen),
         ],
         "style_atmosphere_coherence": [_requirements("style_requirements", judge, STYLE_TYPES, bool(seen))],
-        "completeness_and_polish": [_counts(judge, views, objects), _visible(judge.things, seen)],
+        "completeness_and_polish": [_counts(judge, counts, objects), _visible(judge.things, seen)],
     }
 
 
 def structural_integrity(things: Sequence[Thing]) -> Part:
     """Share of things that are finite, not flattened to nothing and not stretched; 0 in an empty scene."""
-    sound = [thing for thing in things if _sound(thing)]
+    if not things:
+        return Part("undistorted", 0.0, False, {"things": 0, "distorted": []})
+    scale = np.abs([thing.scale for thing in things])
+    low, high = (np.array([getattr(thing, side) for thing in things]) for side in ("low", "high"))
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        sound = (
+            (np.maximum(np.abs(low), np.abs(high)).max(axis=1) < WORLD_CM)
+            & (np.sort(high - low, axis=1)[:, 1] > FLAT_CM)
+            & (scale.min(axis=1) > 0)
+            & (scale.max(axis=1) / scale.min(axis=1) <= STRETCH)
+        )
+    distorted = [things[place].actor for place in np.flatnonzero(~sound).tolist()]
     return Part(
-        "undistorted",
-        len(sound) / len(things) if things else 0.0,
-        bool(things),
-        {"things": len(things), "distorted": [t.actor for t in things if not _sound(t)][:50]},
+        "undistorted", int(sound.sum()) / len(things), True, {"things": len(things), "distorted": distorted[:50]}
     )
 
 
-def _sound(thing: Thing) -> bool:
-    scale = np.abs(thing.scale)
-    size = thing.high - thing.low
-    return bool(
-        np.isfinite(size).all() and np.sort(size)[1] > 0.1 and scale.min() > 0 and scale.max() / scale.min() <= STRETCH
-    )
+def _seen_counts(judge: RuleJudge, seen: Sequence[Thing], objects: Sequence[Entity]) -> dict[str, int]:
+    """How many clearly visible things each named object has."""
+    visible = set(seen)
+    known: dict[int, int] = {}
+    counts = {}
+    for entity in objects:
+        things = judge.ground(entity.id)
+        if id(things) not in known:
+            known[id(things)] = sum(thing in visible for thing in things)
+        counts[entity.id] = known[id(things)]
+    return counts
 
 
-def _named_objects(judge: RuleJudge, views: Views, objects: Sequence[Entity]) -> Part:
+def _named_objects(counts: Mapping[str, int]) -> Part:
     """Share of the prompt's named objects of which at least one is placed and clearly visible."""
-    shown = {entity.id: any(views.sees(thing.actor) for thing in judge.ground(entity.id)) for entity in objects}
     return Part(
         "visible_named_objects",
-        sum(shown.values()) / len(objects) if objects else 0.0,
-        bool(objects),
-        {"objects": len(objects), "missing": [key for key, found in shown.items() if not found]},
+        sum(count > 0 for count in counts.values()) / len(counts) if counts else 0.0,
+        bool(counts),
+        {"objects": len(counts), "missing": [key for key, count in counts.items() if not count]},
     )
 
 
@@ -113,19 +130,23 @@ def _unswallowed(things: Sequence[Thing]) -> Part:
     """Share of things of which no other thing of like size (up to 8 times its volume) holds more than half."""
     if not things:
         return Part("unswallowed", 0.0, False, {"things": 0})
-    low, high = (np.array([getattr(thing, side) for thing in things]) for side in ("low", "high"))
-    owners = np.unique([thing.actor for thing in things], return_inverse=True)[1]
-    volumes = np.prod(np.maximum(high - low, 0.1), axis=1)
-    swallowed = []
-    for i, thing in enumerate(things):
-        like = (volumes >= volumes[i]) & (volumes <= LIKE_SIZE * volumes[i]) & (owners != owners[i])
-        common = np.prod(np.maximum(np.minimum(high[like], high[i]) - np.maximum(low[like], low[i]), 0.0), axis=1)
-        if (common > BURIED * volumes[i]).any():
-            swallowed.append(thing.actor)
+    buried = holds_to_any(things, things, _is_swallowed)
+    swallowed = [things[place].actor for place in np.flatnonzero(buried).tolist()]
     return Part("unswallowed", 1 - len(swallowed) / len(things), True, {"swallowed": swallowed[:50]})
 
 
-def _counts(judge: RuleJudge, views: Views, objects: Sequence[Entity]) -> Part:
+def _is_swallowed(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    """Whether another actor's box of like size holds more than half of the subject's."""
+    common = np.maximum(np.minimum(most.high, subject.high) - np.maximum(least.low, subject.low), 0.0)
+    return np.asarray(
+        (most.volume >= subject.volume)
+        & (least.volume <= LIKE_SIZE * subject.volume)
+        & ((least.owner < subject.owner) | (most.owner > subject.owner))
+        & (common[:, 0] * common[:, 1] * common[:, 2] > BURIED * subject.volume)
+    )
+
+
+def _counts(judge: RuleJudge, counts: Mapping[str, int], objects: Sequence[Entity]) -> Part:
     """Mean over the named objects of visible count / needed count, at most 1 each."""
     quantities = {
         subject: predicate.quantity
@@ -135,8 +156,9 @@ def _counts(judge: RuleJudge, views: Views, objects: Sequence[Entity]) -> Part:
     }
     ratios = {}
     for entity in objects:
-        count = sum(views.sees(thing.actor) for thing in judge.ground(entity.id))
-        ratios[entity.id] = min(1.0, count / needed(quantities.get(entity.id), collection=entity.collection))
+        ratios[entity.id] = min(
+            1.0, counts[entity.id] / needed(quantities.get(entity.id), collection=entity.collection)
+        )
     return Part(
         "object_counts",
         mean(ratios.values()) if ratios else 0.0,

@@ -28,7 +28,6 @@ def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdic
         raise BadInput(
             f"the judgements do not answer this requirement bundle: {', '.join(odd[:3])}", todo="judge the trial again"
         )
-    scopes = {row["node_id"]: row.get("entity_scopes") for row in bundle["requirements"]}
     rows, decisions = [], []
     for node in requirements.scored:
         predicate, found = requirements.predicates[node], said[node]
@@ -38,7 +37,7 @@ def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdic
                 "text": predicate.text,
                 "source_span": list(predicate.span),
                 "predicate_type": predicate.type,
-                "entity_scopes": scopes[node],
+                "entity_scopes": requirements.scopes[node],
                 "evaluation_status": found.answer,
                 "score": found.score,
             }

@@ -14,14 +14,13 @@ from c4s.engine.headless.queries.solids import Array
 from c4s.engine.headless.queries.triangles import Rows, Triangles, segment_meets
 from c4s.engine.headless.world import state
 from c4s.engine.headless.world.pose import Pose, compose
+from c4s.geometry.transform import WORLD_CM
 from c4s.records.pack import Asset, BoxBody, CapsuleBody, CollisionBody, HullBody
 
 if TYPE_CHECKING:
     from c4s.engine.headless.world.world import World
 
 _ROOM = 256
-WORLD_CM = 8.8e12
-"""Half of Unreal's largest world: nothing out there is met, and no query starts there."""
 _Corners = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
