@@ -10,12 +10,15 @@ from typing import Any
 from c4s.protocol.detailed import detailed_score
 from c4s.protocol.overview import overview_score
 from c4s.protocol.physics import physics_from_report
-from c4s.protocol.rules import DEFAULT_POLICY, FAMILY_WEIGHTS, OVERVIEW_WEIGHTS
+from c4s.protocol.rules import DEFAULT_POLICY, FAMILY_WEIGHTS, GATE, OVERVIEW_WEIGHTS
 from c4s.protocol.settings import SETTINGS, Setting, is_construction
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
+from c4s.verify.physics.verifier import PHYSICS
+from c4s.verify.repair.verifier import REPAIR
+from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
 
 _FAMILIES = list(FAMILY_WEIGHTS)
 
@@ -42,7 +45,7 @@ def _physics(rng: random.Random) -> Verdict:
         "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"},
     }
     score = physics_from_report({"status": "measured", "metrics": metrics})["score"]
-    return Verdict(verifier="physics", status="measured", score=score, policy="made", measurements=metrics)
+    return Verdict(verifier=PHYSICS.name, status="measured", score=score, policy="made", measurements=metrics)
 
 
 def _repair(rng: random.Random) -> Verdict:
@@ -52,7 +55,7 @@ def _repair(rng: random.Random) -> Verdict:
     }
     targets = [{"label": f"SM_{n}", "operation": "repair", "outcome": "TP" if n < nominal else "FN"} for n in range(6)]
     return Verdict(
-        verifier="repair",
+        verifier=REPAIR.name,
         status="measured",
         score=profiles["nominal"]["f1"],
         policy="made",
@@ -76,7 +79,7 @@ def _detailed(rng: random.Random) -> Verdict:
     ]
     made = detailed_score(rows)
     return Verdict(
-        verifier="detailed",
+        verifier=DETAILED.name,
         status="measured",
         score=made["score"],
         policy="made",
@@ -87,7 +90,7 @@ def _detailed(rng: random.Random) -> Verdict:
 def _overview(rng: random.Random) -> Verdict:
     dimensions, structure = {name: rng.random() for name in OVERVIEW_WEIGHTS}, rng.random()
     return Verdict(
-        verifier="overview",
+        verifier=OVERVIEW.name,
         status="measured",
         policy="made",
         score=overview_score(dimensions, structure, False)["score"],
@@ -102,19 +105,16 @@ def _overview(rng: random.Random) -> Verdict:
 def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: str, rng: random.Random) -> None:
     valid = rng.random() < 0.95
     verdicts = {
-        "integrity": Verdict(
-            verifier="integrity",
-            status="valid" if valid else "invalid",
-            policy="made",
-            reason="" if valid else "unloadable",
+        GATE: Verdict(
+            verifier=GATE, status="valid" if valid else "invalid", policy="made", reason="" if valid else "unloadable"
         )
     }
     if valid:
-        verdicts["physics"] = _physics(rng)
+        verdicts[PHYSICS.name] = _physics(rng)
         if is_construction(setting):
-            verdicts |= {"detailed": _detailed(rng), "overview": _overview(rng)}
+            verdicts |= {DETAILED.name: _detailed(rng), OVERVIEW.name: _overview(rng)}
         else:
-            verdicts["repair"] = _repair(rng)
+            verdicts[REPAIR.name] = _repair(rng)
     made = case_score(
         case_id=case_id,
         setting=setting,

@@ -158,7 +158,7 @@ class Manifest(Record):
     def lacks(self) -> list[str]:
         """Fields that a submitted bundle of this setting must have and has not.
 
-        A text-to-scene bundle may lack decisions, judgement and snapshot: what they give is then not evaluated, or
+        A bundle of a construction may lack decisions, judgement and snapshot: what they give is then not evaluated, or
         taken from the recorded report.
         """
         if not self.submitted:

@@ -1,12 +1,12 @@
 """Scoring an evidence bundle from what it records, by the functions that score a run.
 
-Repair F1 and the text-to-scene support rule are computed from the snapshots. Image-to-scene support, penetration, the
+Repair F1 and the support rule of constructions are computed from the snapshots. Support of repairs, penetration, the
 requirement decisions and the overview judgement are taken as recorded.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,14 +15,18 @@ from c4s.errors import BadInput
 from c4s.protocol.detailed import detailed_from_report
 from c4s.protocol.overview import overview_score
 from c4s.protocol.physics import physics_from_report
-from c4s.protocol.rules import INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY
+from c4s.protocol.rules import GATE, INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY
 from c4s.protocol.settings import is_construction
 from c4s.records.score import TrialScore
 from c4s.records.snapshot_faults import scene_fault
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
 from c4s.verify.physics.support import text_to_scene_support
+from c4s.verify.physics.verifier import PHYSICS
+from c4s.verify.registry import verifiers_of
 from c4s.verify.repair import repair_verdict
+from c4s.verify.repair.verifier import REPAIR
+from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
 
 MINIMUM_ACTORS = 1
 
@@ -51,16 +55,9 @@ def score_bundle(bundle: EvidenceBundle, *, minimum_actors: int = MINIMUM_ACTORS
     verdicts: dict[str, Verdict] = {}
     submitted = manifest.submitted
     if submitted:
-        verdicts["integrity"] = _integrity(bundle, candidate, minimum_actors)
-    if submitted and verdicts["integrity"].status == "valid":
-        if is_construction(setting):
-            verdicts |= {
-                "physics": _physics(bundle, candidate),
-                "detailed": _detailed(bundle),
-                "overview": _overview(bundle),
-            }
-        else:
-            verdicts |= {"physics": _physics(bundle, None), "repair": _repair(bundle, candidate)}
+        verdicts[GATE] = _integrity(bundle, candidate, minimum_actors)
+    if submitted and verdicts[GATE].status == "valid":
+        verdicts |= {row.name: _RECORDED[row.name](bundle, candidate) for row in verifiers_of(setting)}
     model = manifest.run.model if manifest.run else None
     score = case_score(
         case_id=manifest.task.id,
@@ -96,7 +93,7 @@ def _integrity(bundle: EvidenceBundle, candidate: Any, minimum_actors: int) -> V
     elif candidate is not None and failed:
         reason = f"{failed} is recorded as {(recorded.leaves or {})[failed]!r}"
     return Verdict(
-        verifier="integrity",
+        verifier=GATE,
         status="invalid" if reason else "valid",
         policy=INTEGRITY_POLICY,
         measurements={"leaves": recorded.leaves or {}},
@@ -105,20 +102,20 @@ def _integrity(bundle: EvidenceBundle, candidate: Any, minimum_actors: int) -> V
 
 
 def _physics(bundle: EvidenceBundle, scene: Any) -> Verdict:
-    """From the recorded report; a text-to-scene snapshot with a tested actor gives the support leaf anew."""
+    """From the recorded report; the snapshot of a construction with a tested actor gives the support leaf anew."""
     recorded = bundle.manifest.physics
     report = bundle.json(recorded.report) if recorded and recorded.report else None
     if report is not None and not isinstance(report, Mapping):
         raise BadInput("the physics report is not an object", where=str(bundle.root))
-    rate = None
-    if scene is not None:
+    rate, whole = None, is_construction(bundle.manifest.task.setting)
+    if whole and scene is not None:
         try:
             rate = text_to_scene_support(scene).rate
         except ValueError as error:
             raise BadInput(f"support cannot be measured: {error}", where=str(bundle.root)) from None
-    total = physics_from_report(report, rate, whole_scene=is_construction(bundle.manifest.task.setting))
+    total = physics_from_report(report, rate, whole_scene=whole)
     return Verdict(
-        verifier="physics",
+        verifier=PHYSICS.name,
         status="measured",
         score=total["score"],
         policy=PHYSICS_POLICY,
@@ -154,14 +151,14 @@ def _semantic(verifier: str, policy: str, made: Mapping[str, Any]) -> Verdict:
     )
 
 
-def _detailed(bundle: EvidenceBundle) -> Verdict:
+def _detailed(bundle: EvidenceBundle, candidate: Any) -> Verdict:
     semantic = bundle.manifest.semantic
     found = bundle.json(semantic.decisions) if semantic and semantic.decisions else {"decisions": []}
     document = {"report_status": "measured", "decisions": found} if isinstance(found, list) else found
     if not isinstance(document, Mapping) or not isinstance(document.get("decisions") or [], list):
         raise BadInput('the decisions are not {"report_status", "decisions": [...]}', where=str(bundle.root))
     return _semantic(
-        "detailed",
+        DETAILED.name,
         SEMANTIC_CASE_POLICY,
         detailed_from_report(
             {
@@ -172,15 +169,15 @@ def _detailed(bundle: EvidenceBundle) -> Verdict:
     )
 
 
-def _overview(bundle: EvidenceBundle) -> Verdict:
+def _overview(bundle: EvidenceBundle, candidate: Any) -> Verdict:
     overview = bundle.manifest.overview
     found = bundle.json(overview.judgement) if overview and overview.judgement else None
     if not found:
-        return _semantic("overview", OVERVIEW_RULE_POLICY, {"status": "missing", "score": None})
+        return _semantic(OVERVIEW.name, OVERVIEW_RULE_POLICY, {"status": "missing", "score": None})
     if not isinstance(found, Mapping) or not isinstance(found.get("dimension_scores"), Mapping):
         raise BadInput("the overview judgement has no dimension_scores", where=str(bundle.root))
     return _semantic(
-        "overview",
+        OVERVIEW.name,
         OVERVIEW_RULE_POLICY,
         overview_score(
             found["dimension_scores"],
@@ -188,3 +185,12 @@ def _overview(bundle: EvidenceBundle) -> Verdict:
             bool(found.get("severe_structural_cap_eligible")),
         ),
     )
+
+
+_RECORDED: dict[str, Callable[[EvidenceBundle, Any], Verdict]] = {
+    PHYSICS.name: _physics,
+    REPAIR.name: _repair,
+    DETAILED.name: _detailed,
+    OVERVIEW.name: _overview,
+}
+"""How each verifier's verdict is made from what a bundle records."""

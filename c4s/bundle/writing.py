@@ -10,13 +10,15 @@ from typing import Any
 from c4s.bundle.manifest import INTEGRITY_LEAVES, MANIFEST, Manifest
 from c4s.errors import BadInput
 from c4s.files import digest_file, write_json
-from c4s.protocol.rules import OVERVIEW_VIEWS
+from c4s.protocol.rules import GATE, OVERVIEW_VIEWS
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.folder import TrialFolder
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.run.check import check_evidence
+from c4s.verify.physics.verifier import PHYSICS
+from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
 
 _LEAF_OF_REASON = {
     "unresolved_dependencies": "content_and_dependency_parity",
@@ -60,7 +62,7 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
     Args:
         folder: a trial with its score.
         out: must not exist or be empty. ``bundle.json`` is written last.
-        withheld: the case's withheld folder; image-to-scene needs its input and truth snapshots.
+        withheld: the case's withheld folder; a repair needs its input and truth snapshots.
 
     Raises ``BadInput`` for a trial without a score or with evidence missing.
     """
@@ -80,7 +82,7 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
     if score.status in ("zero_missing_submission", "zero_missing_result"):
         value["run"]["submission"] = "missing"
     else:
-        integrity = Verdict.read(folder.verdict("integrity"))
+        integrity = Verdict.read(folder.verdict(GATE))
         if score.status == "pending" or integrity.status not in ("valid", "invalid"):
             raise BadInput(
                 f"the trial has no score yet: {score.reason or integrity.reason}",
@@ -109,7 +111,7 @@ def _integrity(verdict: Verdict) -> dict[str, Any]:
 
 def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld: Path | None) -> dict[str, Any]:
     check_evidence(folder)
-    physics = Verdict.read(folder.verdict("physics"))
+    physics = Verdict.read(folder.verdict(PHYSICS.name))
     report = {
         "report_id": "physical_safety",
         "status": physics.status,
@@ -127,11 +129,11 @@ def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld:
     }
     if not is_construction(score.setting):
         if withheld is None:
-            raise BadInput("an image-to-scene bundle needs the case's withheld folder", where=score.case_id)
+            raise BadInput("the bundle of a repair needs the case's withheld folder", where=score.case_id)
         scenes["input"] = writer.copy("scenes/input.scene.json", withheld / "input.snapshot.json")
         scenes["ground_truth"] = writer.copy("scenes/ground_truth.scene.json", withheld / "truth.snapshot.json")
         return value
-    detailed = Verdict.read(folder.verdict("detailed"))
+    detailed = Verdict.read(folder.verdict(DETAILED.name))
     rows = detailed.measurements.get("semantic_requirement_aggregation", [])
     if detailed.measurements.get("judge") == "rule":
         rows = [{**row, "resolved_by": "structured"} for row in rows]
@@ -143,7 +145,7 @@ def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld:
         for n in range(1, OVERVIEW_VIEWS + 1)
     ]
     value["overview"] = {"views": views}
-    overview = Verdict.read(folder.verdict("overview"))
+    overview = Verdict.read(folder.verdict(OVERVIEW.name))
     if overview.status == "measured":
         value["overview"]["judgement"] = writer.json(
             "overview/judgement.json",

@@ -17,16 +17,6 @@ app = typer.Typer(
     help="Published evidence bundles (code4scene.bundle.v1): score one, or pack a trial.", no_args_is_help=True
 )
 Json = Annotated[bool, typer.Option("--json")]
-_SHOWN = (
-    "score",
-    "detailed",
-    "overview",
-    "physics",
-    "repair_f1",
-    "repair_precision",
-    "repair_recall",
-    "known_coverage",
-)
 
 
 @app.command()
@@ -53,7 +43,7 @@ def score(
     )
     print_table(
         ["component", "value"],
-        [[name, getattr(found.score, name)] for name in _SHOWN if getattr(found.score, name) is not None],
+        [["score", found.score.score], *([name, value] for name, value in found.score.components.items())],
     )
 
 
@@ -67,7 +57,7 @@ def pack(
     suite: Annotated[Path | None, typer.Option(help="suite folder (default: the run's suite)")] = None,
     json_output: Json = False,
 ) -> None:
-    """Pack a trial of a run as a bundle. An image-to-scene bundle holds the withheld truth: keep it from agents."""
+    """Pack a trial of a run as a bundle. The bundle of a repair holds the withheld truth: keep it from agents."""
     from c4s.bundle import pack_trial
 
     root = Path(run) if Path(run).is_dir() else runs_root() / run

@@ -70,7 +70,7 @@ def repair(
 def physics(
     snapshot: Annotated[Path, typer.Option(help="snapshot of the saved scene")],
     setting: Annotated[str, typer.Option(help=", ".join(SETTINGS))] = TEXT_TO_SCENE,
-    start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene (image-to-scene)")] = None,
+    start: Annotated[Path | None, typer.Option("--input", help="snapshot of the start scene (repairs)")] = None,
     json_output: Json = False,
 ) -> None:
     """Support and penetration of a saved scene."""

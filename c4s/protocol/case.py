@@ -63,3 +63,10 @@ def semantic_score(*, detailed: float, overview: float, weights: Mapping[str, fl
     """
     alpha, beta = weights["detailed"], weights["overview"]
     return (alpha * detailed + beta * overview) / (alpha + beta)
+
+
+def semantic_of(values: Mapping[str, float], weights: Mapping[str, float]) -> float | None:
+    """``semantic_score`` of a case's components; None under a policy that gives its halves no weight."""
+    if not weights["detailed"] + weights["overview"]:
+        return None
+    return semantic_score(detailed=values["detailed"], overview=values["overview"], weights=weights)

@@ -150,3 +150,7 @@ UNUSABLE_STATUSES: Final = frozenset({"blocked", "error", "invalid", "not_evalua
 
 DEFAULT_POLICY = "code4scene-published"
 """The published protocol: the weights, tolerances and rules of every verifier's and score's published policy."""
+
+PHYSICS_RATE: Final = "physics"
+REPAIR_RATES: Final = {"f1": "repair_f1", "precision": "precision", "recall": "recall", "physics": PHYSICS_RATE}
+"""Published short names of what is averaged over repairs, and the fields of a case row that hold it."""

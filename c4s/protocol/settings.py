@@ -27,3 +27,18 @@ def is_construction(setting: Setting) -> bool:
 def repair_setting(indoor: bool) -> Setting:
     """The setting of a repair in such a place."""
     return INDOOR_REPAIR if indoor else OUTDOOR_REPAIR
+
+
+SETTING_ALIASES: Final[dict[str, Setting]] = {
+    TEXT_TO_SCENE: TEXT_TO_SCENE,
+    "t2s": TEXT_TO_SCENE,
+    INDOOR_REPAIR: INDOOR_REPAIR,
+    "indoor": INDOOR_REPAIR,
+    "i2s-indoor": INDOOR_REPAIR,
+    "image-to-scene-indoor": INDOOR_REPAIR,
+    OUTDOOR_REPAIR: OUTDOOR_REPAIR,
+    "outdoor": OUTDOOR_REPAIR,
+    "i2s-outdoor": OUTDOOR_REPAIR,
+    "image-to-scene-outdoor": OUTDOOR_REPAIR,
+}
+"""Published names and short forms of the settings."""

@@ -10,33 +10,20 @@ from typing import Any
 
 from c4s.errors import BadInput
 from c4s.protocol.numbers import mean
-from c4s.protocol.rules import I2S_POLICY, MODEL_POLICY, MODEL_WEIGHTS
-from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, SETTINGS, TEXT_TO_SCENE, Setting
+from c4s.protocol.rules import I2S_POLICY, MODEL_POLICY, MODEL_WEIGHTS, PHYSICS_RATE, REPAIR_RATES
+from c4s.protocol.settings import SETTING_ALIASES, SETTINGS, Setting
 
 ZERO_STATUSES = frozenset({"zero_invalid_candidate", "zero_missing_submission", "zero_missing_result"})
 MEASURED_STATUSES = frozenset({"measured", "measured_with_missing_zero"})
 _T2S, _INDOOR, _OUTDOOR = SETTINGS
-_ALIASES: dict[str, Setting] = {
-    TEXT_TO_SCENE: _T2S,
-    "t2s": _T2S,
-    INDOOR_REPAIR: _INDOOR,
-    "indoor": _INDOOR,
-    "i2s-indoor": _INDOOR,
-    "image-to-scene-indoor": _INDOOR,
-    OUTDOOR_REPAIR: _OUTDOOR,
-    "outdoor": _OUTDOOR,
-    "i2s-outdoor": _OUTDOOR,
-    "image-to-scene-outdoor": _OUTDOOR,
-}
-_RATES = {"f1": "repair_f1", "precision": "precision", "recall": "recall", "physics": "physics"}
 
 
 def setting_of(text: Any) -> Setting:
     """A setting by its name or a published short form, in any case. Raises ``BadInput``."""
     key = str(text or "").strip().lower().replace("_", "-")
-    if key not in _ALIASES:
+    if key not in SETTING_ALIASES:
         raise BadInput(f"unknown setting {text!r}", todo=f"one of {', '.join(SETTINGS)}")
-    return _ALIASES[key]
+    return SETTING_ALIASES[key]
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,13 +118,13 @@ def _values(rows: Sequence[CaseRow], model: str) -> dict[str, list[float] | None
     """Scores and rates of a setting's rows; None for what is not complete. Every score must be a number in [0, 1]."""
     scores = [row.number("score", f"{model}/{row.case_id}") for row in rows]
     if not rows or not all(row.resolved for row in rows):
-        return dict.fromkeys(("score", *_RATES.values()))
+        return dict.fromkeys(("score", *REPAIR_RATES.values()))
     rates = (
-        {name: _complete(row.number(name, f"{model}/{row.case_id}") for row in rows) for name in _RATES.values()}
+        {name: _complete(row.number(name, f"{model}/{row.case_id}") for row in rows) for name in REPAIR_RATES.values()}
         if rows[0].setting != _T2S
         else {}
     )
-    return dict.fromkeys(_RATES.values()) | rates | {"score": _complete(scores)}
+    return dict.fromkeys(REPAIR_RATES.values()) | rates | {"score": _complete(scores)}
 
 
 def _model_row(
@@ -173,9 +160,9 @@ def _model_row(
         "outdoor_i2s_score": rate("score", _OUTDOOR),
         "indoor_f1_case_macro": rate("repair_f1", _INDOOR),
         "outdoor_f1_case_macro": rate("repair_f1", _OUTDOOR),
-        **{f"i2s_{short}_case_macro": rate(name, _INDOOR, _OUTDOOR) for short, name in _RATES.items()},
-        "indoor_physics_case_macro": rate("physics", _INDOOR),
-        "outdoor_physics_case_macro": rate("physics", _OUTDOOR),
+        **{f"i2s_{short}_case_macro": rate(name, _INDOOR, _OUTDOOR) for short, name in REPAIR_RATES.items()},
+        "indoor_physics_case_macro": rate(PHYSICS_RATE, _INDOOR),
+        "outdoor_physics_case_macro": rate(PHYSICS_RATE, _OUTDOOR),
         **{
             f"{short}_cases": len(contributions[setting])
             for short, setting in (("t2s", _T2S), ("indoor", _INDOOR), ("outdoor", _OUTDOOR))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from c4s.protocol.case import SEMANTIC, i2s_case, semantic_score, t2s_case
+from c4s.protocol.case import SEMANTIC, i2s_case, semantic_of, t2s_case
 from c4s.protocol.rules import CASE_POLICY, GATE, I2S_WEIGHTS, T2S_WEIGHTS
 from c4s.protocol.settings import Setting, is_construction
 from c4s.records.score import CaseStatus, TrialScore
@@ -87,8 +87,8 @@ def _measured(base: dict[str, Any], verdicts: Mapping[str, Verdict], weights: Ma
     components: dict[str, float | None] = {
         name: value for row in rows for name, value in row.shown(verdicts[row.name]).items()
     }
-    if is_construction(base["setting"]) and weights["detailed"] + weights["overview"] > 0:
-        components[SEMANTIC] = semantic_score(detailed=used["detailed"], overview=used["overview"], weights=weights)
+    if is_construction(base["setting"]):
+        components[SEMANTIC] = semantic_of(used, weights)
     return TrialScore(
         **base,
         status="measured_with_missing_zero" if missing else "measured",

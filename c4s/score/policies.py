@@ -11,18 +11,18 @@ from pathlib import Path
 import yaml
 
 from c4s.errors import BadInput
-from c4s.protocol.rules import DEFAULT_POLICY, FAMILY_WEIGHTS, OVERVIEW_WEIGHTS
+from c4s.protocol.rules import DEFAULT_POLICY, FAMILY_WEIGHTS, I2S_WEIGHTS, OVERVIEW_WEIGHTS, T2S_WEIGHTS
 from c4s.records.policy import ScorePolicy
 
 
 def _fitted(
     policy_id: str, labels: str, families: tuple[float, ...], overview: tuple[float, ...], detailed: float
 ) -> ScorePolicy:
-    """Weights that the paper's human study fits; for comparison, and for text-to-scene only."""
+    """Weights that the paper's human study fits; for comparison, and for constructions only."""
     return ScorePolicy(
         policy_id=policy_id,
         description=f"Text-to-scene weights fitted to {labels} (paper, human alignment).",
-        text_to_scene={"detailed": detailed, "physics": 0.20, "overview": 0.80 - detailed},
+        text_to_scene=dict(zip(T2S_WEIGHTS, (detailed, 0.20, 0.80 - detailed), strict=True)),
         families=dict(zip(FAMILY_WEIGHTS, families, strict=True)),
         overview=dict(zip(OVERVIEW_WEIGHTS, overview, strict=True)),
         text_physics_leaves={"floating": 0.0, "solid_penetration": 1.0},
@@ -46,8 +46,8 @@ POLICIES: dict[str, ScorePolicy] = {
         ),
         ScorePolicy(
             policy_id="repair-only",
-            image_to_scene={"repair_f1": 1.0, "physics": 0.0},
-            description="Image-to-scene is Repair F1 alone; text-to-scene as published.",
+            image_to_scene=dict(zip(I2S_WEIGHTS, (1.0, 0.0), strict=True)),
+            description="A repair is Repair F1 alone; a construction as published.",
         ),
         ScorePolicy(
             policy_id="equal-families",

@@ -77,7 +77,7 @@ def _chosen(actors: Sequence[Mapping[str, Any]], wanted: Sequence[str] | None) -
 def _measure(bench: Workbench, _: Arguments) -> ToolResult:
     scene = bench.measured()
     actors = scene.actors
-    floating, solid = scene.physics.measurements["leaf_results"]
+    floating, solid = scene.whole_physics.measurements["leaf_results"]
     by_name = {actor.get("name"): _label(actor) for actor in actors}
     return ToolResult(
         {
@@ -100,7 +100,7 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
                     for item in solid["violations"]
                 ],
             ),
-            **({"not_evaluated": scene.physics.reason} if scene.physics.reason else {}),
+            **({"not_evaluated": scene.whole_physics.reason} if scene.whole_physics.reason else {}),
         }
     )
 

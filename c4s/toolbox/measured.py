@@ -35,7 +35,7 @@ class MeasuredScene:
         return scene_bodies(self.snapshot)
 
     @cached_property
-    def physics(self) -> Verdict:
+    def whole_physics(self) -> Verdict:
         """The physics verdict over all actors, each as if it were the only edit: the input scene is not at hand."""
         return verify_physics(self.setting, self.snapshot, {"actors": []}, alone=True)
 
@@ -64,9 +64,9 @@ class MeasuredScene:
     @cached_property
     def scored_as_floating(self) -> frozenset[str]:
         """Object names of the actors that the verdict counts as floating."""
-        if is_construction(self.setting) and "physics" not in self.__dict__:
+        if is_construction(self.setting) and "whole_physics" not in self.__dict__:
             return self._floating_boxes()
-        leaf = self.physics.measurements["leaf_results"][0]
+        leaf = self.whole_physics.measurements["leaf_results"][0]
         return frozenset(leaf["floating_actors"])
 
     def _floating_boxes(self) -> frozenset[str]:

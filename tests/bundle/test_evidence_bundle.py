@@ -270,3 +270,16 @@ def test_the_command_scores_a_bundle(text_trial: TrialFolder, tmp_path: Path) ->
         check=False,
     )
     assert bad.returncode == 2 and bad.stderr.count("\n") == 1
+
+
+def test_the_command_scores_a_packed_repair(repair_trial: tuple[TrialFolder, Path], tmp_path: Path) -> None:
+    folder, withheld = repair_trial
+    pack_trial(folder, tmp_path / "out", withheld=withheld)
+
+    def shown(*options: str) -> str:
+        line = [sys.executable, "-m", "c4s.cli", "bundle", "score", str(tmp_path / "out"), *options]
+        return subprocess.run(line, capture_output=True, text=True, check=True).stdout
+
+    stored = TrialScore.read(folder.score)
+    assert json.loads(shown("--json"))["score"]["components"] == stored.components
+    assert f"{stored.components['repair_f1']:.3f}" in shown()

@@ -1,4 +1,4 @@
--- How well does a scene mean what its prompt asks for? One row a text-to-scene trial with an outcome: the semantic score
+-- How well does a scene mean what its prompt asks for? One row a construction with an outcome: the semantic score
 -- (Detailed and Overview Alignment as one, at their weights), its two halves, the requirement families, and how much of
 -- the detailed half was decided. What was not measured is null; a trial without a valid submission has zeros.
 SELECT
@@ -12,6 +12,6 @@ SELECT
     max(c.value) FILTER (WHERE c.name = 'structural_integrity_score') AS structural_integrity
 FROM outcomes AS o
 LEFT JOIN components AS c USING (trial_id)
-WHERE o.setting = 'text-to-scene'
+WHERE o.setting IN (SELECT setting FROM settings WHERE construction)
 GROUP BY ALL
 ORDER BY o.suite, semantic DESC NULLS LAST, o.configuration, o.case_id, o.repeat
