@@ -1,0 +1,7 @@
+"""What a clean engine says of a saved scene, the same for every engine: snapshot, dependencies, pictures, digests."""
+
+from c4s.evidence.cameras import overview_cameras
+from c4s.evidence.collect import export_and_look, export_evidence, export_level, look
+from c4s.evidence.pictures import take_pictures
+
+__all__ = ["export_and_look", "export_evidence", "export_level", "look", "overview_cameras", "take_pictures"]

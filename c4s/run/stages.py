@@ -107,7 +107,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     The retained attempt's evidence moves to the trial's ``evidence/``; an invalid one stays with its attempt.
     """
     from c4s.evidence.cameras import SIZE_PX, overview_cameras
-    from c4s.evidence.collect import collect
+    from c4s.evidence.collect import export_and_look
     from c4s.verify.integrity.verdict import ManifestDigests, content_actors, unloadable, verify_integrity
 
     attempt_folder = trial.folder.attempt(number)
@@ -133,7 +133,8 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         return authored or overview_cameras(snapshot)
 
     try:
-        collect(
+        export_and_look(
+            engine=plan.engine,
             packs=given.packs,
             submission_content=attempt_folder / "submission",
             package=outcome.submission,

@@ -105,6 +105,8 @@ class JobBoard:
         """Set when the engine serves, refuses, or has ended."""
         self.refusal: dict[str, str] | None = None
         """The bad input for which the engine did not start."""
+        self.version = ""
+        """What the engine calls its version, told when it is ready."""
         self.gone: str | None = None
         """How the engine ended; None while it runs."""
         self.running: Job | None = None
@@ -229,7 +231,7 @@ class JobBoard:
         head, _, value = message.partition(b"\n")
         fields, job = _object(head), self.running
         if not self.ready.is_set():
-            self.refusal = fields.get("refused")
+            self.refusal, self.version = fields.get("refused"), str(fields.get("version", ""))
             self.ready.set()
         elif job is not None and fields.get("job") == job.number:
             _pour(self._printing, job.log, _available(self._printing))

@@ -78,10 +78,3 @@ class DirectReader(Reader):
             _row(origin),
             _row(extent),
         )
-
-
-def attach() -> None:
-    """Make ``c4s.editor.snapshot`` read here."""
-    from c4s.editor import snapshot
-
-    snapshot.make_reader = DirectReader
