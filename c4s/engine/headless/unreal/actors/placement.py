@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.components.moves import added, turned_by, turned_within
 from c4s.engine.headless.unreal.core import Object, api
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
-from c4s.engine.headless.world.pose import Pose, compose
 
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.actors.base import Actor

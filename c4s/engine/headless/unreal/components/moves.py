@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal.components.frames import Frame
 from c4s.engine.headless.unreal.core import api
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
-from c4s.engine.headless.world.pose import Pose, compose
 
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.traces.hits import HitResult

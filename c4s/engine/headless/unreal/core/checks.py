@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Callable, Mapping
 from typing import Any, ParamSpec, TypeVar
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.containers import Array, FixedArray, Map, Name, Set, Text
 
 P = ParamSpec("P")
@@ -239,8 +240,6 @@ def _is_object(kind: str) -> bool:
 
 def _without(title: str, name: str, result: str) -> Any:
     """The empty result of a function that was given no object, which is logged."""
-    from c4s.engine.headless.world.state import world
-
     world().log.error(f"{camel(title)}: {camel(name)} is not valid.")
     if result in ("None", "Any") or "None" in _alternatives(result):
         return None

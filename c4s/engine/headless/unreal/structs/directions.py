@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from c4s.engine.headless.pose import rotate
 from c4s.engine.headless.unreal.core import api
 from c4s.engine.headless.unreal.structs.numbers import SMALL, Components, clamped, quotient
 from c4s.engine.headless.unreal.structs.turns import UNTURNED, between, slerp
-from c4s.engine.headless.world.pose import rotate
 
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.structs.planes import Vector2D

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from c4s.engine.headless.pose import conjugate, normalized, rotate
 from c4s.engine.headless.unreal.core import api, public
 from c4s.engine.headless.unreal.structs.numbers import Components, Constant, Summed, numbers
 from c4s.engine.headless.unreal.structs.turns import slerp
 from c4s.engine.headless.unreal.structs.vectors import Vector
-from c4s.engine.headless.world.pose import conjugate, normalized, rotate
 from c4s.geometry.transform import normalize_axis, quat_angle_deg, quat_from_rotator, quat_multiply, rotator_from_quat
 
 if TYPE_CHECKING:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from c4s.engine.headless.pose import IDENTITY, Pose, compose, conjugate, normalized, reciprocal, relative_to, rotate
 from c4s.engine.headless.unreal.core import Prop, api, need, public
 from c4s.engine.headless.unreal.structs.base import StructBase
 from c4s.engine.headless.unreal.structs.modes import LerpInterpolationMode
@@ -13,16 +14,6 @@ from c4s.engine.headless.unreal.structs.numbers import clamped
 from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
 from c4s.engine.headless.unreal.structs.turns import slerp
 from c4s.engine.headless.unreal.structs.vectors import Vector
-from c4s.engine.headless.world.pose import (
-    IDENTITY,
-    Pose,
-    compose,
-    conjugate,
-    normalized,
-    reciprocal,
-    relative_to,
-    rotate,
-)
 from c4s.geometry.transform import quat_from_rotator, quat_multiply, rotator_from_quat
 
 if TYPE_CHECKING:

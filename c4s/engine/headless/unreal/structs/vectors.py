@@ -8,10 +8,10 @@ import math
 import random
 from typing import TYPE_CHECKING, Any
 
+from c4s.engine.headless.pose import rotate
 from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.structs.directions import Directed
 from c4s.engine.headless.unreal.structs.numbers import SMALL, Constant, Scaled, clamped, numbers, quotient
-from c4s.engine.headless.world.pose import rotate
 from c4s.geometry.transform import quat_from_rotator
 
 if TYPE_CHECKING:

@@ -9,6 +9,8 @@ import numpy as np
 
 from c4s.collision.mesh_body import MeshBody
 from c4s.collision.shapes import Body, scaled_shape
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import Triple
 from c4s.engine.headless.queries import cast
 from c4s.engine.headless.queries.channels import OBJECT_TYPES, TRACE_TYPES
 from c4s.engine.headless.queries.filters import Answer, Wanted, to_channel, to_object_types, to_profile
@@ -17,8 +19,6 @@ from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Class, as_class, subclass_of
 from c4s.engine.headless.unreal.structs import Rotator, Vector
 from c4s.engine.headless.unreal.traces import hits
-from c4s.engine.headless.world.pose import Triple
-from c4s.engine.headless.world.state import world
 from c4s.geometry.transform import rotation_matrix
 
 NOTHING_CM = 1e-4

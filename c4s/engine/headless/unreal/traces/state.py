@@ -5,13 +5,13 @@ from __future__ import annotations
 # ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
 from typing import TYPE_CHECKING, Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.queries.channels import BLOCK_ALL, Channel, Profile, profile
 from c4s.engine.headless.unreal.components.scene import SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Object, Prop, api
 from c4s.engine.headless.unreal.enums import CollisionEnabled
 from c4s.engine.headless.unreal.traces.enums import CollisionChannel, CollisionResponseType
-from c4s.engine.headless.world.state import world
 
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.actors import Actor
