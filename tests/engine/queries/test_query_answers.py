@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from query_scene import Scene, path_of, row
 
-from c4s.engine.headless.unreal.traces.hits import layout
+from c4s.engine.headless.unreal.hits.results import layout
 
 
 def test_channels_profiles_and_object_types_decide(scene: Scene) -> None:

@@ -17,8 +17,8 @@ from c4s.engine.headless.queries.filters import Answer, Wanted, to_channel, to_o
 from c4s.engine.headless.queries.index import WORLD_CM
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Class, as_class, subclass_of
+from c4s.engine.headless.unreal.hits import results
 from c4s.engine.headless.unreal.structs import Rotator, Vector
-from c4s.engine.headless.unreal.traces import hits
 from c4s.geometry.transform import rotation_matrix
 
 NOTHING_CM = 1e-4
@@ -122,7 +122,7 @@ def trace(
             found = cast.ray(row(start), row(end), seen, many=many, all_hits=all_hits)
         else:
             found = cast.sweep(moving, row(end) - row(start), seen, many=many, all_hits=all_hits)
-    return (hits.many if many else hits.first)(found, start, end)
+    return (results.many if many else results.first)(found, start, end)
 
 
 def is_of(thing: Any, kind: Class | type | None) -> bool:

@@ -14,10 +14,10 @@ from c4s.engine.headless.queries import cast
 from c4s.engine.headless.queries.channels import Response
 from c4s.engine.headless.queries.filters import Wanted
 from c4s.engine.headless.queries.index import current
+from c4s.engine.headless.unreal.components.collision import CollisionState
 from c4s.engine.headless.unreal.components.frames import finite
+from c4s.engine.headless.unreal.hits.results import HitResult
 from c4s.engine.headless.unreal.structs import Vector
-from c4s.engine.headless.unreal.traces.hits import HitResult
-from c4s.engine.headless.unreal.traces.state import CollisionState
 
 
 class SweptMoves(CollisionState):
