@@ -8,19 +8,19 @@ from typing import Annotated
 
 import typer
 
-from c4s.cli.output import print_json
+from c4s.cli.output import print_json, print_table
 from c4s.engine import DEFAULT_ENGINE, backend
 from c4s.errors import BadInput
 from c4s.home import packs_root
 from c4s.records.pack import Pack
 
-app = typer.Typer(help="Engines: levels as GLB files.", no_args_is_help=True)
+app = typer.Typer(help="Engines: levels as GLB files, and what every engine must do.", no_args_is_help=True)
 Kind = Annotated[str, typer.Option("--engine", help="kind of the engine")]
 
 
 @app.callback()
 def engine() -> None:
-    """Engines: levels as GLB files."""
+    """Engines: levels as GLB files, and what every engine must do."""
 
 
 @app.command()
@@ -53,6 +53,31 @@ def export(
         print(f"c4s: left out, glTF has no such light or camera: {label}", file=sys.stderr)
     for path in report["unresolved"]:
         print(f"c4s: unresolved and left out: {path}", file=sys.stderr)
+
+
+@app.command()
+def conformance(
+    engine: Kind = DEFAULT_ENGINE,
+    only: Annotated[list[str] | None, typer.Option(help="name of a check, once for each; default: all")] = None,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
+    """Check that an engine does what c4s asks of every engine. Exit 1 when a check fails."""
+    from dataclasses import asdict
+
+    from c4s.engine.conformance import run
+
+    results = run(engine, only or ())
+    failed = [result for result in results if result.status == "failed"]
+    if json_output:
+        print_json({"engine": engine, "failed": len(failed), "checks": [asdict(result) for result in results]})
+    else:
+        print_table(
+            ("group", "check", "status", "detail"),
+            [(result.group, result.name, result.status, result.detail) for result in results],
+        )
+        print(f"{len(results)} checks, {len(failed)} failed")
+    if failed:
+        raise typer.Exit(1)
 
 
 def _pack(name: str) -> Path:
