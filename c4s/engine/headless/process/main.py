@@ -57,7 +57,6 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
 
     register(HOST)
     frame_level()
-    gc.collect()
     gc.freeze()
     gc.enable()
     Worker(connection, tick, revision.begin, ENGINE_VERSION).run_forever()
