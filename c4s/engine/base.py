@@ -17,6 +17,7 @@ from c4s.errors import BadInput
 __all__ = [
     "DEFAULT_ENGINE",
     "Backend",
+    "Calls",
     "Engine",
     "EngineCallError",
     "EngineDied",
@@ -26,7 +27,22 @@ __all__ = [
 ]
 
 
-class Engine(Protocol):
+class Calls(Protocol):
+    """What is asked of an engine while an agent works in it."""
+
+    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 300.0) -> dict[str, Any]:
+        """One bridge request; its reply whatever its status. ``EngineDied`` when the process has ended."""
+        ...
+
+    def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
+        """Run ``c4s.editor.<module>.<function>(**params)`` in the engine and return its value.
+
+        Raises ``EngineCallError`` when the function raised, ``MachineryFault`` when it took longer than ``timeout_s``.
+        """
+        ...
+
+
+class Engine(Calls, Protocol):
     """One engine process with one open level. Use it as a context manager, or call ``close``."""
 
     @property
@@ -49,21 +65,10 @@ class Engine(Protocol):
         """Folder of ``engine.log`` and ``job-<n>.log``, out of the engine's reach."""
         ...
 
-    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 300.0) -> dict[str, Any]:
-        """One bridge request; its reply whatever its status. ``EngineDied`` when the process has ended."""
-        ...
-
     def execute(self, script: str, timeout_s: float = 600.0) -> dict[str, Any]:
         """Run a script to its end and return the final reply with all its lines under ``result.python_logs``.
 
         A script that is still running after ``timeout_s`` is abandoned, and its last reply says ``running``.
-        """
-        ...
-
-    def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
-        """Run ``c4s.editor.<module>.<function>(**params)`` in the engine and return its value.
-
-        Raises ``EngineCallError`` when the function raised, ``MachineryFault`` when it took longer than ``timeout_s``.
         """
         ...
 

@@ -24,7 +24,7 @@ def write_digests(folder: Path) -> None:
 
 def replace_folder(made: Path, out: Path) -> None:
     """Put the finished folder in place of the old one, so that a reader never sees a part of it."""
-    fresh = _copy_beside(made, out)
+    fresh = _copied(made, out.parent, out.name)
     if out.exists():
         shutil.rmtree(out)
     fresh.rename(out)
@@ -35,7 +35,7 @@ def replace_captures(made: Path, out: Path) -> None:
 
     While the pictures change, ``digests.json`` names none of them: whenever it names one, that one is there.
     """
-    fresh = _copy_beside(made, out / CAPTURES)
+    fresh = _copied(made, out.parent, CAPTURES)
     named = read_json(out / DIGESTS)
     write_json(out / DIGESTS, {name: value for name, value in named.items() if not name.startswith(f"{CAPTURES}/")})
     if (out / CAPTURES).exists():
@@ -44,10 +44,10 @@ def replace_captures(made: Path, out: Path) -> None:
     write_digests(out)
 
 
-def _copy_beside(made: Path, out: Path) -> Path:
-    """A copy in a hidden folder on the disk of ``out``."""
-    out.parent.mkdir(parents=True, exist_ok=True)
-    fresh = Path(tempfile.mkdtemp(prefix=f".{out.name}.", dir=out.parent))
+def _copied(made: Path, beside: Path, name: str) -> Path:
+    """A copy in a hidden folder on the disk where it is going to be, outside of the evidence."""
+    beside.mkdir(parents=True, exist_ok=True)
+    fresh = Path(tempfile.mkdtemp(prefix=f".{name}.", dir=beside))
     shutil.copytree(made, fresh, dirs_exist_ok=True)
     fresh.chmod(0o755)
     return fresh

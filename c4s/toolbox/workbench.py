@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from c4s.engine import Engine, EngineCallError
+from c4s.engine import Calls, EngineCallError
 from c4s.records.suite import AgentCase
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.measured import MeasuredScene
@@ -38,9 +38,7 @@ class Job:
 class Workbench:
     """What the tools of one run share. Engine calls are serial in the engine itself."""
 
-    def __init__(
-        self, case: AgentCase, agent_folder: Path, catalog: CaseCatalog, engine: Engine, scratch: Path
-    ) -> None:
+    def __init__(self, case: AgentCase, agent_folder: Path, catalog: CaseCatalog, engine: Calls, scratch: Path) -> None:
         self.case, self.agent_folder, self.catalog, self.engine, self.scratch = (
             case,
             agent_folder,
