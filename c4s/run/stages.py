@@ -19,6 +19,7 @@ from c4s.files import append_json_line, digest_file, read_json
 from c4s.home import packs_root
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.folder import RunFolder
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
@@ -96,6 +97,7 @@ def attempt(trial: Trial, number: int) -> AttemptOutcome:
         given.packs,
         given.withheld_folder if trial.configuration.client == "oracle" else None,
         trial.run / "spending.jsonl",
+        Plan.read(RunFolder(trial.run).plan).engine,
     )
     _timed(trial, f"attempt-{number}", started)
     return outcome

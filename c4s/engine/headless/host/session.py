@@ -20,7 +20,7 @@ from c4s.engine.confine import sandbox
 from c4s.engine.confine.confinement import Backend, Limits
 from c4s.engine.confine.watch import Watch
 from c4s.engine.faults import EngineCallError, EngineDied
-from c4s.engine.headless.host import bytecode, kernels
+from c4s.engine.headless.host import kernels
 from c4s.engine.headless.host.jobs import JobBoard
 from c4s.engine.headless.host.server import BridgeServer
 from c4s.errors import BadInput, MachineryFault
@@ -81,7 +81,6 @@ class EngineSession:
         _check(packs, levels, content, scratch, logs)
         for folder in (content, scratch, logs):
             folder.mkdir(parents=True, exist_ok=True)
-        bytecode.compile_sources()
         chosen, limits, compiled = use or sandbox.backend(), limits or Limits(), kernels.compiled()
         readable = (*packs, *levels, compiled, *((content,) if content_read_only else ()))
         paths = sandbox.Paths(readable, (scratch,) if content_read_only else (content, scratch), scratch)
