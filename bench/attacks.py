@@ -15,9 +15,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from c4s.engine import EngineDied
 from c4s.engine.confine.confinement import Backend, Limits
 from c4s.engine.confine.sandbox import faults
-from c4s.engine.headless.host.session import EngineDied, EngineSession
+from c4s.engine.headless.host.session import EngineSession
 
 SECRET = "the withheld truth"
 REFUSED = {

@@ -11,12 +11,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from string import Template
 
+from c4s.engine import DEFAULT_ENGINE, open_engine
 from c4s.engine.bridge import FAILED
-from c4s.engine.headless.host.session import EngineSession
 from c4s.errors import MachineryFault
-from c4s.evidence import collect
-from c4s.evidence.cameras import SIZE_PX, VIEWS, overview_cameras
-from c4s.evidence.pictures import take_pictures
+from c4s.evidence import export_and_look, overview_cameras, take_pictures
+from c4s.evidence.cameras import SIZE_PX, VIEWS
 from c4s.files import write_json
 from c4s.records.level import Level
 from cases.model import View
@@ -56,7 +55,8 @@ def scene(
         {**camera(view), "name": f"{case_id}--{view.name}"} for case_id, wanted in views.items() for view in wanted
     ]
     progress(f"  {truth.package}: snapshot and {len(cameras)} pictures of the original")
-    collect.collect(
+    export_and_look(
+        engine=DEFAULT_ENGINE,
         packs=packs,
         submission_content=content,
         package=truth.package,
@@ -90,7 +90,8 @@ def _inputs(
         level.write(out / "levels" / f"{case_id}.level.json")
     files = {case_id: out / f"{case_id}.snapshot.json" for case_id in levels}
     pictures: dict[str, list[Path]] = {}
-    with EngineSession.start(
+    with open_engine(
+        DEFAULT_ENGINE,
         packs=packs,
         content=out / "content",
         scratch=out / "engine",

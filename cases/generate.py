@@ -16,8 +16,9 @@ from typing import Any, Literal
 
 import numpy as np
 
+from c4s.engine import DEFAULT_ENGINE
 from c4s.errors import BadInput
-from c4s.evidence.collect import export_level
+from c4s.evidence import export_level
 from c4s.files import read_json
 from c4s.records.level import Level, Vector
 from c4s.records.pack import Pack
@@ -115,7 +116,7 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
     with tempfile.TemporaryDirectory(prefix="c4s-generate-") as folder:
         document, out = Path(folder) / "scene.level.json", Path(folder) / "snapshot.json"
         level.write(document)
-        export_level(packs=packs, level=document, out=out)
+        export_level(engine=DEFAULT_ENGINE, packs=packs, level=document, out=out)
         snapshot: dict[str, Any] = read_json(out)
     aside = copy.deepcopy(snapshot)
     for actor in aside["actors"]:

@@ -15,6 +15,7 @@ from c4s.agents.base import CLIENTS, ModelClient, agent_of
 from c4s.cli.live import follow
 from c4s.cli.output import console, print_json, print_table
 from c4s.errors import BadInput, C4SError
+from c4s.files import read_json
 from c4s.home import home, suites_root
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.attempt import AttemptOutcome
@@ -189,6 +190,7 @@ def replay(
             Path(folder) / "attempt",
             given.packs,
             None,
+            engine=str(read_json(attempt / "manifest.json", what="attempt manifest")["engine"]),
         )
     equal = (again.submission, again.submission_sha256) == (recorded.submission, recorded.submission_sha256)
     if json_output:

@@ -1,26 +1,26 @@
-"""``c4s engine``: what the headless engine does with a level, without an agent."""
+"""``c4s engine``: what an engine does with a level, without an agent."""
 
 from __future__ import annotations
 
 import sys
-import tempfile
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
-from c4s.cli.output import print_json
+from c4s.cli.output import print_json, print_table
+from c4s.engine import DEFAULT_ENGINE, backend
 from c4s.errors import BadInput
 from c4s.home import packs_root
-from c4s.records.level import Level
 from c4s.records.pack import Pack
 
-app = typer.Typer(help="The headless engine: levels as GLB files.", no_args_is_help=True)
+app = typer.Typer(help="Engines: levels as GLB files, and what every engine must do.", no_args_is_help=True)
+Kind = Annotated[str, typer.Option("--engine", help="kind of the engine")]
 
 
 @app.callback()
 def engine() -> None:
-    """The headless engine: levels as GLB files."""
+    """Engines: levels as GLB files, and what every engine must do."""
 
 
 @app.command()
@@ -31,16 +31,17 @@ def export(
         list[str] | None,
         typer.Option(help="id or folder of a pack, once for each; default: the built packs that the level uses"),
     ] = None,
+    engine: Kind = DEFAULT_ENGINE,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Write a level as one GLB in metres, Y up, that any viewer opens. Hidden actors are left out."""
     if not level.is_file():
         raise BadInput("no such level document", where=str(level))
-    document = Level.read(level)
-    packs = [_pack(name) for name in pack] if pack else _packs_of(document)
+    chosen = backend(engine)
+    packs = [_pack(name) for name in pack] if pack else _packs_of(chosen.asset_paths(level))
     if glb.suffix.lower() != ".glb":
         raise BadInput("the output must be a .glb file", where=str(glb), todo="give --glb OUT.glb")
-    report = {**_write(document.package, level, packs, glb), "file": str(glb), "packs": [p.name for p in packs]}
+    report = {**chosen.export_glb(level, packs, glb), "file": str(glb), "packs": [p.name for p in packs]}
     if json_output:
         print_json(report)
         return
@@ -54,29 +55,29 @@ def export(
         print(f"c4s: unresolved and left out: {path}", file=sys.stderr)
 
 
-def _write(package: str, level: Path, packs: list[Path], glb: Path) -> dict[str, Any]:
-    from c4s.engine.headless.glb.level import write_glb
-    from c4s.engine.headless.process.boot import boot
-    from c4s.engine.headless.world.documents import read, references
-    from c4s.engine.headless.world.state import world
+@app.command()
+def conformance(
+    engine: Kind = DEFAULT_ENGINE,
+    only: Annotated[list[str] | None, typer.Option(help="name of a check, once for each; default: all")] = None,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
+    """Check that an engine does what c4s asks of every engine. Exit 1 when a check fails."""
+    from dataclasses import asdict
 
-    with tempfile.TemporaryDirectory(prefix="c4s-glb-") as folder:
-        content = _content_root(level, package)
-        boot(
-            packs,
-            content or Path(folder),
-            levels=[] if content else [level],
-            start_map=package,
-            scratch=Path(folder) / "Saved",
+    from c4s.engine.conformance import run
+
+    results = run(engine, only or ())
+    failed = [result for result in results if result.status == "failed"]
+    if json_output:
+        print_json({"engine": engine, "failed": len(failed), "checks": [asdict(result) for result in results]})
+    else:
+        print_table(
+            ("group", "check", "status", "detail"),
+            [(result.group, result.name, result.status, result.detail) for result in results],
         )
-        unresolved = [path for path in references(read(level)) if world().find(path) is None]
-        return {**write_glb(world(), glb), "unresolved": unresolved}
-
-
-def _content_root(level: Path, package: str) -> Path | None:
-    """The writable root that a saved level lies under, with the assets saved beside it; None for a lone document."""
-    place, inside = level.resolve(), Path(f"{package[1:]}.level.json")
-    return place.parents[len(inside.parts) - 1] if place.parts[-len(inside.parts) :] == inside.parts else None
+        print(f"{len(results)} checks, {len(failed)} failed")
+    if failed:
+        raise typer.Exit(1)
 
 
 def _pack(name: str) -> Path:
@@ -86,12 +87,11 @@ def _pack(name: str) -> Path:
     raise BadInput(f"no pack {name!r}", where=str(packs_root()), todo="see `c4s catalog list`")
 
 
-def _packs_of(document: Level) -> list[Path]:
-    """The built packs that hold an asset which the level names."""
-    from c4s.engine.headless.world.documents import references
+def _packs_of(paths: list[str]) -> list[Path]:
+    """The built packs that hold one of these assets."""
     from c4s.packs.store import object_path
 
-    wanted = {object_path(path.removesuffix("_C")) for path in references(document)}
+    wanted = {object_path(path.removesuffix("_C")) for path in paths}
     found = []
     for path in sorted(packs_root().glob("*/pack.json")):
         manifest = Pack.read(path)

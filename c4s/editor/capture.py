@@ -1,6 +1,6 @@
 """Pictures of the open level: viewport screenshots, and views with, for every pixel, the actor that it shows.
 
-A host that renders by itself sets ``source``: a function from cameras to pictures. Without one, pictures come from a
+A host that renders by itself offers ``pictures`` (``c4s.editor.host``). Without them, pictures come from a
 SceneCapture2D of the editor, which has no actor mask.
 
 A camera is ``{"name", "location_cm", "rotation_deg" ([pitch, yaw, roll]) or "target_cm", "fov_deg" (horizontal),
@@ -12,14 +12,13 @@ camera. What else the published bridge takes (``exposure_mode``) is left to the 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import unreal
 
-Camera = Mapping[str, Any]
-Record = dict[str, Any]
+from c4s.editor.host import Camera, Record, host
 
 WIDTH, HEIGHT, FIELD_OF_VIEW = 1280, 720, 90.0
 SHOT_WIDTH, SHOT_HEIGHT, SHOT_FIELD_OF_VIEW = 1920, 1080, 55.0
@@ -30,13 +29,6 @@ _LARGEST_CONTENT_CM = 10000.0
 _EMPTY_CM = 500.0
 _FRAME_PITCH_DEG, _FRAME_YAW_DEG = -35.0, 45.0
 _PNG_END = b"IEND\xaeB`\x82"
-
-source: Callable[[Sequence[Camera], Sequence[str], str, bool], list[Record]] | None = None
-"""``source(cameras, files, mode, masks)`` writes a PNG a file, with ``masks`` also the file's ``.actors.npz``, and
-returns a list of ``{"visible": {actor name: pixels}}``."""
-
-keys: Callable[[Sequence[Camera], str], list[str]] | None = None
-"""``keys(cameras, mode)`` gives a digest a camera: pictures with masks of equal digests are the same bytes."""
 
 
 def take_screenshots(shots: Sequence[Mapping[str, Any]], folder: str) -> Record:
@@ -73,7 +65,8 @@ def plan_views(cameras: Sequence[Camera], mode: str = "lit") -> list[Record]:
     A record has a ``key`` where the host knows what the picture depends on: those of equal keys are the same bytes.
     """
     named = _named(cameras)
-    known = [{"key": key} for key in keys(named, mode)] if keys is not None else [{} for _ in named]
+    pictures = host().pictures
+    known = [{"key": key} for key in pictures.keys(named, mode)] if pictures is not None else [{} for _ in named]
     return [{**_record(camera, mode), **_mask(camera, True), **key} for camera, key in zip(named, known, strict=True)]
 
 
@@ -90,7 +83,7 @@ def _record(camera: Camera, mode: str) -> Record:
 
 
 def _mask(camera: Camera, actors: bool) -> Record:
-    return {"actors": f"{camera['name']}.actors.npz"} if actors and source is not None else {}
+    return {"actors": f"{camera['name']}.actors.npz"} if actors and host().pictures is not None else {}
 
 
 def viewport_camera() -> Record:
@@ -168,8 +161,9 @@ def _pictures(cameras: Sequence[Camera], files: Sequence[Path], mode: str, actor
         raise ValueError(f"mode must be one of {', '.join(MODES)}")
     for path in files:
         path.parent.mkdir(parents=True, exist_ok=True)
-    if source is not None:
-        return source(cameras, [str(path) for path in files], mode, actors)
+    pictures = host().pictures
+    if pictures is not None:
+        return pictures.take(cameras, [str(path) for path in files], mode, actors)
     for camera, path in zip(cameras, files, strict=True):
         _scene_capture(camera, path, mode)
     return [{} for _ in cameras]

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import gc
 from collections import Counter
-from collections.abc import Callable
 from typing import Any
 
 import unreal
 
 from c4s.editor import identity
 from c4s.editor.facts import Part, Reader, angles, row
+from c4s.editor.host import host
 from c4s.editor.materials import material_record
 
 SCHEMA_VERSION = "0.3.0"
@@ -168,28 +168,16 @@ def _simple_collision(mesh: Any) -> list[dict[str, Any]] | None:
     return [*boxes, *spheres, *capsules]
 
 
-make_reader: Callable[[], Reader] = Reader
-"""What reads the level, one an export; an engine may put a reader of its own here."""
-
-
-def _unknown() -> None:
-    return None
-
-
-revision: Callable[[], int | None] = _unknown
-"""Which state the level is in: a number that another state never has, or None where the engine cannot tell."""
-
-
 def export_if_changed(known: int | None = None) -> dict[str, Any]:
     """``{"revision", "snapshot"}``: the level's state, and its snapshot; no snapshot when ``known`` is that state."""
-    now = revision()
+    now = host().revision()
     return {"revision": now, "snapshot": None if now is not None and now == known else export_snapshot()}
 
 
 def export_snapshot() -> dict[str, Any]:
     """The open level as a snapshot."""
     meshes: dict[str, Any] = {}
-    reader = make_reader()
+    reader = host().reader()
     collecting = gc.isenabled()
     gc.disable()  # the records hold no garbage, and looking through them as they grow takes as long as making them
     try:

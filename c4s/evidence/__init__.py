@@ -1,0 +1,17 @@
+"""What a clean engine says of a saved scene, the same for every engine: snapshot, dependencies, pictures, digests."""
+
+from c4s.evidence.cameras import overview_cameras
+from c4s.evidence.clean import CleanEngine, open_clean
+from c4s.evidence.collect import export_and_look, export_evidence, export_level, look
+from c4s.evidence.pictures import take_pictures
+
+__all__ = [
+    "CleanEngine",
+    "export_and_look",
+    "export_evidence",
+    "export_level",
+    "look",
+    "open_clean",
+    "overview_cameras",
+    "take_pictures",
+]

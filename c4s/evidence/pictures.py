@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from c4s.engine.headless.host.session import EngineSession
+from c4s.engine import Engine
 from c4s.files import read_json, write_bytes, write_json
 from c4s.home import cache_root
 
@@ -21,7 +21,7 @@ TIMEOUT_S = 1800.0
 
 
 def take_pictures(
-    engine: EngineSession, cameras: Sequence[Mapping[str, Any]], folder: Path, *, keep: bool = False
+    engine: Engine, cameras: Sequence[Mapping[str, Any]], folder: Path, *, keep: bool = False
 ) -> list[Record]:
     """Write ``folder/<name>.png`` and ``<name>.actors.npz`` of each camera; the records of ``capture.capture_views``.
 

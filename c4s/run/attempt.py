@@ -1,6 +1,6 @@
 """One attempt: an engine, a gateway, an agent, and what is kept of it.
 
-``<attempt>/`` holds ``trajectory.jsonl``, ``usage.jsonl``, ``manifest.json`` (pack digests that the engine mounted),
+``<attempt>/`` holds ``trajectory.jsonl``, ``usage.jsonl``, ``manifest.json`` (engine, pack digests that it mounted),
 ``submission/`` (the content that the engine saved) and its ``submission.digests.json``, ``scratch/`` (engine log, job
 logs, screenshots), ``agent/`` (the client's own files), and ``outcome.json``, which is written last: an attempt with it
 is done, one without it is repeated and the remains are kept beside it as ``<attempt>.interrupted-<n>``.
@@ -16,12 +16,13 @@ import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, agent_of
 from c4s.agents.model import ModelAccess, open_model
+from c4s.engine import DEFAULT_ENGINE, Engine, EngineDied, open_engine
 from c4s.engine.bridge import BridgeFault
 from c4s.engine.content import content_fault
-from c4s.engine.headless.host.session import EngineDied, EngineSession
 from c4s.errors import AgentFault, BadInput, MachineryFault
 from c4s.files import append_json_line, json_lines, write_json
 from c4s.meter.record import sums
@@ -54,6 +55,7 @@ def run_attempt(
     packs: Sequence[Path],
     withheld: Path | None,
     ledger: Path | None = None,
+    engine: str = DEFAULT_ENGINE,
 ) -> AttemptOutcome:
     """Run one attempt and write its ``outcome.json``; an outcome that is there is returned as it is.
 
@@ -66,6 +68,7 @@ def run_attempt(
         packs: pack folders of the case.
         withheld: the case's withheld folder; for the client ``oracle`` alone (``BadInput`` for any other).
         ledger: spending file of the whole run, which holds its limit; no limit is kept without it.
+        engine: kind of the engine.
 
     What the agent does wrong is an outcome. A ``MachineryFault`` passes through and leaves no outcome: the trial stays
     pending. An engine that dies or goes silent after agent code ran in it is the agent's doing.
@@ -80,10 +83,6 @@ def run_attempt(
     _set_aside(folder)
     (folder / "agent").mkdir(parents=True)
     catalog = CaseCatalog.load(case, packs)
-    write_json(
-        folder / "manifest.json",
-        {"packs": {pack.name: Pack.read(pack / "pack.json").sha256() for pack in packs}, "engine": "headless"},
-    )
     (folder / "usage.jsonl").touch()
     (folder / "trajectory.jsonl").touch()
     levels, truth_package = [agent_folder / "start.level.json"], None
@@ -95,11 +94,12 @@ def run_attempt(
     with (
         _model(agent, configuration, folder, ledger, stopping) as model,
         Gateway() as gateway,
-        EngineSession.start(
-            packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
-        ) as engine,
+        open_engine(
+            engine, packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
+        ) as session,
     ):
-        bench = Workbench(case, agent_folder, catalog, engine, scratch)
+        write_json(folder / "manifest.json", _manifest(session, packs))
+        bench = Workbench(case, agent_folder, catalog, session, scratch)
         run = Run(f"{case.case_id}-{attempt}", bench, case.budget, folder / "trajectory.jsonl")
         context = AgentContext(
             case,
@@ -114,7 +114,7 @@ def run_attempt(
         )
         stopping.run = run
         report, error = _work(agent, context, run)
-        engine_version = engine.version
+        engine_version = session.version
         gateway.close_run(run)
     if model is not None and model.run.limit_message:
         raise SpendingLimitReached(
@@ -127,6 +127,15 @@ def run_attempt(
     outcome = _outcome(run, report, error, content, attempt, engine_version)
     outcome.write(folder / "outcome.json")
     return outcome
+
+
+def _manifest(engine: Engine, packs: Sequence[Path]) -> dict[str, Any]:
+    """Which engine serves the attempt, and the digests of the packs that it mounted."""
+    return {
+        "packs": {pack.name: Pack.read(pack / "pack.json").sha256() for pack in packs},
+        "engine": engine.kind,
+        "engine_version": engine.version,
+    }
 
 
 class _Stopping:

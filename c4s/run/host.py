@@ -10,8 +10,8 @@ from functools import cache
 from pathlib import Path
 
 import c4s
+from c4s.engine import DEFAULT_ENGINE, backend
 from c4s.engine.confine.sandbox import CHOICE, faults
-from c4s.engine.headless.version import ENGINE_VERSION
 from c4s.records.plan import Host
 
 _CHECKOUT = Path(c4s.__file__).resolve().parents[1]
@@ -23,7 +23,7 @@ def this_host() -> Host:
     """This machine."""
     usable = [name for name, fault in faults().items() if fault is None]
     return Host(
-        engine_version=ENGINE_VERSION,
+        engine_version=backend(DEFAULT_ENGINE).version,
         commit=_commit(_CHECKOUT),
         system=platform.platform(),
         processor=_told(Path("/proc/cpuinfo"), "model name") or platform.machine(),

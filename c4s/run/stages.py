@@ -90,12 +90,13 @@ def attempt(trial: Trial, plan: Plan, number: int) -> AttemptOutcome:
             given.packs,
             given.withheld_folder.root if trial.configuration.client == "oracle" else None,
             RunFolder(trial.run).spending,
+            plan.engine,
         )
 
 
 def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     """Export evidence of an attempt's submission and gate it. True when the submission is valid."""
-    from c4s.evidence.collect import collect
+    from c4s.evidence.collect import export_evidence
     from c4s.verify.integrity.verdict import unloadable
 
     folder = trial.folder.attempt(number)
@@ -111,7 +112,8 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         given = inputs(trial)
         check_submission(folder, outcome)
         try:
-            collect(
+            export_evidence(
+                engine=plan.engine,
                 packs=given.packs,
                 submission_content=folder.submission,
                 package=outcome.submission,
@@ -170,7 +172,7 @@ def evidence(trial: Trial, plan: Plan, given: TrialInputs, manifest: ManifestDig
 
 def look(trial: Trial, plan: Plan) -> None:
     """Take the pictures of the retained submission: what a judge is shown, and what pages show."""
-    from c4s.evidence.collect import look_at
+    from c4s.evidence import collect
 
     if trial.folder.evidence.captures_index.is_file():
         return
@@ -179,7 +181,8 @@ def look(trial: Trial, plan: Plan) -> None:
         raise MachineryFault("there is no valid submission to look at", where=trial.name)
     with timed(trial, "look"):
         given, folder = inputs(trial), trial.folder.attempt(kept)
-        look_at(
+        collect.look(
+            engine=plan.engine,
             packs=given.packs,
             submission_content=folder.submission,
             package=str(AttemptOutcome.read(folder.outcome).submission),

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
-from c4s.engine.headless.host.session import EngineCallError
+from c4s.engine import Calls, EngineCallError
 from c4s.records.suite import AgentCase
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.measured import MeasuredScene
@@ -36,24 +35,10 @@ class Job:
         return f"jobs/{self.id}.log"
 
 
-class Engine(Protocol):
-    """The part of an engine session that the tools use."""
-
-    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 60.0) -> dict[str, Any]:
-        """One bridge request and its reply."""
-        ...
-
-    def call(self, function: str, /, *, timeout_s: float = ..., **params: Any) -> Any:
-        """Run ``<module>.<function>`` of ``c4s.editor`` inside the engine and return its value."""
-        ...
-
-
 class Workbench:
     """What the tools of one run share. Engine calls are serial in the engine itself."""
 
-    def __init__(
-        self, case: AgentCase, agent_folder: Path, catalog: CaseCatalog, engine: Engine, scratch: Path
-    ) -> None:
+    def __init__(self, case: AgentCase, agent_folder: Path, catalog: CaseCatalog, engine: Calls, scratch: Path) -> None:
         self.case, self.agent_folder, self.catalog, self.engine, self.scratch = (
             case,
             agent_folder,

@@ -58,7 +58,9 @@ def test_noop_saves_the_start_scene_and_is_not_run_twice(tmp_path: Path, pack: P
     assert outcome.ended_by == "finished" and outcome.submission == "/Game/SavedScenes/submission"
     assert saved_labels(folder, outcome) == ["Floor", "Table", "Box", "Sofa", "Twin", "Twin"]
     assert outcome.tool_calls == 1 and len(outcome.submission_sha256 or "") == 64
-    assert "test-pack" in json.loads((folder / "manifest.json").read_text())["packs"]
+    manifest = json.loads((folder / "manifest.json").read_text())
+    assert "test-pack" in manifest["packs"]
+    assert manifest["engine"] == "headless" and manifest["engine_version"]
     before = (folder / "outcome.json").stat().st_mtime_ns
     assert attempt(tmp_path, pack, "noop")[0] == outcome
     assert (folder / "outcome.json").stat().st_mtime_ns == before

@@ -16,7 +16,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from c4s.engine.headless.host.session import EngineCallError, EngineDied, EngineSession
+from c4s.engine import EngineCallError, EngineDied
+from c4s.engine.headless.host.session import EngineSession
 from c4s.errors import BadInput, MachineryFault
 
 

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from c4s.errors import BadInput
-from c4s.evidence.collect import collect, export_level
+from c4s.errors import BadInput, MachineryFault
+from c4s.evidence import export_and_look, export_evidence, export_level, look
 from c4s.files import digest_file, read_json, write_json
 from c4s.records.folder import EvidenceFolder
 from c4s.run.check import noted_digests
@@ -30,7 +30,7 @@ def submission(tmp_path: Path, level: Path) -> Path:
     return tmp_path / "submission"
 
 
-def look(snapshot: dict[str, Any]) -> list[dict[str, Any]]:
+def in_front(snapshot: dict[str, Any]) -> list[dict[str, Any]]:
     """One camera in front of the box, made from the snapshot as the evaluator does."""
     box = next(actor for actor in snapshot["actors"] if actor["label"] == "Box")
     x, y, z = box["bounds"]["origin_cm"]
@@ -47,7 +47,9 @@ def look(snapshot: dict[str, Any]) -> list[dict[str, Any]]:
 
 def test_everything_is_exported_and_digested(tmp_path: Path, submission: Path) -> None:
     before, out = digest_tree(submission), tmp_path / "trial" / "evidence"
-    collect(packs=[], submission_content=submission, package=PACKAGE, out=out, cameras=look)
+    export_and_look(
+        engine="headless", packs=[], submission_content=submission, package=PACKAGE, out=out, cameras=in_front
+    )
     snapshot, captures = read_json(out / "snapshot.json"), read_json(out / "captures" / "captures.json")
     assert [actor["label"] for actor in snapshot["actors"]] == ["Floor", "Box", "Ball"]
     assert read_json(out / "dependencies.json")["root"] == PACKAGE
@@ -67,16 +69,65 @@ def test_everything_is_exported_and_digested(tmp_path: Path, submission: Path) -
     assert digest_tree(submission) == before
 
     first = noted_digests(EvidenceFolder(out))
-    collect(packs=[], submission_content=submission, package=PACKAGE, out=out, cameras=look)
+    export_and_look(
+        engine="headless", packs=[], submission_content=submission, package=PACKAGE, out=out, cameras=in_front
+    )
     assert noted_digests(EvidenceFolder(out)) == first
+
+
+def test_two_stages_by_two_engines_make_the_same_evidence(tmp_path: Path, submission: Path) -> None:
+    given: dict[str, Any] = {"engine": "headless", "packs": [], "submission_content": submission, "package": PACKAGE}
+    out = tmp_path / "evidence"
+    snapshot = export_evidence(**given, out=out)
+    assert snapshot == read_json(out / "snapshot.json")
+    assert set(noted_digests(EvidenceFolder(out))) == {"snapshot.json", "dependencies.json"}
+    look(**given, out=out, cameras=[{**in_front(snapshot)[0], "name": "other"}])
+    look(**given, out=out, cameras=in_front)
+    export_and_look(**given, out=tmp_path / "both", cameras=in_front)
+    assert digest_tree(out) == digest_tree(tmp_path / "both")
+    assert all(digest_file(out / name) == value for name, value in noted_digests(EvidenceFolder(out)).items())
+    captures = read_json(out / "captures" / "captures.json")
+    assert captures["engine"] == snapshot["c4s"]["engine"] == "headless"
+    assert captures["engine_version"] == snapshot["c4s"]["engine_version"] != ""
+    export_evidence(**given, out=out)
+    assert not (out / "captures").exists()
+
+
+def test_a_look_is_by_the_engine_that_exported(tmp_path: Path, submission: Path) -> None:
+    given: dict[str, Any] = {"engine": "headless", "packs": [], "submission_content": submission, "package": PACKAGE}
+    out = tmp_path / "evidence"
+    with pytest.raises(BadInput, match="snapshot"):
+        look(**given, out=out, cameras=in_front)
+    snapshot = export_evidence(**given, out=out)
+    before = digest_tree(out)
+    with pytest.raises(BadInput, match="no camera"):
+        look(**given, out=out, cameras=[])
+    assert digest_tree(out) == before
+    write_json(out / "snapshot.json", {**snapshot, "c4s": {**snapshot["c4s"], "engine": "unreal"}})
+    with pytest.raises(MachineryFault, match="this one is headless"):
+        look(**given, out=out, cameras=in_front)
+    with pytest.raises(BadInput, match="choose one of: headless"):
+        export_evidence(**{**given, "engine": "unreal"}, out=out)
 
 
 def test_a_level_that_is_not_there_is_bad_input_and_leaves_nothing(tmp_path: Path, submission: Path) -> None:
     with pytest.raises(BadInput, match="no such start map"):
-        collect(packs=[], submission_content=submission, package="/Game/SavedScenes/Other", out=tmp_path / "evidence")
+        export_and_look(
+            engine="headless",
+            packs=[],
+            submission_content=submission,
+            package="/Game/SavedScenes/Other",
+            out=tmp_path / "evidence",
+        )
     assert not (tmp_path / "evidence").exists()
     with pytest.raises(BadInput, match="no submission"):
-        collect(packs=[], submission_content=tmp_path / "none", package=PACKAGE, out=tmp_path / "evidence")
+        export_and_look(
+            engine="headless",
+            packs=[],
+            submission_content=tmp_path / "none",
+            package=PACKAGE,
+            out=tmp_path / "evidence",
+        )
 
 
 def test_a_submission_that_links_to_the_truth_is_refused(tmp_path: Path, submission: Path, level: Path) -> None:
@@ -84,18 +135,22 @@ def test_a_submission_that_links_to_the_truth_is_refused(tmp_path: Path, submiss
     stolen.unlink()
     stolen.symlink_to(level)
     with pytest.raises(BadInput, match="plain files only"):
-        collect(packs=[], submission_content=submission, package=PACKAGE, out=tmp_path / "evidence")
+        export_and_look(
+            engine="headless", packs=[], submission_content=submission, package=PACKAGE, out=tmp_path / "evidence"
+        )
     stolen.unlink()
     os.mkfifo(stolen)
     with pytest.raises(BadInput, match="plain files only"):
-        collect(packs=[], submission_content=submission, package=PACKAGE, out=tmp_path / "evidence")
+        export_and_look(
+            engine="headless", packs=[], submission_content=submission, package=PACKAGE, out=tmp_path / "evidence"
+        )
 
 
 def test_a_truth_is_exported_from_where_agents_cannot_see_it(tmp_path: Path, level: Path) -> None:
     truth = tmp_path / "withheld" / "case" / "truth.level.json"
     truth.parent.mkdir(parents=True)
     shutil.copyfile(level, truth)
-    export_level(packs=[], level=truth, out=truth.parent / "truth.snapshot.json")
+    export_level(engine="headless", packs=[], level=truth, out=truth.parent / "truth.snapshot.json")
     snapshot = read_json(truth.parent / "truth.snapshot.json")
     assert snapshot["actor_count"] == 3 and snapshot["map_path"] == "/Game/Start/Room"
 
@@ -103,4 +158,4 @@ def test_a_truth_is_exported_from_where_agents_cannot_see_it(tmp_path: Path, lev
 def test_a_truncated_level_is_bad_input(tmp_path: Path, level: Path) -> None:
     level.write_text(level.read_text()[:200])
     with pytest.raises(BadInput):
-        export_level(packs=[], level=level, out=tmp_path / "snapshot.json")
+        export_level(engine="headless", packs=[], level=level, out=tmp_path / "snapshot.json")

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from c4s.engine import EngineDied
 from c4s.engine.bridge import SocketBridge
-from c4s.engine.headless.host.session import EngineDied, EngineSession
+from c4s.engine.headless.host.session import EngineSession
 
 STUCK = "import re\nprint('begun')\nre.match(r'(a+)+b', 'a' * 64)"
 """Holds the interpreter's lock for longer than anyone waits."""

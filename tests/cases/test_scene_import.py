@@ -14,7 +14,7 @@ import trimesh
 from c4s.cli.boundary import run as boundary
 from c4s.cli.main import app
 from c4s.errors import BadInput
-from c4s.evidence.collect import export_level
+from c4s.evidence import export_level
 from c4s.geometry.transform import affine
 from c4s.packs.store import PackStore
 from c4s.records.level import Level
@@ -101,7 +101,12 @@ def test_an_sdf_world_comes_in_actor_by_actor(world: Path, tmp_path: Path) -> No
 def test_an_imported_level_opens_in_the_engine(world: Path, tmp_path: Path) -> None:
     report = import_scene(world, "tiny", suites=tmp_path / "suites", packs=tmp_path / "packs", without=["room/*"])
     assert report["left_out"] == 3
-    export_level(packs=[tmp_path / "packs" / "tiny"], level=Path(report["level"]), out=tmp_path / "snapshot.json")
+    export_level(
+        engine="headless",
+        packs=[tmp_path / "packs" / "tiny"],
+        level=Path(report["level"]),
+        out=tmp_path / "snapshot.json",
+    )
     snapshot = json.loads((tmp_path / "snapshot.json").read_text())
     assert len(snapshot["actors"]) == 5
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from c4s.evidence.collect import export_level
+from c4s.evidence import export_level
 from c4s.files import read_json
 from c4s.packs.store import PackStore
 from c4s.records.verdict import Verdict
@@ -62,7 +62,7 @@ def test_scenes_stand_without_floating_or_penetration(scene: Scene, indoor_packs
     assert None not in ids and len(set(ids)) == len(ids)
     document = tmp_path / "scene.level.json"
     scene.level.write(document)
-    export_level(packs=[pack], level=document, out=tmp_path / "snapshot.json")
+    export_level(engine="headless", packs=[pack], level=document, out=tmp_path / "snapshot.json")
     exported = read_json(tmp_path / "snapshot.json")
     assert len(exported["actors"]) == len(scene.level.actors)
     leaves = {leaf["leaf_id"]: leaf for leaf in verify_physics("text-to-scene", exported).measurements["leaf_results"]}

@@ -189,14 +189,16 @@ def test_both_readers_give_the_same_snapshot(content, edits):
             assert readers[0].materials == readers[1].materials
 
 
-def test_an_engine_reads_its_own_state(content):
+def test_an_engine_reads_its_own_state(content, monkeypatch):
     boot([], content)
-    snapshot = importlib.import_module("c4s.editor.snapshot")
-    facts = importlib.import_module("c4s.engine.headless.process.facts")
-    before = snapshot.make_reader
-    try:
-        facts.attach()
-        assert snapshot.make_reader is facts.DirectReader
-        assert snapshot.export_snapshot()["actors"] == []
-    finally:
-        snapshot.make_reader = before
+    snapshot, host, offers = (
+        importlib.import_module(name)
+        for name in ("c4s.editor.snapshot", "c4s.editor.host", "c4s.engine.headless.process.offers")
+    )
+    monkeypatch.setattr(host, "_host", host.PlainEditor())
+    host.register(offers.HOST)
+    host.register(offers.HOST)
+    assert isinstance(host.host().reader(), offers.DirectReader)
+    assert snapshot.export_snapshot()["actors"] == []
+    with pytest.raises(RuntimeError, match="is the host already"):
+        host.register(host.PlainEditor())

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from c4s.engine.headless.pose import Pose, compose, relative_to
 from c4s.engine.headless.process.boot import boot
-from c4s.engine.headless.world.pose import Pose, compose, relative_to
 
 VECTORS = [
     ((0, 90, 0), (0, 0, 0.707107, 0.707107), (0, 1, 0)),

@@ -14,7 +14,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "toolbox"))
 from made_case import START, make_case, make_pack, mesh_actor
 
-from c4s.engine.headless.host.session import EngineSession
+from c4s.engine import Engine, open_engine
 from c4s.records.level import Level
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
@@ -35,7 +35,7 @@ class Prey:
     run: Run
     endpoint: Endpoint
     client: GatewayClient
-    engine: EngineSession
+    engine: Engine
 
     def python(self, script: str) -> dict[str, Any]:
         """Run a script as the agent does; its state and output."""
@@ -56,7 +56,8 @@ def prey(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Prey]:
         patch.setenv("OPENROUTER_API_KEY", SECRET)
         patch.setenv("C4S_HOME", str(root))
         engine = stack.enter_context(
-            EngineSession.start(
+            open_engine(
+                "headless",
                 packs=[pack],
                 content=root / "content",
                 scratch=root / "scratch",

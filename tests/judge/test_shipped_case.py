@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from c4s.evidence.collect import collect
+from c4s.evidence import export_evidence
 from c4s.files import read_json
 from c4s.protocol.bundle import read_requirements
 from c4s.records.evidence import catalog_facts
@@ -27,7 +27,13 @@ def shipped(tmp_path_factory: pytest.TempPathFactory) -> tuple[Any, Snapshot, An
     ensure_pack("c4s-home", root / "packs")
     packs, level = [root / "packs" / "c4s-home"], indoor_cases.scenes()[1].level
     level.write(root / "content" / f"{level.package.lstrip('/')}.level.json")
-    collect(packs=packs, submission_content=root / "content", package=level.package, out=root / "evidence")
+    export_evidence(
+        engine="headless",
+        packs=packs,
+        submission_content=root / "content",
+        package=level.package,
+        out=root / "evidence",
+    )
     case = next(case for case in indoor_cases.INDOOR_TEXT_CASES if case.case_id == "text-flat-family")
     made = bundle(case.case_id, case.description, case.description, case.requirements)
     return (

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from c4s.engine.headless.process.boot import boot
-from c4s.evidence.collect import collect
+from c4s.evidence import export_and_look
 from c4s.files import read_json
 from c4s.home import cache_root
 
@@ -87,7 +87,8 @@ def test_a_scene_that_looks_the_same_takes_the_kept_picture(tmp_path: Path, monk
 
     def take(name: str, keep: bool = False) -> tuple[dict[str, Any], bytes]:
         out = tmp_path / "evidence" / name
-        collect(
+        export_and_look(
+            engine="headless",
             packs=[],
             submission_content=tmp_path / "content",
             package=f"/Game/Kept/{name}",

@@ -20,14 +20,14 @@ floor = unreal.EditorLevelLibrary.spawn_actor_from_object(
 floor.set_actor_scale3d(unreal.Vector(20, 20, 1))
 sun = spawn(unreal.DirectionalLight, unreal.Vector(), unreal.Rotator(pitch=-60, yaw=10))
 spawn(unreal.SkyLight, unreal.Vector())
-from c4s.engine.headless import render_scene
+from c4s.engine.headless.pictures import take
 from c4s.engine.headless.pictures.lights import lights_of
 from c4s.engine.headless.world.state import world
 
 def told(name):
     lights = lights_of(tuple(world().light_sources()))
     view = {"location_cm": [-300, 0, 150], "rotation_deg": [-10, 0, 0], "fov_deg": 80, "width": 48, "height": 32}
-    render_scene.take([view], [str(folder / f"{name}.png")], "lit", False)
+    take.take([view], [str(folder / f"{name}.png")], "lit", False)
     print(*lights.sun.color, *lights.sky.zenith, *lights.sky.horizon)
 
 told("bare")

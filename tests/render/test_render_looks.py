@@ -217,11 +217,11 @@ def test_the_engine_reads_lights_fog_and_post_process(tmp_path: Path) -> None:
 def test_three_processes_at_once_write_the_same_bytes(tmp_path: Path) -> None:
     code = (
         "import sys, hashlib\nfrom pathlib import Path\nfrom c4s.engine.headless.process.boot import boot\n"
-        "from c4s.engine.headless import render_scene\nfolder = Path(sys.argv[1])\n"
+        "from c4s.engine.headless.pictures.take import take\nfolder = Path(sys.argv[1])\n"
         "unreal = boot([], folder / 'content')\ncube = unreal.load_asset('/Engine/BasicShapes/Cube')\n"
         "for n in range(30):\n    unreal.EditorLevelLibrary.spawn_actor_from_object(cube, "
         "unreal.Vector(n * 60, (n % 7) * 90 - 250, 50), unreal.Rotator(yaw=n * 11))\n"
-        f"render_scene.take([{VIEW!r}], [str(folder / 'a.png')], 'lit', True)\n"
+        f"take([{VIEW!r}], [str(folder / 'a.png')], 'lit', True)\n"
     )
     running = []
     for number in range(3):

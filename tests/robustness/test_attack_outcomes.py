@@ -11,7 +11,7 @@ import pytest
 from c4s.agents import base
 from c4s.agents.base import AgentContext, AgentReport
 from c4s.errors import BadInput
-from c4s.evidence.collect import collect
+from c4s.evidence import export_and_look
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.plan import Configuration
 from c4s.run.attempt import run_attempt
@@ -114,7 +114,8 @@ def test_a_level_that_breaks_its_reader_is_an_invalid_submission(
     outcome, folder = attacked(tmp_path, pack, monkeypatch, f"LEVEL = {str(level)!r}\n{script}")
     assert outcome.ended_by == "finished" and outcome.submission is not None
     with pytest.raises(BadInput):
-        collect(
+        export_and_look(
+            engine="headless",
             packs=[pack],
             submission_content=folder / "submission",
             package=outcome.submission,

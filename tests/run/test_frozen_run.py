@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from c4s.errors import BadInput
-from c4s.evidence.collect import collect
+from c4s.evidence import export_evidence
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.level import Level
@@ -195,7 +195,9 @@ def test_sound_evidence_of_another_scene_is_told(gated: Path, trial: Trial, tmp_
     content, package = tmp_path / "content", Level.read(start).package
     (content / f"{package[1:]}.level.json").parent.mkdir(parents=True)
     shutil.copyfile(start, content / f"{package[1:]}.level.json")
-    collect(packs=[gated / "packs/c4s-home"], submission_content=content, package=package, out=evidence)
+    export_evidence(
+        engine="headless", packs=[gated / "packs/c4s-home"], submission_content=content, package=package, out=evidence
+    )
     with pytest.raises(BadInput, match=r"evidence/.*json: the file has changed"):
         stages.verify(trial, frozen_plan(gated), "physics")
     shutil.rmtree(evidence)

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from made_case import make_case, make_pack
 
-from c4s.engine.headless.host.session import EngineSession
+from c4s.engine import Engine, open_engine
 from c4s.files import json_lines
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
@@ -28,7 +28,7 @@ class Opened:
     endpoint: Endpoint
     client: GatewayClient
     folder: Path
-    engine: EngineSession
+    engine: Engine
     gateway: Gateway
     pack: Path
 
@@ -43,20 +43,19 @@ def pack(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def engines(
-    tmp_path_factory: pytest.TempPathFactory, pack: Path
-) -> Iterator[Callable[[str], tuple[EngineSession, Path]]]:
+def engines(tmp_path_factory: pytest.TempPathFactory, pack: Path) -> Iterator[Callable[[str], tuple[Engine, Path]]]:
     """One engine a setting, started when it is first asked for."""
-    started: dict[str, tuple[EngineSession, Path]] = {}
+    started: dict[str, tuple[Engine, Path]] = {}
     with ExitStack() as stack:
 
-        def engine_for(setting: str) -> tuple[EngineSession, Path]:
+        def engine_for(setting: str) -> tuple[Engine, Path]:
             if setting not in started:
                 folder = tmp_path_factory.mktemp("engine")
                 case, agent_folder = make_case(folder / "suite", pack, setting=setting)
                 started[setting] = (
                     stack.enter_context(
-                        EngineSession.start(
+                        open_engine(
+                            "headless",
                             packs=[pack],
                             content=folder / "content",
                             scratch=folder / "scratch",
@@ -73,7 +72,7 @@ def engines(
 
 @pytest.fixture
 def open_run(
-    tmp_path: Path, pack: Path, engines: Callable[[str], tuple[EngineSession, Path]]
+    tmp_path: Path, pack: Path, engines: Callable[[str], tuple[Engine, Path]]
 ) -> Iterator[Callable[..., Opened]]:
     """Open a run on the start level of the small case."""
     with ExitStack() as stack:
@@ -93,7 +92,7 @@ def open_run(
         yield start
 
 
-def _idle(engine: EngineSession) -> None:
+def _idle(engine: Engine) -> None:
     """Abandon the job that a test left running."""
     status = engine.request("editor_status")
     if status["busy"]:

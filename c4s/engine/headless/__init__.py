@@ -1,0 +1,56 @@
+"""The headless engine: c4s's own strict ``unreal`` module over levels that are readable documents (see DESIGN.md).
+
+This is its face to ``c4s.engine.base``. ``host`` is trusted and stays beside the evaluator; ``process`` and all that it
+loads run beside agent code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from c4s.engine.headless.version import ENGINE_VERSION
+
+if TYPE_CHECKING:
+    from c4s.engine.headless.host.session import EngineSession
+
+__all__ = ["asset_paths", "export_glb", "open_session", "version"]
+
+version = ENGINE_VERSION
+
+
+def open_session(
+    *,
+    packs: Sequence[Path],
+    content: Path,
+    scratch: Path,
+    levels: Sequence[Path] = (),
+    start_map: str | None = None,
+    content_read_only: bool = False,
+) -> EngineSession:
+    """Start an engine process in a sandbox and wait until it serves."""
+    from c4s.engine.headless.host.session import EngineSession
+
+    return EngineSession.start(
+        packs=packs,
+        content=content,
+        scratch=scratch,
+        levels=levels,
+        start_map=start_map,
+        content_read_only=content_read_only,
+    )
+
+
+def asset_paths(level: Path) -> list[str]:
+    """Paths of all assets and Blueprint classes that a level document names, sorted."""
+    from c4s.engine.headless.world.documents import read, references
+
+    return references(read(level))
+
+
+def export_glb(level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:
+    """Write a level document as one GLB in this process; ``unresolved`` lists the assets that no pack holds."""
+    from c4s.engine.headless.glb.export import export
+
+    return export(level, packs, glb)

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from query_scene import Scene, path_of, row
 
-from c4s.engine.headless.unreal.traces.hits import layout
+from c4s.engine.headless.unreal.hits.results import layout
 from tests.work import calls_in
 
 

@@ -14,7 +14,7 @@ from c4s.engine.headless.unreal.lights import CameraComponent
 from c4s.geometry.transform import quat_multiply
 
 if TYPE_CHECKING:
-    from c4s.engine.headless.world.pose import Pose
+    from c4s.engine.headless.pose import Pose
     from c4s.engine.headless.world.world import LightSource, World
 
 EXTENSION = "KHR_lights_punctual"

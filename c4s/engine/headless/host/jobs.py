@@ -106,7 +106,7 @@ class JobBoard:
         self.refusal: dict[str, str] | None = None
         """The bad input for which the engine did not start."""
         self.version = ""
-        """The engine's version, as it told when it began to serve."""
+        """What the engine calls its version, told when it is ready."""
         self.gone: str | None = None
         """How the engine ended; None while it runs."""
         self.running: Job | None = None

@@ -19,10 +19,11 @@ from c4s.engine.bridge import FAILED, BridgeFault, SocketBridge
 from c4s.engine.confine import sandbox
 from c4s.engine.confine.confinement import Backend, Limits
 from c4s.engine.confine.watch import Watch
+from c4s.engine.faults import EngineCallError, EngineDied
 from c4s.engine.headless.host import kernels
 from c4s.engine.headless.host.jobs import JobBoard
 from c4s.engine.headless.host.server import BridgeServer
-from c4s.errors import BadInput, C4SError, MachineryFault
+from c4s.errors import BadInput, MachineryFault
 
 START_TIMEOUT_S = 120.0
 _STOP_TIMEOUT_S = 5.0
@@ -31,28 +32,10 @@ _SOCKET = "bridge.sock"
 _WITHHELD = "withheld"
 
 
-class EngineCallError(C4SError):
-    """A function called in the engine raised: its message, and the name of the exception as ``kind``."""
-
-    def __init__(self, message: str, *, function: str, kind: str) -> None:
-        self.kind = kind
-        self.detail = message
-        super().__init__(message.strip().rpartition("\n")[2] or kind, where=function)
-
-
-class EngineDied(MachineryFault):
-    """The engine process ended by itself, or was ended for what it did.
-
-    ``during`` is the kind of request that it was working on, ``lines`` what the job had printed.
-    """
-
-    def __init__(self, what: str, *, during: str, where: str, lines: Sequence[str] = ()) -> None:
-        self.during, self.lines = during, list(lines)
-        super().__init__(what, where=where)
-
-
 class EngineSession:
     """One engine process. Use it as a context manager, or call ``close``."""
+
+    kind = "headless"
 
     def __init__(
         self,
@@ -151,14 +134,14 @@ class EngineSession:
             raise EngineDied(self._board.gone, during="start", where=str(self.logs))
 
     @property
+    def version(self) -> str:
+        """The version that the engine called itself when it was ready, before any job ran in it."""
+        return self._board.version
+
+    @property
     def pid(self) -> int:
         """Process id of the engine (of bubblewrap, where that runs it: it dies with it and the engine with it)."""
         return self._process.pid
-
-    @property
-    def version(self) -> str:
-        """The engine's version, as it told before any script ran in it."""
-        return self._board.version
 
     @property
     def alive(self) -> bool:

@@ -38,14 +38,6 @@ class Scene:
     """Lights, fog and post-process volumes."""
 
 
-def attach() -> None:
-    """Make ``c4s.editor.capture`` take its pictures here."""
-    from c4s.editor import capture
-    from c4s.engine.headless.pictures.keys import picture_keys
-
-    capture.source, capture.keys = take, picture_keys
-
-
 def take(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool) -> list[dict[str, Any]]:
     """Render the open level from ``cameras`` into PNG files, with ``masks`` into ``<stem>.actors.npz`` too."""
     scene = open_level()

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
+from c4s.engine.headless.editor import install
 from c4s.engine.headless.unreal import build, libraries
-from c4s.engine.headless.world import state
 from c4s.engine.headless.world.world import World, known_levels
 from c4s.errors import BadInput
 from c4s.packs.store import PackStore
@@ -34,14 +35,21 @@ def boot(
         BadInput: a pack or level is missing or wrong, or there is no such start map.
     """
     content.mkdir(parents=True, exist_ok=True)
-    world = World(PackStore(pack_folders), content, known_levels(levels))
+    world = World(PackStore(pack_folders), content, known_levels(levels), _paint)
     world.scratch = scratch if scratch is not None else content / "Saved"
-    state.install(world)
+    install(world)
     if start_map is not None and world.load_map(start_map) is None:
         raise BadInput("no such start map", where=start_map, todo="give its level document in `levels`")
     module = build()
     sys.modules["unreal"] = module
     return module
+
+
+def _paint(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool) -> list[dict[str, Any]]:
+    """Render the open level; the renderer is loaded with the first picture."""
+    from c4s.engine.headless.pictures.take import take
+
+    return take(cameras, files, mode, masks)
 
 
 def tick(delta_seconds: float) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.editor.facts import Part, Reader, Stand
+from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal.components import InstancedStaticMeshComponent, StaticMeshComponent
-from c4s.engine.headless.world.pose import Pose, compose
 from c4s.engine.headless.world.state import world
 from c4s.geometry.transform import rotator_from_quat
 
@@ -87,10 +87,3 @@ class DirectReader(Reader):
             _row(origin),
             _row(extent),
         )
-
-
-def attach() -> None:
-    """Make ``c4s.editor.snapshot`` read here."""
-    from c4s.editor import snapshot
-
-    snapshot.make_reader = DirectReader

@@ -30,10 +30,10 @@ def main() -> None:
 def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
     """Build the world of ``settings`` and run jobs; bad input is told to the host."""
     from c4s.engine.headless import channel
-    from c4s.engine.headless.pictures.take import attach
     from c4s.engine.headless.process.boot import boot
     from c4s.engine.headless.process.worker import Worker
     from c4s.engine.headless.unreal.libraries import tick
+    from c4s.engine.headless.version import ENGINE_VERSION
     from c4s.errors import BadInput
 
     gc.disable()  # what loads now stays: looking through it again and again would take longer than loading it
@@ -49,18 +49,17 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
         refused = {"what": error.what, "where": error.where, "todo": error.todo}
         channel.send(connection, json.dumps({"refused": refused}).encode())
         return
-    attach()
     draw_the_same_lots()
-    from c4s.editor.capture import frame_level  # needs the `unreal` that boot installs
-    from c4s.engine.headless.process import facts, revision
+    from c4s.editor.capture import frame_level  # these need the `unreal` that boot installs
+    from c4s.editor.host import register
+    from c4s.engine.headless.process import revision
+    from c4s.engine.headless.process.offers import HOST
 
-    facts.attach()
-    revision.attach()
+    register(HOST)
     frame_level()
-    gc.collect()
     gc.freeze()
     gc.enable()
-    Worker(connection, tick, revision.begin).run_forever()
+    Worker(connection, tick, revision.begin, ENGINE_VERSION).run_forever()
 
 
 def draw_the_same_lots() -> None:

@@ -45,10 +45,3 @@ def revision() -> int | None:
     if ticking() or len(sys._current_frames()) > OWN_THREADS:
         return None
     return _jobs
-
-
-def attach() -> None:
-    """Let ``c4s.editor.snapshot`` tell the number."""
-    from c4s.editor import snapshot
-
-    snapshot.revision = revision

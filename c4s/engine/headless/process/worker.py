@@ -22,7 +22,6 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from c4s.engine.headless import channel
-from c4s.engine.headless.version import ENGINE_VERSION
 
 _TICK_S = 1 / 60
 _OWN_FILES = frozenset({__file__, str(Path(__file__).with_name("main.py"))})
@@ -35,12 +34,19 @@ class JobAbandoned(BaseException):
 
 
 class Worker:
-    """Runs the jobs that come over ``connection`` on the thread that calls ``run_forever``; ``begin`` hears of each."""
+    """Runs the jobs that come over ``connection`` on the thread that calls ``run_forever``; ``begin`` hears of each.
+
+    ``version`` is what the host is told that the engine is.
+    """
 
     def __init__(
-        self, connection: socket.socket, tick: Callable[[float], None], begin: Callable[[dict[str, Any]], None]
+        self,
+        connection: socket.socket,
+        tick: Callable[[float], None],
+        begin: Callable[[dict[str, Any]], None],
+        version: str,
     ) -> None:
-        self._connection, self._tick, self._begin = connection, tick, begin
+        self._connection, self._tick, self._begin, self._version = connection, tick, begin, version
         self._orders: queue.SimpleQueue[Order | None] = queue.SimpleQueue()
         self._namespace: dict[str, Any] = {"__name__": "__main__", "__builtins__": builtins, "__doc__": None}
         self._thread = threading.get_ident()
@@ -52,7 +58,7 @@ class Worker:
         """Run jobs until the host says stop or is gone."""
         self._thread = threading.get_ident()
         threading.Thread(target=self._listen, name="host", daemon=True).start()
-        channel.send(self._connection, json.dumps({"ready": True, "version": ENGINE_VERSION}).encode())
+        channel.send(self._connection, _json({"ready": True, "version": self._version}))
         self._point_output(self._own_output)
         while True:
             try:

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from c4s.collision.mesh_body import MeshBody, read_body
 from c4s.collision.shape_cache import SHAPES
 from c4s.collision.shapes import Body
+from c4s.engine.headless import editor
+from c4s.engine.headless.editor import Editor
+from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.queries import changes
 from c4s.engine.headless.queries.solids import Array
 from c4s.engine.headless.queries.triangles import Rows, Triangles, segment_meets
-from c4s.engine.headless.world import state
-from c4s.engine.headless.world.pose import Pose, compose
 from c4s.geometry.transform import WORLD_CM
 from c4s.records.pack import Asset, BoxBody, CapsuleBody, CollisionBody, HullBody
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.world.world import World
 
 _ROOM = 256
 _Corners = tuple[tuple[float, float, float], tuple[float, float, float]]
@@ -48,7 +46,7 @@ class Target:
 class SpatialIndex:
     """Boxes of all targets of one world, kept up to date."""
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: Editor) -> None:
         self._world = world
         self._map: Any = None
         self._rows: dict[Any, list[int]] = {}
@@ -60,7 +58,7 @@ class SpatialIndex:
         self._triangles: dict[str, Triangles | None] = {}
 
     @property
-    def world(self) -> World:
+    def world(self) -> Editor:
         """The world that it is of."""
         return self._world
 
@@ -237,7 +235,7 @@ _current: SpatialIndex | None = None
 def current() -> SpatialIndex:
     """The index of the open level, up to date."""
     global _current
-    world = state.world()
+    world = editor.world()
     if _current is None or _current.world is not world:
         _current = SpatialIndex(world)
     _current.refresh()

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.core import Object, api, public
-from c4s.engine.headless.world.state import world
 
 
 @public

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from enum import unique
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.actors.volumes import NavMeshBoundsVolume
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class, EnumBase, Object, Prop, api, public
 from c4s.engine.headless.unreal.structs import Vector
-from c4s.engine.headless.world.state import world
 
 
 @public

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.core import Object, api, public
-from c4s.engine.headless.world.state import world
 
 
 @public

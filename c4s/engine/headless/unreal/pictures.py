@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import CameraActor
 from c4s.engine.headless.unreal.core import Object, api, public
 from c4s.engine.headless.unreal.enums import ComparisonTolerance
-from c4s.engine.headless.world.state import world
 
 _FOV_DEG = 90.0
 _MAX_SIDE = 4096
@@ -54,8 +54,6 @@ class AutomationLibrary(Object):
         """Write a PNG from a camera, or from the viewport; a bare file name lies in the ``Saved`` folder."""
         if not (0 < res_x <= _MAX_SIDE and 0 < res_y <= _MAX_SIDE):
             raise Exception(f"take_high_res_screenshot: the size must be 1 to {_MAX_SIDE}")
-        from c4s.engine.headless.pictures import take
-
         pose = camera.camera_component._world_pose() if camera is not None else world().camera
         fov = camera.camera_component.get_editor_property("field_of_view") if camera is not None else _FOV_DEG
         path = Path(str(filename))
@@ -69,7 +67,7 @@ class AutomationLibrary(Object):
             "width": res_x,
             "height": res_y,
         }
-        take.take([view], [str(path)], "lit", False)
+        world().take_pictures([view], [str(path)], "lit", False)
         made: AutomationEditorTask = AutomationEditorTask._make("AutomationEditorTask_0", None)
         return made
 

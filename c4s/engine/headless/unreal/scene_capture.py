@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import Texture
 from c4s.engine.headless.unreal.components import SceneComponent
@@ -145,8 +146,6 @@ class SceneCaptureComponent2D(SceneCaptureComponent):
             raise Exception(f"{self._name}: capture source {source} is not drawn by the headless engine")
         if self.get_editor_property("projection_type") is not CameraProjectionMode.PERSPECTIVE:
             raise Exception(f"{self._name}: only perspective captures are drawn by the headless engine")
-        from c4s.engine.headless.pictures import take
-
         pose, settings = self._world_pose(), self.get_editor_property("post_process_settings")
         view: dict[str, Any] = {
             "location_cm": pose.location,
@@ -161,7 +160,7 @@ class SceneCaptureComponent2D(SceneCaptureComponent):
             )
         with TemporaryDirectory() as folder:
             file = Path(folder) / "capture.png"
-            take.take([view], [str(file)], "lit" if source in _LIT else "base_color", False)
+            world().take_pictures([view], [str(file)], "lit" if source in _LIT else "base_color", False)
             with Image.open(file) as picture:
                 target._pixels = np.array(picture.convert("RGB"), dtype=np.uint8)
 

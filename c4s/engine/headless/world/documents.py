@@ -6,10 +6,12 @@ import json
 import math
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from pydantic import Field, ValidationError
 
+from c4s.engine.headless.log import EngineLog
+from c4s.engine.headless.pose import LARGEST, Pose, relative_to
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import MaterialInstanceDynamic, MaterialInterface, StaticMesh
 from c4s.engine.headless.unreal.components import (
@@ -24,14 +26,10 @@ from c4s.engine.headless.unreal.components.frames import DEEPEST
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.enums import CollisionEnabled
 from c4s.engine.headless.world import codec
-from c4s.engine.headless.world.pose import LARGEST, Pose, relative_to
 from c4s.errors import BadInput
 from c4s.files import write_bytes
 from c4s.records.base import Record
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.world.world import World
 
 _GUID = re.compile(r"[0-9A-Fa-f]{32}")
 _DYNAMIC = "dynamic_materials"
@@ -39,6 +37,24 @@ MOST_BYTES = 64 << 20
 MOST_RECORDS = 600_000
 """Actors, components, transforms and instances: what takes time and memory to read."""
 MOST_ACTORS = 100_000
+
+
+class Maker(Protocol):
+    """The world, as far as the actors of a document are made by it."""
+
+    log: EngineLog
+
+    def find(self, path: str) -> Any:
+        """The asset or Blueprint class of a path, or None."""
+        ...
+
+    def native_class(self, path: str) -> type[Any] | None:
+        """The type behind ``/Script/Module.Name``, or None."""
+        ...
+
+    def make(self, class_path: str, name: str) -> Actor | None:
+        """An actor of a class, in no level yet; None when there is no such class."""
+        ...
 
 
 class DynamicMaterial(Record):
@@ -119,14 +135,14 @@ def references(level: Level) -> list[str]:
     return sorted(found)
 
 
-def _fill_mesh(world: World, component: StaticMeshComponent, path: str | None) -> None:
+def _fill_mesh(world: Maker, component: StaticMeshComponent, path: str | None) -> None:
     mesh = world.find(path) if path else None
     if path and not isinstance(mesh, StaticMesh):
         world.log.warning(f"{component._path()}: failed to find static mesh '{path}'")
     component._mesh = mesh if isinstance(mesh, StaticMesh) else None
 
 
-def _fill(world: World, actor: Actor, component: ActorComponent, doc: LevelComponent, where: str) -> None:
+def _fill(world: Maker, actor: Actor, component: ActorComponent, doc: LevelComponent, where: str) -> None:
     properties = dict(doc.properties)
     if isinstance(component, StaticMeshComponent) and (doc.static_mesh is not None or component._mesh is None):
         _fill_mesh(world, component, doc.static_mesh)
@@ -156,7 +172,7 @@ def _fill(world: World, actor: Actor, component: ActorComponent, doc: LevelCompo
 
 
 def _component_for(
-    world: World, actor: Actor, doc: LevelComponent, free: list[ActorComponent], where: str
+    world: Maker, actor: Actor, doc: LevelComponent, free: list[ActorComponent], where: str
 ) -> ActorComponent:
     """The default component that a document's component describes (by name, else by class), or a new one."""
     wanted = world.native_class(doc.class_path)
@@ -175,7 +191,7 @@ def _component_for(
     return made
 
 
-def build(world: World, level: Level, where: str) -> dict[str, Actor]:
+def build(world: Maker, level: Level, where: str) -> dict[str, Actor]:
     """Actors of a level document, by object name."""
     actors: dict[str, Actor] = {}
     for doc in level.actors:
@@ -329,7 +345,7 @@ def _sound(actor: Actor) -> dict[str, Any]:
         raise BadInput(error.what, where=ascii(actor._label)) from None
 
 
-def actor_copy(world: World, actor: Actor, name: str) -> Actor:
+def actor_copy(world: Maker, actor: Actor, name: str) -> Actor:
     """A copy of an actor under another object name, not attached to anything."""
     plain = json.loads(json.dumps(actor_plain(actor)))
     plain.update(name=name)

@@ -13,6 +13,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
+from c4s.engine.headless.log import EngineLog
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import (
     AssetObject,
@@ -24,7 +25,6 @@ from c4s.engine.headless.unreal.assets import (
 )
 from c4s.engine.headless.unreal.core import Class
 from c4s.engine.headless.world import documents
-from c4s.engine.headless.world.log import EngineLog
 from c4s.errors import BadInput
 from c4s.packs.store import PackStore, object_path
 from c4s.records import pack

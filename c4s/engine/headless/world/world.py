@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from c4s.engine.headless.log import EngineLog
+from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal import lights
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import AssetObject, MaterialInterface, StaticMesh
@@ -23,8 +25,6 @@ from c4s.engine.headless.unreal.core import TYPES, Class, Object
 from c4s.engine.headless.unreal.levels import World as MapObject
 from c4s.engine.headless.world import documents
 from c4s.engine.headless.world.library import AssetLibrary
-from c4s.engine.headless.world.log import EngineLog
-from c4s.engine.headless.world.pose import Pose, compose
 from c4s.errors import BadInput
 from c4s.files import append_json_line
 from c4s.geometry.transform import Array
@@ -33,6 +33,8 @@ from c4s.packs.store import PackStore
 from c4s.records.level import Level, LevelActor
 from c4s.records.pack import Material
 
+Painter = Callable[[Sequence[Mapping[str, Any]], Sequence[str], str, bool], list[dict[str, Any]]]
+"""Renders the open level: cameras, files, mode, and whether to write masks; a record a picture."""
 UNTITLED = "/Temp/Untitled_1"
 _PACKAGE = re.compile(r"/Game(/[A-Za-z0-9_\-]+)+")
 _NAME = re.compile(r"[A-Za-z0-9_\-]+")
@@ -71,7 +73,9 @@ class LightSource:
 class World(AssetLibrary):
     """State behind the ``unreal`` module. One a process; see ``state``."""
 
-    def __init__(self, store: PackStore, content: Path, levels: dict[str, Path]) -> None:
+    def __init__(self, store: PackStore, content: Path, levels: dict[str, Path], painter: Painter) -> None:
+        """``painter`` takes the pictures that scripts ask for."""
+        self._painter = painter
         self.log = EngineLog()
         super().__init__(store, content)
         self.levels = levels
@@ -297,6 +301,12 @@ class World(AssetLibrary):
         """Object paths that the open level names."""
         rows = [documents.actor_plain(actor) for actor in self.actors.values()]
         return documents.references(Level(package=self.package, actors=[LevelActor.model_validate(r) for r in rows]))
+
+    def take_pictures(
+        self, cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool
+    ) -> list[dict[str, Any]]:
+        """Render the open level into PNG files, with ``masks`` into ``<stem>.actors.npz`` too."""
+        return self._painter(cameras, files, mode, masks)
 
     # what a renderer reads
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from c4s.engine.headless.unreal.actors import attachment, distances, noticing  # noqa: F401  (they extend Actor)
 from c4s.engine.headless.unreal.actors.base import Actor, Info, Parts
 from c4s.engine.headless.unreal.actors.cameras import CameraActor, CineCameraActor
 from c4s.engine.headless.unreal.actors.lighting import (

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from c4s.engine.headless.unreal.actors.placement import Placed
+from c4s.engine.headless.unreal.actors.base import Actor
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Name
-from c4s.engine.headless.unreal.core import api
+from c4s.engine.headless.unreal.core import api, extends
 from c4s.engine.headless.unreal.enums import AttachmentRule, DetachmentRule
 
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.actors.base import Actor
 
-
-class Attached(Placed):
+@extends(Actor)
+class Attachment(Actor):
     """The actors above and below in the hierarchy."""
 
     @api

@@ -6,21 +6,20 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.queries.changes import note
-from c4s.engine.headless.unreal.actors.attachment import Attached
+from c4s.engine.headless.unreal.actors.placement import Placed
 from c4s.engine.headless.unreal.components import ActorComponent, PrimitiveComponent, SceneComponent, of_class
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, deprecated, public
 from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.structs import Guid, Vector
-from c4s.engine.headless.unreal.traces.notice import Noticing
-from c4s.engine.headless.world.state import world
 
 Parts = tuple[tuple[str, type[SceneComponent]], ...]
 
 
 @public
-class Actor(Attached, Noticing):
+class Actor(Placed):
     """Base of everything that is placed in a level."""
 
     _parts: ClassVar[Parts] = (("DefaultSceneRoot", SceneComponent),)

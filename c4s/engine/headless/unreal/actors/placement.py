@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.components.moves import added, turned_by, turned_within
 from c4s.engine.headless.unreal.core import Object, api
+from c4s.engine.headless.unreal.hits.results import HitResult
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
-from c4s.engine.headless.world.pose import Pose, compose
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.actors.base import Actor
-    from c4s.engine.headless.unreal.traces.hits import HitResult
 
 
 class Placed(Object):
@@ -175,45 +172,3 @@ class Placed(Object):
     def add_actor_local_transform(self, new_transform: Transform, sweep: bool, teleport: bool) -> HitResult:
         """Move, turn and scale in the actor's axes."""
         return self._root()._go(compose(new_transform._pose(), self._pose()), sweep)
-
-    # as seen from another actor
-
-    def _offset(self, other: Actor) -> Vector:
-        return other.get_actor_location() - self.get_actor_location()  # type: ignore[no-any-return]
-
-    @api
-    def get_distance_to(self, other_actor: Actor) -> float:
-        """Distance between origins in cm."""
-        return self._offset(other_actor).length()
-
-    @api
-    def get_squared_distance_to(self, other_actor: Actor) -> float:
-        """Squared distance between origins."""
-        return self._offset(other_actor).length_squared()
-
-    @api
-    def get_horizontal_distance_to(self, other_actor: Actor) -> float:
-        """Horizontal distance between origins in cm."""
-        return self._offset(other_actor).length2d()
-
-    @api
-    def get_squared_horizontal_distance_to(self, other_actor: Actor) -> float:
-        """Squared horizontal distance between origins."""
-        return self._offset(other_actor).length2d_squared()
-
-    @api
-    def get_vertical_distance_to(self, other_actor: Actor) -> float:
-        """Difference of heights in cm."""
-        return abs(self._offset(other_actor).z)
-
-    @api
-    def get_dot_product_to(self, other_actor: Actor) -> float:
-        """Cosine of the angle between +X and the direction to another actor; -2 without one."""
-        away = self._offset(other_actor).normal(1e-8)
-        return self.get_actor_forward_vector().dot(away) if not away.is_zero() else -2.0
-
-    @api
-    def get_horizontal_dot_product_to(self, other_actor: Actor) -> float:
-        """Cosine of the horizontal angle between +X and the direction to another actor; -2 without one."""
-        away = self._offset(other_actor).normal2d(1e-8)
-        return self.get_actor_forward_vector().normal2d(1e-8).dot(away) if not away.is_zero() else -2.0

@@ -7,13 +7,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.asset_tools import operations
 from c4s.engine.headless.unreal.asset_tools.paths import new_object_path
 from c4s.engine.headless.unreal.assets import AssetObject, Material, MaterialInstanceConstant
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, as_class, public
 from c4s.engine.headless.unreal.structs import StructBase
-from c4s.engine.headless.world.state import world
 from c4s.records import pack
 
 

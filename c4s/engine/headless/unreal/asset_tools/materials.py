@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.asset_tools.registry import AssetData
 from c4s.engine.headless.unreal.assets import (
     SCALAR_PARAMETERS,
@@ -19,7 +20,6 @@ from c4s.engine.headless.unreal.core import Class, Object, api, as_class, public
 from c4s.engine.headless.unreal.enums import MaterialParameterAssociation, MaterialProperty
 from c4s.engine.headless.unreal.expressions import SURFACE_FIELDS, MaterialExpression, links, recompile
 from c4s.engine.headless.unreal.structs import LinearColor
-from c4s.engine.headless.world.state import world
 
 _GLOBAL = MaterialParameterAssociation.GLOBAL_PARAMETER
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.asset_tools.paths import in_folder, load, new_object_path, package_of
 from c4s.engine.headless.unreal.asset_tools.registry import REGISTRY, AssetData
 from c4s.engine.headless.unreal.assets import (
@@ -20,7 +21,6 @@ from c4s.engine.headless.unreal.assets import (
 )
 from c4s.engine.headless.unreal.containers import Array, Map, Name, Set
 from c4s.engine.headless.unreal.core import Class, Object, Package, as_class
-from c4s.engine.headless.world.state import world
 
 
 def _folder(path: object) -> str:
@@ -79,7 +79,7 @@ def list_assets(directory_path: str, recursive: bool = True, include_folder: boo
     """Object paths of the assets in a folder, in order; folders end with a slash. An asset's path lists itself."""
     text = str(directory_path)
     if world().exists(text):
-        return Array._of("str", [world().find(text)._path()])  # type: ignore[union-attr]
+        return Array._of("str", [world().find(text)._path()])
     found = [a._path() for a in _within(_folder(text), recursive)]
     folders: set[str] = set()
     if include_folder:
@@ -309,7 +309,7 @@ def consolidate_assets(asset_to_consolidate_to: Object, assets_to_consolidate: S
         world().log.error("ConsolidateAssets: only created assets of one kind can be merged into another asset")
         return False
     for asset in gone:
-        world().replace_asset(asset, kept)  # type: ignore[arg-type]
+        world().replace_asset(asset, kept)
         world().delete(asset._path())
     return True
 

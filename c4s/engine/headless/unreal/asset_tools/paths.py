@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.engine.headless.world.state import world
+from c4s.engine.headless.editor import world
 
 
 def package_of(path: str) -> str:

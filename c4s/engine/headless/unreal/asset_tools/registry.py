@@ -7,12 +7,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.asset_tools.paths import in_folder, package_of
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import TYPES, Object, Prop, api, deprecated, public
 from c4s.engine.headless.unreal.structs import StructBase
-from c4s.engine.headless.world.state import world
 
 
 @public

@@ -6,13 +6,14 @@ from __future__ import annotations
 
 from typing import Any
 
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.unreal.assets.base import AssetObject
 from c4s.engine.headless.unreal.assets.collision import BodySetup, aggregate
 from c4s.engine.headless.unreal.assets.materials import MaterialInterface
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Object, Prop, api, public
 from c4s.engine.headless.unreal.structs import Box, BoxSphereBounds, ClosedStruct, Vector
-from c4s.engine.headless.world.pose import Pose
 from c4s.packs.meshes import Mesh
 from c4s.records.pack import Asset
 
@@ -48,14 +49,10 @@ class StaticMesh(AssetObject):
 
     def _geometry(self) -> Mesh | None:
         """Triangles, of the original where this is a copy; None when no pack holds that any more."""
-        from c4s.engine.headless.world.state import world
-
         store = world().store
         return store.mesh(self._asset.path) if store.asset(self._asset.path) is not None else None
 
     def _slot_material(self, index: int) -> MaterialInterface | None:
-        from c4s.engine.headless.world.state import world
-
         slots = self._asset.slots
         if not 0 <= index < len(slots):
             return None
@@ -93,8 +90,6 @@ class StaticMesh(AssetObject):
     def set_material(self, material_index: int, new_material: MaterialInterface | None) -> None:
         """Set the default material of a slot of a created mesh; meshes of packs are read-only."""
         if not self._created:
-            from c4s.engine.headless.world.state import world
-
             world().log.error(f"'{self._path()}' is read-only")
         elif new_material is not None and 0 <= material_index < len(self._asset.slots):
             self._slot_overrides[material_index] = new_material

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from c4s.engine.headless.pose import IDENTITY, Pose, compose, relative_to
 from c4s.engine.headless.queries.changes import note
 from c4s.engine.headless.unreal.components.base import ActorComponent
 from c4s.engine.headless.unreal.core import Object, api
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
-from c4s.engine.headless.world.pose import IDENTITY, Pose, compose, relative_to
 from c4s.records.level import Vector as Row
 
 Bounds = tuple[Row, Row]

@@ -6,12 +6,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from c4s.engine.headless.pose import Pose, compose, relative_to
 from c4s.engine.headless.unreal.components.frames import Bounds, finite
 from c4s.engine.headless.unreal.components.meshes import StaticMeshComponent
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Object, Prop, api, public
 from c4s.engine.headless.unreal.structs import Box, Transform, Vector
-from c4s.engine.headless.world.pose import Pose, compose, relative_to
 
 
 @public

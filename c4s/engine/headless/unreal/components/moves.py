@@ -1,20 +1,16 @@
 """Moving a component, in the world or relative to its parent.
 
 Every move gives a ``HitResult``, as Unreal's does. It is empty for a component without a shape; those that have one are
-swept on the way (``traces/swept.py``).
+swept on the way (``sweeping.py``).
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal.components.frames import Frame
 from c4s.engine.headless.unreal.core import api
+from c4s.engine.headless.unreal.hits.results import HitResult
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
-from c4s.engine.headless.world.pose import Pose, compose
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.traces.hits import HitResult
 
 
 def added(vector: tuple[float, float, float], delta: Vector) -> tuple[float, float, float]:
@@ -37,15 +33,11 @@ class Moves(Frame):
 
     def _go(self, pose: Pose, sweep: bool) -> HitResult:
         """Move to a world pose."""
-        from c4s.engine.headless.unreal.traces.hits import HitResult
-
         self._set_world(pose)
         return HitResult()
 
     def _go_relative(self, pose: Pose, sweep: bool) -> HitResult:
         """Move to a pose relative to the parent."""
-        from c4s.engine.headless.unreal.traces.hits import HitResult
-
         self._set_relative(pose)
         return HitResult()
 

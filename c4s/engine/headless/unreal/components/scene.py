@@ -7,14 +7,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import IDENTITY, Pose, Triple, relative_to
 from c4s.engine.headless.unreal.components.frames import DEEPEST
 from c4s.engine.headless.unreal.components.moves import Moves
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.enums import AttachmentRule, ComponentMobility, DetachmentRule
 from c4s.engine.headless.unreal.structs import Rotator, Vector
-from c4s.engine.headless.world.pose import IDENTITY, Pose, Triple, relative_to
-from c4s.engine.headless.world.state import world
 
 
 @public

@@ -1,10 +1,28 @@
-"""Items of typed containers: checked, converted, and their defaults."""
+"""Items of typed containers: checked, converted, and their defaults, by the rules that ``core`` registers."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Protocol
 
-from c4s.engine.headless.unreal.containers.words import Name, Text
+
+class Rules(Protocol):
+    """How values of a kind are taken: the containers hold them, the object model that is built on them knows."""
+
+    def checked(self, value: Any, kind: str, what: str) -> Any:
+        """An item as its container keeps it; ``TypeError`` for one of another type."""
+        ...
+
+    def initial(self, kind: str) -> Any:
+        """The default of an item type."""
+        ...
+
+
+_rules: list[Rules] = []
+
+
+def register(rules: Rules) -> None:
+    """Let all containers use these rules."""
+    _rules[:] = [rules]
 
 
 def kind_name(kind: Any) -> str:
@@ -16,15 +34,9 @@ def kind_name(kind: Any) -> str:
 
 def checked(value: Any, kind: str, what: str) -> Any:
     """An item as its container keeps it; ``TypeError`` for one of another type."""
-    from c4s.engine.headless.unreal.core import converted, need
-
-    return converted(need(value, kind, f"{what}: Failed to convert an item", "Item"), kind)
+    return _rules[0].checked(value, kind, what)
 
 
 def initial(kind: str) -> Any:
     """The default of an item type."""
-    from c4s.engine.headless.unreal.core import TYPES
-
-    plain: dict[str, Any] = {"int": 0, "float": 0.0, "bool": False, "str": "", "Name": Name(), "Text": Text()}
-    found = TYPES.get(kind)
-    return plain[kind] if kind in plain else found() if found is not None and hasattr(found, "_from_parts") else None
+    return _rules[0].initial(kind)

@@ -6,11 +6,16 @@ property an ``Exception``: as in Unreal's own Python.
 
 from __future__ import annotations
 
+from c4s.engine.headless.unreal.containers.items import register
 from c4s.engine.headless.unreal.core.checks import TYPES, api, camel, deprecated, fits, need, public
 from c4s.engine.headless.unreal.core.enumeration import EnumBase
+from c4s.engine.headless.unreal.core.extending import extends
+from c4s.engine.headless.unreal.core.items import ItemRules
 from c4s.engine.headless.unreal.core.objects import Class, Object, Package, as_class, subclass_of
 from c4s.engine.headless.unreal.core.properties import ObjectBase, Prop, converted, copied
 from c4s.engine.headless.unreal.core.setters import with_setters
+
+register(ItemRules())
 
 __all__ = [
     "TYPES",
@@ -26,6 +31,7 @@ __all__ = [
     "converted",
     "copied",
     "deprecated",
+    "extends",
     "fits",
     "need",
     "public",

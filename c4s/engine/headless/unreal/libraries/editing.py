@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import PrimitiveComponent
 from c4s.engine.headless.unreal.containers import Array, Name, Text
 from c4s.engine.headless.unreal.core import Class, Object, api, as_class
 from c4s.engine.headless.unreal.structs import LinearColor, Vector
-from c4s.engine.headless.world.state import world
 
 _BLUE = (0.0, 0.66, 1.0, 1.0)
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fnmatch import fnmatchcase
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.asset_tools import operations
 from c4s.engine.headless.unreal.asset_tools.paths import package_of
@@ -19,7 +20,6 @@ from c4s.engine.headless.unreal.enums import (
 )
 from c4s.engine.headless.unreal.levels import Level, World
 from c4s.engine.headless.unreal.structs import Vector
-from c4s.engine.headless.world.state import world
 
 _IN, _CONTAINS = EditorScriptingFilterType.INCLUDE, EditorScriptingStringMatchType.CONTAINS
 

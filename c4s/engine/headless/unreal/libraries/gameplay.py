@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, api, as_class, public
 from c4s.engine.headless.unreal.structs import Vector
-from c4s.engine.headless.world.state import world
 
 
 @public

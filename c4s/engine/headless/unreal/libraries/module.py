@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.asset_tools import load, package_of
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Class, Object, Package, api, as_class, subclass_of
@@ -14,7 +15,6 @@ from c4s.engine.headless.unreal.libraries.ticks import (
 )
 from c4s.engine.headless.unreal.subobjects import SubobjectDataSubsystem
 from c4s.engine.headless.unreal.subsystems import EditorSubsystem
-from c4s.engine.headless.world.state import world
 
 
 def log(arg: object) -> None:

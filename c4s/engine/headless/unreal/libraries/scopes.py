@@ -5,9 +5,9 @@ from __future__ import annotations
 from types import TracebackType
 from typing import Literal
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.containers import Text
 from c4s.engine.headless.unreal.core import need, public
-from c4s.engine.headless.world.state import world
 
 
 @public

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.core import Object, api, public
@@ -17,7 +18,6 @@ from c4s.engine.headless.unreal.traces.lines import LineTraces
 from c4s.engine.headless.unreal.traces.overlaps import Overlaps
 from c4s.engine.headless.unreal.traces.spheres import SphereTraces
 from c4s.engine.headless.version import ENGINE_VERSION
-from c4s.engine.headless.world.state import world
 
 
 @public

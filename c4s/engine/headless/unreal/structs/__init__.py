@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from c4s.engine.headless.unreal.structs import conversions, directions  # noqa: F401  (they extend structs)
 from c4s.engine.headless.unreal.structs.base import ClosedStruct, StructBase
 from c4s.engine.headless.unreal.structs.boxes import Box, Box2D, BoxSphereBounds, Guid
 from c4s.engine.headless.unreal.structs.colors import Color, LinearColor

@@ -1,61 +1,31 @@
-"""Lengths, angles, projections and mixes of vectors."""
+"""Distances, angles, projections and mixes of vectors."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
 
-from c4s.engine.headless.unreal.core import api
-from c4s.engine.headless.unreal.structs.numbers import SMALL, Components, clamped, quotient
+from c4s.engine.headless.pose import rotate
+from c4s.engine.headless.unreal.core import api, extends
+from c4s.engine.headless.unreal.structs.numbers import SMALL, clamped, quotient
+from c4s.engine.headless.unreal.structs.planes import Vector2D
+from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
 from c4s.engine.headless.unreal.structs.turns import UNTURNED, between, slerp
-from c4s.engine.headless.world.pose import rotate
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.structs.planes import Vector2D
-    from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
-    from c4s.engine.headless.unreal.structs.vectors import Plane, Vector
+from c4s.engine.headless.unreal.structs.vectors import Plane, Vector
 
 
-class Directed(Components):
+@extends(Vector)
+class Directions(Vector):
     """Geometry of a vector."""
-
-    x: float
-    y: float
-    z: float
-
-    def _times(self, factor: float) -> Any:
-        from c4s.engine.headless.unreal.structs.vectors import Vector
-
-        return Vector(self.x * factor, self.y * factor, self.z * factor)
-
-    def _xyz(self) -> tuple[float, float, float]:
-        return (self.x, self.y, self.z)
-
-    def length(self) -> float:
-        """Length in cm."""
-        return math.sqrt(self.x * self.x + self.y * self.y + self.z * self.z)
-
-    def length_squared(self) -> float:
-        """Squared length."""
-        return self.x * self.x + self.y * self.y + self.z * self.z
-
-    def length2d(self) -> float:
-        """Horizontal length in cm."""
-        return math.hypot(self.x, self.y)
-
-    def length2d_squared(self) -> float:
-        """Squared horizontal length."""
-        return self.x * self.x + self.y * self.y
 
     @api
     def distance(self, v2: Vector) -> float:
         """Distance in cm."""
-        return math.dist(self._xyz(), v2._xyz())
+        return math.dist(self._triple(), v2._triple())
 
     @api
     def distance_squared(self, v2: Vector) -> float:
         """Squared distance."""
-        return math.dist(self._xyz(), v2._xyz()) ** 2
+        return math.dist(self._triple(), v2._triple()) ** 2
 
     @api
     def distance2d(self, v2: Vector) -> float:
@@ -70,16 +40,8 @@ class Directed(Components):
     # unit vectors
 
     @api
-    def normal(self, tolerance: float = 1e-4) -> Vector:
-        """Unit vector in this direction; zero when the squared length is below the tolerance."""
-        squared = self.length_squared()
-        return self._times(0.0 if squared < tolerance else 1 / math.sqrt(squared))  # type: ignore[no-any-return]
-
-    @api
     def normal2d(self, tolerance: float = 1e-4) -> Vector:
         """Horizontal unit vector in this direction; zero when the squared length is below the tolerance."""
-        from c4s.engine.headless.unreal.structs.vectors import Vector
-
         squared = self.length2d_squared()
         factor = 0.0 if squared < tolerance else 1 / math.sqrt(squared)
         return Vector(self.x * factor, self.y * factor, 0.0)
@@ -98,8 +60,6 @@ class Directed(Components):
     @api
     def direction_unit_to(self, to: Vector) -> Vector:
         """Unit vector from here to there; zero when they are one place."""
-        from c4s.engine.headless.unreal.structs.vectors import Vector
-
         return Vector(to.x - self.x, to.y - self.y, to.z - self.z).normal(SMALL)
 
     # angles
@@ -112,12 +72,10 @@ class Directed(Components):
     def cosine_angle2d(self, b: Vector) -> float:
         """Cosine of the horizontal angle between two."""
         mine, theirs = self.normal2d(SMALL), b.normal2d(SMALL)
-        return mine.x * theirs.x + mine.y * theirs.y
+        return mine.x * theirs.x + mine.y * theirs.y  # type: ignore[no-any-return]
 
     def unit_cartesian_to_spherical(self) -> Vector2D:
         """Angle from +Z and angle about Z, in radians, of a unit vector."""
-        from c4s.engine.headless.unreal.structs.planes import Vector2D
-
         return Vector2D(math.acos(clamped(quotient(self.z, self.length()), -1.0, 1.0)), math.atan2(self.y, self.x))
 
     # projections and reflections
@@ -126,20 +84,18 @@ class Directed(Components):
         return self.x * b.x + self.y * b.y + self.z * b.z
 
     def _less(self, b: Vector, factor: float) -> Vector:
-        from c4s.engine.headless.unreal.structs.vectors import Vector
-
         return Vector(self.x - b.x * factor, self.y - b.y * factor, self.z - b.z * factor)
 
     @api
     def project_on_to(self, target: Vector) -> Vector:
         """The part along another vector; zero when that is zero."""
         squared = target.length_squared()
-        return target._times(self._dot(target) / squared if squared > SMALL else 0.0)  # type: ignore[no-any-return]
+        return target._times(self._dot(target) / squared if squared > SMALL else 0.0)
 
     @api
     def project_on_to_normal(self, normal: Vector) -> Vector:
         """The part along a unit vector."""
-        return normal._times(self._dot(normal))  # type: ignore[no-any-return]
+        return normal._times(self._dot(normal))
 
     @api
     def project_on_to_plane(self, plane_normal: Vector) -> Vector:
@@ -167,17 +123,13 @@ class Directed(Components):
     @api
     def rotate_angle_axis(self, angle_deg: float, axis: Vector) -> Vector:
         """Turned by degrees about an axis (+X towards +Y about +Z)."""
-        from c4s.engine.headless.unreal.structs.vectors import Vector
-
         unit, half = axis.normal(SMALL), math.radians(angle_deg) / 2
         sine = math.sin(half)
-        return Vector(*rotate((unit.x * sine, unit.y * sine, unit.z * sine, math.cos(half)), self._xyz()))
+        return Vector(*rotate((unit.x * sine, unit.y * sine, unit.z * sine, math.cos(half)), self._triple()))
 
     @api
     def rotator_from_axis_and_angle(self, angle: float) -> Rotator:
         """Rotation by degrees about this axis."""
-        from c4s.engine.headless.unreal.structs.rotations import Quat
-
         unit, half = self.normal(SMALL), math.radians(angle) / 2
         sine = math.sin(half)
         return Quat(unit.x * sine, unit.y * sine, unit.z * sine, math.cos(half)).rotator()
@@ -185,9 +137,7 @@ class Directed(Components):
     @api
     def find_quat_between_vectors(self, end: Vector) -> Quat:
         """Shortest rotation from this direction to another."""
-        from c4s.engine.headless.unreal.structs.rotations import Quat
-
-        return Quat(*between(self._xyz(), end._xyz()))
+        return Quat(*between(self._triple(), end._triple()))
 
     @api
     def find_quat_between_normals(self, end_normal: Vector) -> Quat:
@@ -197,9 +147,7 @@ class Directed(Components):
     @api
     def slerp_normals(self, normal_b: Vector, alpha: float) -> Vector:
         """A unit vector on the arc to another one."""
-        from c4s.engine.headless.unreal.structs.vectors import Vector
-
-        return Vector(*rotate(slerp(UNTURNED, between(self._xyz(), normal_b._xyz()), alpha), self._xyz()))
+        return Vector(*rotate(slerp(UNTURNED, between(self._triple(), normal_b._triple()), alpha), self._triple()))
 
     @api
     def slerp_vectors(self, direction: Vector, alpha: float) -> Vector:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from c4s.engine.headless.pose import Pose, by_matrix
 from c4s.engine.headless.unreal.core import Prop, api, public
 from c4s.engine.headless.unreal.structs.base import StructBase
 from c4s.engine.headless.unreal.structs.modes import AxisType, MatrixColumns
@@ -16,7 +17,6 @@ from c4s.engine.headless.unreal.structs.planes import Vector4
 from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
 from c4s.engine.headless.unreal.structs.transforms import Transform
 from c4s.engine.headless.unreal.structs.vectors import Plane, Vector
-from c4s.engine.headless.world.pose import Pose, by_matrix
 from c4s.geometry.transform import Array
 
 _ROW = {"X": 0, "Y": 1, "Z": 2}

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from c4s.engine.headless.unreal.core import api, public
 from c4s.engine.headless.unreal.structs.numbers import SMALL, Constant, Near, Scaled, clamped, numbers, quotient
 from c4s.engine.headless.unreal.structs.vectors import Vector
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.structs.grids import IntPoint, IntVector2
-    from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
 
 
 @public
@@ -162,18 +158,6 @@ class Vector2D(Scaled):
         """With a z."""
         return Vector(self.x, self.y, z)
 
-    def truncated(self) -> IntVector2:
-        """Whole parts."""
-        from c4s.engine.headless.unreal.structs.grids import IntVector2
-
-        return IntVector2(int(self.x), int(self.y))
-
-    def int_point(self) -> IntPoint:
-        """Whole parts."""
-        from c4s.engine.headless.unreal.structs.grids import IntPoint
-
-        return IntPoint(int(self.x), int(self.y))
-
 
 @public
 class Vector4(Near):
@@ -210,14 +194,6 @@ class Vector4(Near):
     def vector(self) -> Vector:
         """x, y and z."""
         return Vector(self.x, self.y, self.z)
-
-    def rotator(self) -> Rotator:
-        """Rotation that turns +X into the direction of x, y, z."""
-        return self.vector().rotator()
-
-    def quaternion(self) -> Quat:
-        """Rotation that turns +X into the direction of x, y, z."""
-        return self.vector().quaternion()
 
     def length(self) -> float:
         """Length of all four."""
@@ -268,7 +244,8 @@ class Vector4(Near):
     @api
     def mirror_by_vector3(self, surface_normal: Vector4) -> Vector4:
         """x, y, z reflected by a surface."""
-        return Vector4(*self.vector().mirror_by_vector(surface_normal.vector())._triple(), 0.0)
+        x, y, z = self.vector().mirror_by_vector(surface_normal.vector())._triple()
+        return Vector4(x, y, z, 0.0)
 
     @api
     def is_unit3(self, squared_lenth_tolerance: float = 1e-4) -> bool:

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from c4s.engine.headless.pose import conjugate, normalized, rotate
 from c4s.engine.headless.unreal.core import api, public
 from c4s.engine.headless.unreal.structs.numbers import Components, Constant, Summed, numbers
 from c4s.engine.headless.unreal.structs.turns import slerp
 from c4s.engine.headless.unreal.structs.vectors import Vector
-from c4s.engine.headless.world.pose import conjugate, normalized, rotate
 from c4s.geometry.transform import normalize_axis, quat_angle_deg, quat_from_rotator, quat_multiply, rotator_from_quat
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.structs.transforms import Transform
 
 
 @public
@@ -121,12 +118,6 @@ class Rotator(Components):
     def inversed(self) -> Rotator:
         """The inverse rotation."""
         return Rotator._of_quat(conjugate(self._quat()))
-
-    def transform(self) -> Transform:
-        """A transform with this rotation only."""
-        from c4s.engine.headless.unreal.structs.transforms import Transform
-
-        return Transform(rotation=self)
 
 
 @public

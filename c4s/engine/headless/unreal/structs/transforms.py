@@ -4,8 +4,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from c4s.engine.headless.pose import IDENTITY, Pose, compose, conjugate, normalized, reciprocal, relative_to, rotate
 from c4s.engine.headless.unreal.core import Prop, api, need, public
 from c4s.engine.headless.unreal.structs.base import StructBase
 from c4s.engine.headless.unreal.structs.modes import LerpInterpolationMode
@@ -13,20 +14,7 @@ from c4s.engine.headless.unreal.structs.numbers import clamped
 from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
 from c4s.engine.headless.unreal.structs.turns import slerp
 from c4s.engine.headless.unreal.structs.vectors import Vector
-from c4s.engine.headless.world.pose import (
-    IDENTITY,
-    Pose,
-    compose,
-    conjugate,
-    normalized,
-    reciprocal,
-    relative_to,
-    rotate,
-)
 from c4s.geometry.transform import quat_from_rotator, quat_multiply, rotator_from_quat
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.structs.matrices import Matrix
 
 
 @public
@@ -126,12 +114,6 @@ class Transform(StructBase):
     def inverse_transform_rotation(self, rotation: Rotator) -> Rotator:
         """A world rotation seen from here."""
         return Rotator._of_quat(quat_multiply(conjugate(self._pose().quat), rotation._quat()))
-
-    def to_matrix(self) -> Matrix:
-        """Scale, rotation and translation as a matrix."""
-        from c4s.engine.headless.unreal.structs.matrices import Matrix
-
-        return Matrix._of(self._pose().matrix().T)
 
     @api
     def lerp(

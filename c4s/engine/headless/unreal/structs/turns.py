@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from c4s.engine.headless.world.pose import Quaternion, Triple, normalized
+from c4s.engine.headless.pose import Quaternion, Triple, normalized
 
 UNTURNED: Quaternion = (0.0, 0.0, 0.0, 1.0)
 

@@ -6,24 +6,14 @@ from __future__ import annotations
 
 import math
 import random
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from c4s.engine.headless.unreal.core import Prop, api, public
-from c4s.engine.headless.unreal.structs.directions import Directed
 from c4s.engine.headless.unreal.structs.numbers import SMALL, Constant, Scaled, clamped, numbers, quotient
-from c4s.engine.headless.world.pose import rotate
-from c4s.geometry.transform import quat_from_rotator
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.structs.colors import LinearColor
-    from c4s.engine.headless.unreal.structs.grids import IntVector
-    from c4s.engine.headless.unreal.structs.planes import Vector2D
-    from c4s.engine.headless.unreal.structs.rotations import Quat, Rotator
-    from c4s.engine.headless.unreal.structs.transforms import Transform
 
 
 @public
-class Vector(Directed, Scaled):
+class Vector(Scaled):
     """A point or direction in cm."""
 
     _fields = numbers("x", "y", "z")
@@ -49,6 +39,9 @@ class Vector(Directed, Scaled):
 
     def _triple(self) -> tuple[float, float, float]:
         return (self.x, self.y, self.z)
+
+    def _times(self, factor: float) -> Vector:
+        return Vector(self.x * factor, self.y * factor, self.z * factor)
 
     def __or__(self, other: Any) -> Any:
         return self.dot(other) if isinstance(other, Vector) else NotImplemented
@@ -102,6 +95,28 @@ class Vector(Directed, Scaled):
     def cross(self, b: Vector) -> Vector:
         """Vector product."""
         return Vector(self.y * b.z - self.z * b.y, self.z * b.x - self.x * b.z, self.x * b.y - self.y * b.x)
+
+    def length(self) -> float:
+        """Length in cm."""
+        return math.sqrt(self.x * self.x + self.y * self.y + self.z * self.z)
+
+    def length_squared(self) -> float:
+        """Squared length."""
+        return self.x * self.x + self.y * self.y + self.z * self.z
+
+    def length2d(self) -> float:
+        """Horizontal length in cm."""
+        return math.hypot(self.x, self.y)
+
+    def length2d_squared(self) -> float:
+        """Squared horizontal length."""
+        return self.x * self.x + self.y * self.y
+
+    @api
+    def normal(self, tolerance: float = 1e-4) -> Vector:
+        """Unit vector in this direction; zero when the squared length is below the tolerance."""
+        squared = self.length_squared()
+        return self._times(0.0 if squared < tolerance else 1 / math.sqrt(squared))
 
     # what it looks like
 
@@ -195,7 +210,7 @@ class Vector(Directed, Scaled):
         if max < 1e-4:
             return Vector()
         size = self.length()
-        return self._times(max / size) if size > max else self.copy()  # type: ignore[no-any-return]
+        return self._times(max / size) if size > max else self.copy()
 
     @api
     def clamped_size2d(self, min: float, max: float) -> Vector:
@@ -236,55 +251,6 @@ class Vector(Directed, Scaled):
     def to_radians(self) -> Vector:
         """Degrees as radians."""
         return Vector(*map(math.radians, self._triple()))
-
-    def truncated(self) -> IntVector:
-        """Whole parts."""
-        from c4s.engine.headless.unreal.structs.grids import IntVector
-
-        return IntVector(*map(int, self._triple()))
-
-    def vector2d(self) -> Vector2D:
-        """x and y."""
-        from c4s.engine.headless.unreal.structs.planes import Vector2D
-
-        return Vector2D(self.x, self.y)
-
-    def linear_color(self) -> LinearColor:
-        """As a colour of alpha 1."""
-        from c4s.engine.headless.unreal.structs.colors import LinearColor
-
-        return LinearColor(self.x, self.y, self.z, 1.0)
-
-    def transform(self) -> Transform:
-        """A transform to this place."""
-        from c4s.engine.headless.unreal.structs.transforms import Transform
-
-        return Transform(location=self)
-
-    def rotator(self) -> Rotator:
-        """Rotation that turns +X into this direction."""
-        from c4s.engine.headless.unreal.structs.rotations import Rotator
-
-        return Rotator(
-            roll=0.0,
-            pitch=math.degrees(math.atan2(self.z, math.hypot(self.x, self.y))),
-            yaw=math.degrees(math.atan2(self.y, self.x)),
-        )
-
-    def quaternion(self) -> Quat:
-        """Rotation that turns +X into this direction."""
-        return self.rotator().quaternion()
-
-    @api
-    def rotate(self, b: Rotator) -> Vector:
-        """This vector turned by a rotation."""
-        return Vector(*rotate(quat_from_rotator(b._triple()), self._triple()))
-
-    @api
-    def unrotate(self, b: Rotator) -> Vector:
-        """This vector turned back by a rotation."""
-        x, y, z, w = quat_from_rotator(b._triple())
-        return Vector(*rotate((-x, -y, -z, w), self._triple()))
 
 
 @public

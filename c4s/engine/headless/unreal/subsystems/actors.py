@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.containers import Array
@@ -15,7 +16,6 @@ from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
 from c4s.engine.headless.unreal.subsystems.replacing import convert
 from c4s.engine.headless.unreal.subsystems.spawning import actors, choose, chosen, spawn_from_class, spawn_from_object
-from c4s.engine.headless.world.state import world
 
 
 @public
@@ -64,7 +64,7 @@ class EditorActorSubsystem(EditorSubsystem):
         self, actor_to_duplicate: Actor, to_world: World | None = None, offset: Vector = Vector()
     ) -> Actor | None:
         """Copy an actor."""
-        return world().duplicate(actor_to_duplicate, offset._triple())
+        return world().duplicate(actor_to_duplicate, offset._triple())  # type: ignore[no-any-return]
 
     @api
     def duplicate_actors(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.unreal.core import api, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.structs import Rotator, Vector
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
-from c4s.engine.headless.world.pose import Pose
-from c4s.engine.headless.world.state import world
 
 
 @public
@@ -19,7 +19,7 @@ class UnrealEditorSubsystem(EditorSubsystem):
     @api
     def get_editor_world(self) -> World:
         """The open map."""
-        return world().map
+        return world().map  # type: ignore[no-any-return]
 
     @api
     def get_game_world(self) -> World | None:

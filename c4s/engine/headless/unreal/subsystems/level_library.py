@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import MaterialInterface, StaticMesh
 from c4s.engine.headless.unreal.components import MeshComponent, StaticMeshComponent
@@ -20,8 +22,6 @@ from c4s.engine.headless.unreal.subsystems.levels import (
 )
 from c4s.engine.headless.unreal.subsystems.replacing import convert, parts_of, replace_materials, replace_meshes
 from c4s.engine.headless.unreal.subsystems.spawning import actors, choose, chosen, spawn_from_class, spawn_from_object
-from c4s.engine.headless.world.pose import Pose
-from c4s.engine.headless.world.state import world
 
 
 @public
@@ -76,7 +76,7 @@ class EditorLevelLibrary(Object):
     @api
     def get_editor_world(cls) -> World:
         """The open map."""
-        return world().map
+        return world().map  # type: ignore[no-any-return]
 
     @classmethod
     @api

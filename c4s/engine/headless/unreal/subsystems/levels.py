@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import api, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
-from c4s.engine.headless.world.state import world
 
 
 def open_map(path: str) -> World | None:
     """Open a level by its package path."""
-    return world().load_map(str(path))
+    return world().load_map(str(path))  # type: ignore[no-any-return]
 
 
 def new_level_at(path: str) -> bool:

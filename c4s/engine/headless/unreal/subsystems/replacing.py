@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import MaterialInterface, StaticMesh
 from c4s.engine.headless.unreal.components import StaticMeshComponent
@@ -12,7 +13,6 @@ from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class
 from c4s.engine.headless.unreal.structs import Rotator, Vector
 from c4s.engine.headless.unreal.subsystems.spawning import spawn_from_class
-from c4s.engine.headless.world.state import world
 
 
 def parts_of(actors: Iterable[Actor]) -> list[Any]:

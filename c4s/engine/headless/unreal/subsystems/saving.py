@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Object, Package, api, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.subsystems.levels import open_map, save_current
-from c4s.engine.headless.world.state import world
 
 
 def _dirty_assets() -> list[AssetObject]:
@@ -34,7 +34,7 @@ class EditorLoadingAndSavingUtils(Object):
         """Open an empty untitled level."""
         if save_existing_map:
             save_current()
-        return world().new_map()
+        return world().new_map()  # type: ignore[no-any-return]
 
     @classmethod
     @api
@@ -95,7 +95,7 @@ class EditorLoadingAndSavingUtils(Object):
         """Open an untitled copy of a level; None when there is none."""
         if save_existing_map:
             save_current()
-        return world().copy_map(str(path_to_template_level))
+        return world().copy_map(str(path_to_template_level))  # type: ignore[no-any-return]
 
 
 def _save_map(path: str) -> bool:

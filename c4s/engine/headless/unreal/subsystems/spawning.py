@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import Blueprint, StaticMesh
 from c4s.engine.headless.unreal.components import finite
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class, Object, as_class, subclass_of
 from c4s.engine.headless.unreal.structs import Rotator, Vector
-from c4s.engine.headless.world.pose import Pose
-from c4s.engine.headless.world.state import world
 
 ABSTRACT = ("Light", "Info", "Volume", "SceneCapture")
 """Actor classes that cannot be placed."""
@@ -29,7 +29,7 @@ def spawn_from_class(wanted: Class | type, location: Vector, rotation: Rotator) 
         world().log.error(f"SpawnActor: '{made._path()}' is not a class that can be placed")
         return None
     pose = Pose.from_rotator(location._triple(), rotation._triple())
-    return world().spawn(made._path(), finite(pose, made))
+    return world().spawn(made._path(), finite(pose, made))  # type: ignore[no-any-return]
 
 
 def spawn_from_object(source: Object, location: Vector, rotation: Rotator) -> Actor | None:
@@ -38,9 +38,9 @@ def spawn_from_object(source: Object, location: Vector, rotation: Rotator) -> Ac
     if isinstance(source, StaticMesh):
         actor = world().spawn("/Script/Engine.StaticMeshActor", pose, source._name)
         actor.get_editor_property("static_mesh_component").set_static_mesh(source)
-        return actor
+        return actor  # type: ignore[no-any-return]
     if isinstance(source, Blueprint):
-        return world().spawn(source._generated._path(), pose, source._name)
+        return world().spawn(source._generated._path(), pose, source._name)  # type: ignore[no-any-return]
     if isinstance(source, Class):
         return spawn_from_class(source, location, rotation)
     world().log.error(f"SpawnActor: no actor can be made from '{source._path()}'")

@@ -9,9 +9,9 @@ from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Object, api
 from c4s.engine.headless.unreal.enums import DrawDebugTrace, TraceTypeQuery
+from c4s.engine.headless.unreal.hits import casting
+from c4s.engine.headless.unreal.hits.enums import ObjectTypeQuery
 from c4s.engine.headless.unreal.structs import LinearColor, Rotator, Vector
-from c4s.engine.headless.unreal.traces import casting
-from c4s.engine.headless.unreal.traces.enums import ObjectTypeQuery
 
 RED, GREEN = LinearColor(1, 0, 0, 1), LinearColor(0, 1, 0, 1)
 

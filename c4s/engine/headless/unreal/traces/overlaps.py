@@ -13,10 +13,10 @@ from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import PrimitiveComponent
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class, Object, api
+from c4s.engine.headless.unreal.hits import casting
+from c4s.engine.headless.unreal.hits.enums import ObjectTypeQuery
+from c4s.engine.headless.unreal.hits.results import returned
 from c4s.engine.headless.unreal.structs import Rotator, Transform, Vector
-from c4s.engine.headless.unreal.traces import casting
-from c4s.engine.headless.unreal.traces.enums import ObjectTypeQuery
-from c4s.engine.headless.unreal.traces.hits import returned
 
 LEVEL = Rotator()
 

@@ -159,7 +159,7 @@ def random_unit_vector_in_cone_in_degrees(cone_dir: Vector, cone_half_angle_in_d
         return cone_dir.normal(1e-8)
     cosine = random.uniform(math.cos(math.radians(cone_half_angle_in_degrees)), 1)
     angle, flat = random.uniform(0, math.tau), math.sqrt(1 - cosine * cosine)
-    return Vector(cosine, flat * math.cos(angle), flat * math.sin(angle)).rotate(cone_dir.rotator())
+    return Vector(cosine, flat * math.cos(angle), flat * math.sin(angle)).rotate(cone_dir.rotator())  # type: ignore[no-any-return]
 
 
 def random_integer_in_range_from_stream(stream: RandomStream, min: int, max: int) -> int:

@@ -171,12 +171,12 @@ def find_closest_point_on_segment(point: Vector, segment_start: Vector, segment_
 
 def get_point_distance_to_line(point: Vector, line_origin: Vector, line_direction: Vector) -> float:
     """Distance from an endless line in cm."""
-    return point.distance(find_closest_point_on_line(point, line_origin, line_direction))
+    return point.distance(find_closest_point_on_line(point, line_origin, line_direction))  # type: ignore[no-any-return]
 
 
 def get_point_distance_to_segment(point: Vector, segment_start: Vector, segment_end: Vector) -> float:
     """Distance from a line between two places in cm."""
-    return point.distance(find_closest_point_on_segment(point, segment_start, segment_end))
+    return point.distance(find_closest_point_on_segment(point, segment_start, segment_end))  # type: ignore[no-any-return]
 
 
 def line_plane_intersection_origin_normal(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -10,16 +10,12 @@ from c4s.engine.headless.queries import cast
 from c4s.engine.headless.queries.channels import Response
 from c4s.engine.headless.queries.filters import Wanted
 from c4s.engine.headless.queries.index import current
+from c4s.engine.headless.unreal.components.sweeping import SweptMoves
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, api
+from c4s.engine.headless.unreal.hits import casting
+from c4s.engine.headless.unreal.hits.results import HitResult, returned
 from c4s.engine.headless.unreal.structs import Rotator, Vector
-from c4s.engine.headless.unreal.traces import casting
-from c4s.engine.headless.unreal.traces.hits import HitResult, returned
-from c4s.engine.headless.unreal.traces.swept import SweptMoves
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.actors import Actor
-    from c4s.engine.headless.unreal.components import PrimitiveComponent
 
 
 def overlapped(component: Any) -> list[Any]:
@@ -159,13 +155,3 @@ class ComponentQueries(SweptMoves):
         """Actors of a class whose components overlap it and notice that."""
         found = dict.fromkeys(component._outer for component in overlapped(self))
         return Array._of("Actor", [actor for actor in found if casting.is_of(actor, class_filter)])
-
-    @api
-    def is_overlapping_component(self, other_comp: PrimitiveComponent) -> bool:
-        """Whether it overlaps a component, and both notice that."""
-        return other_comp in overlapped(self)
-
-    @api
-    def is_overlapping_actor(self, other: Actor) -> bool:
-        """Whether it overlaps an actor, and both notice that."""
-        return any(component._outer is other for component in overlapped(self))

@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 # ruff: noqa: RUF012  (each class declares its table of properties; no table is ever changed)
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.queries.channels import BLOCK_ALL, Channel, Profile, profile
 from c4s.engine.headless.unreal.components.scene import SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Object, Prop, api
 from c4s.engine.headless.unreal.enums import CollisionEnabled
-from c4s.engine.headless.unreal.traces.enums import CollisionChannel, CollisionResponseType
-from c4s.engine.headless.world.state import world
-
-if TYPE_CHECKING:
-    from c4s.engine.headless.unreal.actors import Actor
-    from c4s.engine.headless.unreal.components import PrimitiveComponent
+from c4s.engine.headless.unreal.hits.enums import CollisionChannel, CollisionResponseType
 
 CUSTOM = "Custom"
 _QUERIED = (CollisionEnabled.QUERY_ONLY, CollisionEnabled.QUERY_AND_PHYSICS, CollisionEnabled.QUERY_AND_PROBE)
@@ -166,16 +162,6 @@ class CollisionState(SceneComponent):
         self._put("collision_responses", [new_response.value] * len(Channel))
 
     # what its swept moves pass through
-
-    @api
-    def ignore_component_when_moving(self, component: PrimitiveComponent | None, should_ignore: bool) -> None:
-        """Let swept moves pass through a component, or not any more."""
-        self._ignore(component, should_ignore)
-
-    @api
-    def ignore_actor_when_moving(self, actor: Actor | None, should_ignore: bool) -> None:
-        """Let swept moves pass through an actor, or not any more."""
-        self._ignore(actor, should_ignore)
 
     def _ignore(self, thing: Any, should_ignore: bool) -> None:
         if thing is not None and should_ignore:

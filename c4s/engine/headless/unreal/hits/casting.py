@@ -9,15 +9,15 @@ import numpy as np
 
 from c4s.collision.mesh_body import MeshBody
 from c4s.collision.shapes import Body, scaled_shape
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import Triple
 from c4s.engine.headless.queries import cast
 from c4s.engine.headless.queries.channels import OBJECT_TYPES, TRACE_TYPES
 from c4s.engine.headless.queries.filters import Answer, Wanted, to_channel, to_object_types, to_profile
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Class, as_class, subclass_of
+from c4s.engine.headless.unreal.hits import results
 from c4s.engine.headless.unreal.structs import Rotator, Vector
-from c4s.engine.headless.unreal.traces import hits
-from c4s.engine.headless.world.pose import Triple
-from c4s.engine.headless.world.state import world
 from c4s.geometry.transform import WORLD_CM, rotation_matrix
 
 NOTHING_CM = 1e-4
@@ -121,7 +121,7 @@ def trace(
             found = cast.ray(row(start), row(end), seen, many=many, all_hits=all_hits)
         else:
             found = cast.sweep(moving, row(end) - row(start), seen, many=many, all_hits=all_hits)
-    return (hits.many if many else hits.first)(found, start, end)
+    return (results.many if many else results.first)(found, start, end)
 
 
 def is_of(thing: Any, kind: Class | type | None) -> bool:

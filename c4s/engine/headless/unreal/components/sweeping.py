@@ -9,15 +9,15 @@ from dataclasses import replace
 
 import numpy as np
 
+from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.queries import cast
 from c4s.engine.headless.queries.channels import Response
 from c4s.engine.headless.queries.filters import Wanted
 from c4s.engine.headless.queries.index import current
+from c4s.engine.headless.unreal.components.collision import CollisionState
 from c4s.engine.headless.unreal.components.frames import finite
+from c4s.engine.headless.unreal.hits.results import HitResult
 from c4s.engine.headless.unreal.structs import Vector
-from c4s.engine.headless.unreal.traces.hits import HitResult
-from c4s.engine.headless.unreal.traces.state import CollisionState
-from c4s.engine.headless.world.pose import Pose, compose
 
 
 class SweptMoves(CollisionState):

@@ -1,0 +1,176 @@
+"""The seam to an engine: what host-side code may use of one, and the one place that opens one.
+
+A backend is a package beside this file whose face has what ``Backend`` asks for. It is imported when it is opened and
+nowhere else; everything outside of it knows ``Engine`` and the bridge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Protocol, Self
+
+from c4s.engine.faults import EngineCallError, EngineDied
+from c4s.errors import BadInput
+
+__all__ = [
+    "DEFAULT_ENGINE",
+    "Backend",
+    "Calls",
+    "Engine",
+    "EngineCallError",
+    "EngineDied",
+    "backend",
+    "engine_kinds",
+    "open_engine",
+]
+
+
+class Calls(Protocol):
+    """What is asked of an engine while an agent works in it."""
+
+    def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 300.0) -> dict[str, Any]:
+        """One bridge request; its reply whatever its status. ``EngineDied`` when the process has ended."""
+        ...
+
+    def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
+        """Run ``c4s.editor.<module>.<function>(**params)`` in the engine and return its value.
+
+        Raises ``EngineCallError`` when the function raised, ``MachineryFault`` when it took longer than ``timeout_s``.
+        """
+        ...
+
+
+class Engine(Calls, Protocol):
+    """One engine process with one open level. Use it as a context manager, or call ``close``."""
+
+    @property
+    def kind(self) -> str:
+        """The name in the registry that it was opened under."""
+        ...
+
+    @property
+    def version(self) -> str:
+        """The version that it calls itself, as its snapshots say it."""
+        ...
+
+    @property
+    def alive(self) -> bool:
+        """Whether the process runs."""
+        ...
+
+    @property
+    def logs(self) -> Path:
+        """Folder of ``engine.log`` and ``job-<n>.log``, out of the engine's reach."""
+        ...
+
+    def execute(self, script: str, timeout_s: float = 600.0) -> dict[str, Any]:
+        """Run a script to its end and return the final reply with all its lines under ``result.python_logs``.
+
+        A script that is still running after ``timeout_s`` is abandoned, and its last reply says ``running``.
+        """
+        ...
+
+    def close(self) -> None:
+        """Ask the engine to end, and end it if it does not, or is busy."""
+        ...
+
+    def kill(self) -> None:
+        """End the process at once; what it printed is kept."""
+        ...
+
+    def __enter__(self) -> Self: ...
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None: ...
+
+
+class Backend(Protocol):
+    """The face of a backend's package."""
+
+    version: str
+    """Version of the API that its engines follow here."""
+
+    def open_session(
+        self,
+        *,
+        packs: Sequence[Path],
+        content: Path,
+        scratch: Path,
+        levels: Sequence[Path] = (),
+        start_map: str | None = None,
+        content_read_only: bool = False,
+    ) -> Engine:
+        """Start an engine and wait until it serves; see ``open_engine``."""
+        ...
+
+    def asset_paths(self, level: Path) -> list[str]:
+        """Paths of all assets and Blueprint classes that a saved level names, sorted."""
+        ...
+
+    def export_glb(self, level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:
+        """Write a saved level as one GLB file, without an engine process; what it holds by count, and ``unresolved``.
+
+        No code of an agent runs, so this is done in the process that asks.
+        """
+        ...
+
+
+def _headless() -> Backend:
+    from c4s.engine import headless
+
+    return headless
+
+
+DEFAULT_ENGINE = "headless"
+"""The engine that needs nothing but the default install."""
+_BACKENDS: dict[str, Callable[[], Backend]] = {DEFAULT_ENGINE: _headless}
+
+
+def engine_kinds() -> tuple[str, ...]:
+    """The kinds of engine that can be asked for."""
+    return tuple(_BACKENDS)
+
+
+def backend(kind: str) -> Backend:
+    """A backend by its kind; ``BadInput`` for one that there is not."""
+    if kind not in _BACKENDS:
+        raise BadInput(f"no engine {kind!r}", where="engine", todo=f"choose one of: {', '.join(_BACKENDS)}")
+    return _BACKENDS[kind]()
+
+
+def open_engine(
+    kind: str,
+    *,
+    packs: Sequence[Path],
+    content: Path,
+    scratch: Path,
+    levels: Sequence[Path] = (),
+    start_map: str | None = None,
+    content_read_only: bool = False,
+) -> Engine:
+    """Start an engine and wait until it serves.
+
+    Args:
+        kind: one of ``engine_kinds()``.
+        packs: pack folders, read-only for the engine.
+        content: where ``/Game`` lies; writable unless ``content_read_only``.
+        scratch: a writable folder for what is no content; the engine's logs lie beside it, where it cannot reach them.
+        levels: level documents, read-only, known by their own package name.
+        start_map: package to open; without it an untitled empty level is open.
+        content_read_only: mount ``content`` read-only.
+
+    Raises:
+        BadInput: an unknown kind, or what was given cannot be loaded.
+        MachineryFault: the engine does not come up, or cannot be run safely on this machine.
+    """
+    return backend(kind).open_session(
+        packs=packs,
+        content=content,
+        scratch=scratch,
+        levels=levels,
+        start_map=start_map,
+        content_read_only=content_read_only,
+    )

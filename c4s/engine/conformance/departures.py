@@ -1,0 +1,10 @@
+"""Where an engine is known to do otherwise, by kind and check, with its reason. One that has ended is a failure."""
+
+from __future__ import annotations
+
+DEPARTURES: dict[str, dict[str, str]] = {
+    "headless": {
+        "struct-properties-refer-to-their-owner": "the headless engine gives copies of structs",
+        "container-properties-refer-to-their-owner": "the headless engine gives copies of containers",
+    }
+}

@@ -1,0 +1,80 @@
+"""All checks, and a run of them over one kind of engine."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from c4s.engine.base import backend
+from c4s.engine.conformance import bridge, pictures, saving, scene
+from c4s.engine.conformance.check import Check, Failed
+from c4s.engine.conformance.departures import DEPARTURES
+from c4s.engine.conformance.ground import Ground
+from c4s.errors import BadInput, C4SError
+
+Status = Literal["passed", "failed", "departs"]
+
+
+@dataclass(frozen=True)
+class Result:
+    """What came of a check."""
+
+    name: str
+    group: str
+    says: str
+    status: Status
+    detail: str = ""
+    """What the engine did instead, and for a known departure the reason."""
+
+
+def all_checks() -> list[Check]:
+    """Every check, in the order in which they run."""
+    return [*bridge.CHECKS, *scene.CHECKS, *saving.CHECKS, *pictures.CHECKS]
+
+
+def run(kind: str, only: Sequence[str] = (), progress: Callable[[Result], None] = lambda result: None) -> list[Result]:
+    """Run the checks (those named in ``only``, or all) on an engine of a kind.
+
+    Raises:
+        BadInput: there is no such kind or check.
+        C4SError: no engine of the kind can be opened at all.
+    """
+    backend(kind)
+    chosen = [check for check in all_checks() if not only or check.name in only]
+    unknown = sorted(set(only) - {check.name for check in chosen})
+    if unknown:
+        raise BadInput(f"no check {unknown[0]!r}", where="conformance", todo="leave --only out to see all of them")
+    results = []
+    with tempfile.TemporaryDirectory(prefix="c4s-conformance-") as folder:
+        ground = Ground(kind, Path(folder))
+        try:
+            ground.engine  # noqa: B018  (what cannot be opened is no failed check)
+            for check in chosen:
+                results.append(_result(check, ground))
+                progress(results[-1])
+        finally:
+            ground.close()
+    return results
+
+
+def _result(check: Check, ground: Ground) -> Result:
+    fault = _fault(check, ground)
+    known = DEPARTURES.get(ground.kind, {}).get(check.name)
+    if known is not None and fault:
+        return Result(check.name, check.group, check.says, "departs", f"{known} ({fault})")
+    if known is not None:
+        fault = "this is said to be a departure of the engine, and is none"
+    return Result(check.name, check.group, check.says, "failed" if fault else "passed", fault)
+
+
+def _fault(check: Check, ground: Ground) -> str:
+    try:
+        check.run(ground)
+    except Failed as failed:
+        return str(failed)
+    except C4SError as error:
+        return error.line()
+    return ""

@@ -1,0 +1,1 @@
+"""What a query found, as scripts see it, and what a script's arguments mean to one."""
