@@ -13,7 +13,6 @@ from c4s.errors import BadInput
 from c4s.home import runs_root
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.folder import RunFolder
-from c4s.score.batch import score_batch
 
 SHOWN = 40
 
@@ -28,6 +27,8 @@ def score(
     if (run is None) == (batch is None):
         raise BadInput("give either a run or --batch FILE")
     if batch is not None:
+        from c4s.score.batch import score_batch
+
         write_rows(batch, score_batch)
     elif run is not None:
         _rescore(run, policy, json_output)

@@ -119,7 +119,10 @@ def shipped(request: pytest.FixtureRequest, indoor_packs: Path, tmp_path_factory
     level = Level(package=whole.package, actors=[bare(actor, i) for i, actor in enumerate(whole.actors)])
     level.write(folder / "scene.level.json")
     export_level(
-        packs=[indoor_packs / request.param.packs[0]], level=folder / "scene.level.json", out=folder / "snapshot.json"
+        engine="headless",
+        packs=[indoor_packs / request.param.packs[0]],
+        level=folder / "scene.level.json",
+        out=folder / "snapshot.json",
     )
     return level, read_json(folder / "snapshot.json")
 

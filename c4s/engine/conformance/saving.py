@@ -125,7 +125,7 @@ def a_snapshot_tells_known_places(ground: Ground) -> None:
 @check("A snapshot says which engine made it, and which version")
 def a_snapshot_names_its_engine(ground: Ground) -> None:
     snapshot = ground.engine.call("snapshot.export_snapshot")
-    said = (snapshot["c4s"]["engine"], snapshot["export_metadata"]["engine_version"])
+    said = (snapshot["c4s"]["engine"], snapshot["c4s"]["engine_version"])
     engine = ground.engine
     need(said == (engine.kind, engine.version), f"it says {said}, the engine is {engine.kind} {engine.version}")
 

@@ -214,19 +214,24 @@ class EngineSession:
 
     def kill(self) -> None:
         """End the process at once and remove its socket; what it printed is kept."""
-        if self.alive:
-            os.killpg(self._process.pid, signal.SIGKILL)
+        self._end_group()
         self._process.wait()
         self._board.join()
         self._server.close()
         shutil.rmtree(self._socket_folder, ignore_errors=True)
+
+    def _end_group(self) -> None:
+        """Kill the process and what it started; it may have ended just now, and another thread may have seen that."""
+        if self.alive:
+            with suppress(ProcessLookupError):
+                os.killpg(self._process.pid, signal.SIGKILL)
 
     def _end(self, at_once: bool) -> str:
         """Wait for the process a moment, end it if it does not, and say how it ended."""
         try:
             code = self._process.wait(0.0 if at_once else _STOP_TIMEOUT_S)
         except subprocess.TimeoutExpired:
-            os.killpg(self._process.pid, signal.SIGKILL)
+            self._end_group()
             code = self._process.wait()
         return _exit_text(code)
 
