@@ -162,7 +162,7 @@ for name, attack in ATTACKS.items():
 
 
 @dataclass(frozen=True)
-class Result:
+class AttackResult:
     """What became of an attack in a sandbox."""
 
     attack: str
@@ -172,7 +172,7 @@ class Result:
     told: str
 
 
-def refused(backend: Backend, root: Path) -> Iterator[Result]:
+def refused(backend: Backend, root: Path) -> Iterator[AttackResult]:
     """Try the attacks of ``REFUSED`` in one engine whose case lies under ``root``."""
     truth = root / "withheld" / "case" / "truth.level.json"
     truth.parent.mkdir(parents=True)
@@ -192,11 +192,11 @@ def refused(backend: Backend, root: Path) -> Iterator[Result]:
         reply = engine.execute("\n".join(f"{name} = {value!r}" for name, value in names.items()) + _SCRIPT, 120)
     for line in reply["result"]["python_logs"]:
         name, outcome, told = json.loads(line)
-        yield Result(name, backend, outcome == "refused" and SECRET not in told, told)
+        yield AttackResult(name, backend, outcome == "refused" and SECRET not in told, told)
     if reply["status"] != "ok":
-        yield Result("the script of attacks", backend, False, str(reply.get("error")))
+        yield AttackResult("the script of attacks", backend, False, str(reply.get("error")))
     if truth.read_text() != SECRET or len(list(truth.parent.iterdir())) != 1:
-        yield Result("the withheld folder afterwards", backend, False, "changed")
+        yield AttackResult("the withheld folder afterwards", backend, False, "changed")
 
 
 def _host(engine: EngineSession) -> int:
@@ -204,7 +204,7 @@ def _host(engine: EngineSession) -> int:
     return int(Path(f"/proc/{engine.pid}/stat").read_text().rpartition(")")[2].split()[1])
 
 
-def ended(attack: str, backend: Backend, root: Path) -> Result:
+def ended(attack: str, backend: Backend, root: Path) -> AttackResult:
     """Try an attack of ``ENDED`` in an engine of its own, with small limits."""
     script, _ = ENDED[attack]
     with EngineSession.start(
@@ -213,11 +213,11 @@ def ended(attack: str, backend: Backend, root: Path) -> Result:
         try:
             reply = engine.execute(f"{script}\nwhile True: pass", 60)
         except EngineDied as death:
-            return Result(attack, backend, True, death.what)
-    return Result(attack, backend, False, str(reply.get("error") or reply["status"]))
+            return AttackResult(attack, backend, True, death.what)
+    return AttackResult(attack, backend, False, str(reply.get("error") or reply["status"]))
 
 
-def results() -> Iterator[Result]:
+def results() -> Iterator[AttackResult]:
     """Every attack in every sandbox of this machine."""
     for backend, fault in faults().items():
         if fault is not None:
@@ -242,7 +242,7 @@ def main() -> int:
     return 0 if all(result.failed for result in found) else 1
 
 
-def _short(result: Result) -> str:
+def _short(result: AttackResult) -> str:
     """The outcome in a few words, without the paths of this run."""
     told = " ".join(result.told.split())
     if told.startswith("the engine ended with"):

@@ -8,7 +8,7 @@ from c4s.errors import BadInput
 from c4s.geometry.transform import quat_angle_deg, quat_from_rotator
 from c4s.records.level import Level, LevelActor
 from cases.corruption import RemoveActor, SetTransform, SpawnActor, id_of
-from cases.model import RepairCase, Scene, SuiteDefinition, TextCase
+from cases.model import RepairCase, SourceScene, SuiteDefinition, TextCase
 
 MOVE_CM, TURN_DEG, SCALE_REL = 5.0, 5.0, 0.05
 """A change within these acceptance limits of Repair F1 would count as repaired when nothing is done."""
@@ -33,7 +33,7 @@ def check_definition(definition: SuiteDefinition) -> None:
             raise BadInput(f"the setting {case.setting} does not fit the scene", where=case.case_id)
 
 
-def check_scene(scene: Scene, assets: set[str]) -> None:
+def check_scene(scene: SourceScene, assets: set[str]) -> None:
     """``BadInput`` for a scene with a repeated object name or a mesh that no pack holds."""
     repeated = [name for name, count in Counter(actor.name for actor in scene.level.actors).items() if count > 1]
     if repeated:

@@ -18,7 +18,7 @@ from c4s.evidence import export_and_look, overview_cameras, take_pictures
 from c4s.evidence.cameras import SIZE_PX, VIEWS
 from c4s.files import write_json
 from c4s.records.level import Level
-from cases.model import View
+from cases.model import CaseView
 from cases.views import camera
 
 _OPEN = Template("""import unreal
@@ -44,7 +44,7 @@ def scene(
     packs: Sequence[Path],
     truth: Level,
     corrupted: Mapping[str, Level],
-    views: Mapping[str, Sequence[View]],
+    views: Mapping[str, Sequence[CaseView]],
     out: Path,
     progress: Callable[[str], None],
 ) -> Exported:
@@ -81,7 +81,7 @@ def scene(
 def _inputs(
     packs: Sequence[Path],
     levels: Mapping[str, Level],
-    views: Mapping[str, Sequence[View]],
+    views: Mapping[str, Sequence[CaseView]],
     out: Path,
     progress: Callable[[str], None],
 ) -> tuple[dict[str, Path], dict[str, list[Path]]]:

@@ -24,7 +24,7 @@ from c4s.records.level import Level, Vector
 from c4s.records.pack import Pack
 from c4s.verify.physics.verdict import verify_physics
 from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, Kind
-from cases.model import Group, RepairCase, Scene, SuiteDefinition, View
+from cases.model import CaseView, Group, RepairCase, SourceScene, SuiteDefinition
 from cases.views import orbit
 
 KINDS: tuple[Kind, ...] = ("removal", "move", "rotate", "rescale", "insertion", "duplication", "replacement", "mirror")
@@ -46,7 +46,7 @@ MIN_DISTANCE_CM, REACH = 220.0, 2.6
 
 
 @dataclass(frozen=True)
-class Thing:
+class SoundThing:
     """An actor that may be changed: name, middle and half extent of its box (cm), its mesh."""
 
     name: str
@@ -58,7 +58,7 @@ class Thing:
 def generated(
     scene_id: str,
     level: Level,
-    things: Sequence[Thing],
+    things: Sequence[SoundThing],
     packs_root: Path,
     packs: Sequence[str],
     *,
@@ -96,7 +96,7 @@ def generated(
         if asset.kind == "static_mesh" and max(asset.size_m) < 3 and min(asset.size_m) > MIN_SIDE_CM / 100
     ]
     author, chance = Author(level, scene_id), random.Random(f"{scene_id}|{seed}")
-    scene = Scene(scene_id, environment, scene_id.replace("-", " ").capitalize(), level, tuple(packs))
+    scene = SourceScene(scene_id, environment, scene_id.replace("-", " ").capitalize(), level, tuple(packs))
     cases = [_case(number, scene, author, things, meshes, 1 + (number % changes), chance) for number in range(count)]
     return SuiteDefinition(
         f"{scene_id}-cases",
@@ -108,7 +108,7 @@ def generated(
     )
 
 
-def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
+def sound_things(level: Level, packs: Sequence[Path]) -> list[SoundThing]:
     """Static mesh actors of a handy size that are supported and sink into nothing, by name.
 
     Raises ``MachineryFault`` when the engine cannot export the scene.
@@ -141,21 +141,21 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[Thing]:
         mesh = next((component.static_mesh for component in known[name].components if component.static_mesh), None)
         small = 2 * max(extent) >= MIN_SIDE_CM and all(2 * extent[i] <= MAX_SHARE * whole[i] for i in (0, 1))
         if mesh and small and name not in bad and label not in bad:
-            found.append(Thing(name, tuple(origin), tuple(extent), mesh))
+            found.append(SoundThing(name, tuple(origin), tuple(extent), mesh))
     return found
 
 
 def _case(
     number: int,
-    scene: Scene,
+    scene: SourceScene,
     author: Author,
-    things: Sequence[Thing],
+    things: Sequence[SoundThing],
     meshes: list[str],
     changes: int,
     chance: random.Random,
 ) -> RepairCase:
     made: list[Corruption] = []
-    places: list[Thing] = []
+    places: list[SoundThing] = []
     removed: set[str] = set()
     added: set[str] = set()
     left = chance.sample(things, len(things))
@@ -185,7 +185,7 @@ def _case(
 
 def _change(
     kind: Kind,
-    thing: Thing,
+    thing: SoundThing,
     author: Author,
     meshes: list[str],
     chance: random.Random,
@@ -226,7 +226,7 @@ def _change(
             return author.duplication(name, (round(px + aside[0], 1), round(py + aside[1], 1), pz))
 
 
-def _views(places: Sequence[Thing]) -> list[View]:
+def _views(places: Sequence[SoundThing]) -> list[CaseView]:
     """Two views from opposite sides above all that changed."""
     low = np.min([np.subtract(thing.origin, thing.extent) for thing in places], axis=0)
     high = np.max([np.add(thing.origin, thing.extent) for thing in places], axis=0)

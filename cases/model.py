@@ -22,7 +22,7 @@ OUTDOOR_BUDGET = Budget(tool_calls=80, wall_minutes=20)
 
 
 @dataclass(frozen=True)
-class View:
+class CaseView:
     """A reference camera: position and target in cm, horizontal field of view in degrees, picture size in pixels."""
 
     name: str
@@ -34,7 +34,7 @@ class View:
 
 
 @dataclass(frozen=True)
-class Scene:
+class SourceScene:
     """A source scene: the original level and the packs (by id) that its assets come from."""
 
     scene_id: str
@@ -58,7 +58,7 @@ class RepairCase:
     corruptions: Sequence[Corruption]
     group: Group
     difficulty: Difficulty
-    views: Sequence[View]
+    views: Sequence[CaseView]
     setting: Setting = "image-to-scene/outdoor"
     prompt: str | None = None
     budget: Budget | None = None
@@ -104,5 +104,5 @@ class SuiteDefinition:
     title: str
     description: str
     packs: Sequence[str]
-    scenes: Sequence[Scene]
+    scenes: Sequence[SourceScene]
     cases: Sequence[RepairCase | TextCase]

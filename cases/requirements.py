@@ -35,7 +35,7 @@ COMPILER_VERSION = "1"
 
 
 @dataclass(frozen=True)
-class Entity:
+class EntitySpec:
     """Something the prompt speaks of. ``text`` are its words in the prompt; ``aliases`` are other names for it."""
 
     key: str
@@ -59,7 +59,7 @@ class Quantity:
 
 
 @dataclass(frozen=True)
-class Predicate:
+class PredicateSpec:
     """One scored requirement about ``subject`` (an entity key), grounded in the prompt's words ``text``.
 
     ``relation`` and ``reference`` say what it stands in relation to; ``qualifiers`` are (kind, word) pairs such as
@@ -81,8 +81,8 @@ class Predicate:
 class RequirementSpec:
     """The authored requirements of one prompt."""
 
-    entities: Sequence[Entity]
-    predicates: Sequence[Predicate]
+    entities: Sequence[EntitySpec]
+    predicates: Sequence[PredicateSpec]
     author: str = field(default="c4s starter suite")
 
 
@@ -232,7 +232,7 @@ def _validate(case_id: str, description: str, prompt: str, spec: RequirementSpec
             span_of(predicate.text, word, where=where)
 
 
-def _entity_node(entity: Entity, identity: str, description: str) -> dict[str, Any]:
+def _entity_node(entity: EntitySpec, identity: str, description: str) -> dict[str, Any]:
     span = span_of(description, entity.text, entity.occurrence)
     grounding = {
         "object": "actor_collection" if entity.collection else "actor",
@@ -253,7 +253,7 @@ def _entity_node(entity: Entity, identity: str, description: str) -> dict[str, A
     }
 
 
-def _predicate_node(predicate: Predicate, identity: str, number: int, span: tuple[int, int]) -> dict[str, Any]:
+def _predicate_node(predicate: PredicateSpec, identity: str, number: int, span: tuple[int, int]) -> dict[str, Any]:
     qualifiers = []
     for kind, word in predicate.qualifiers:
         start = span[0] + predicate.text.find(word)

@@ -25,7 +25,7 @@ from c4s.records.suite import AgentCase, PackRef, Suite, SuiteFolder, WithheldCa
 from cases import exports
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Recipe, apply, with_identities
-from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, Scene, SuiteDefinition, TextCase
+from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.prompts import repair_prompt, spawn_path, text_prompt
 from cases.requirements import bundle
 from cases.settle import to_build
@@ -130,7 +130,7 @@ class _Builder:
         self.definition, self.folder, self.packs = definition, folder, packs
         self.packs_root, self.progress = packs_root, progress
 
-    def scene(self, scene: Scene) -> None:
+    def scene(self, scene: SourceScene) -> None:
         """Write every case of a scene."""
         cases = [case for case in self.definition.cases if case.scene_id == scene.scene_id]
         if not cases:
@@ -160,13 +160,13 @@ class _Builder:
             raise BadInput(f"the suite does not name the pack {pack_id!r}", where=self.definition.suite_id)
         return self.packs[pack_id]
 
-    def _refs(self, scene: Scene) -> list[PackRef]:
+    def _refs(self, scene: SourceScene) -> list[PackRef]:
         return [PackRef(pack_id=pack_id, digest=self._pack(pack_id).sha256()) for pack_id in scene.packs]
 
     def _repair(
         self,
         case: RepairCase,
-        scene: Scene,
+        scene: SourceScene,
         truth: Level,
         corrupted: Level,
         assets: dict[str, Asset],
@@ -217,7 +217,7 @@ class _Builder:
         write_json(withheld / "cameras.json", cameras_record(case))
 
     def _text(
-        self, case: TextCase, scene: Scene, truth: Level, assets: dict[str, Asset], exported: exports.Exported
+        self, case: TextCase, scene: SourceScene, truth: Level, assets: dict[str, Asset], exported: exports.Exported
     ) -> None:
         agent, withheld = self.folder.agent(case.case_id), self.folder.withheld(case.case_id)
         palette = [_known(assets, path, case.case_id) for path in case.palette] or list(assets.values())

@@ -7,7 +7,7 @@ from typing import Any
 
 from c4s.geometry.transform import look_at
 from c4s.records.level import Vector
-from cases.model import RepairCase, View
+from cases.model import CaseView, RepairCase
 
 
 def cameras_record(case: RepairCase) -> dict[str, Any]:
@@ -43,7 +43,7 @@ def cameras_record(case: RepairCase) -> dict[str, Any]:
     }
 
 
-def camera(view: View) -> dict[str, Any]:
+def camera(view: CaseView) -> dict[str, Any]:
     """A view as the camera that the engine captures with."""
     return {
         "name": view.name,
@@ -65,7 +65,7 @@ def orbit(
     fov_deg: float = 60.0,
     width: int = 1280,
     height: int = 720,
-) -> View:
+) -> CaseView:
     """A view of ``target_cm`` from ``distance_cm`` away: ``yaw_deg`` is the direction from the target to the camera,
     ``pitch_deg`` its height above the horizon."""
     yaw, pitch = math.radians(yaw_deg), math.radians(pitch_deg)
@@ -75,4 +75,4 @@ def orbit(
         y + distance_cm * math.cos(pitch) * math.sin(yaw),
         z + distance_cm * math.sin(pitch),
     )
-    return View(name, place, target_cm, fov_deg, width, height)
+    return CaseView(name, place, target_cm, fov_deg, width, height)

@@ -26,7 +26,7 @@ from c4s.records.level import Transform
 from c4s.records.pack import MANIFEST, STAMP, Asset, BlueprintPart, Material, MaterialSlot, Pack
 from catalog.preview import write_previews
 from catalog.settle import check_kept, settle
-from catalog.shapes import AssetSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec, Shape
+from catalog.shapes import AssetSpec, BlueprintSpec, Builder, BuiltShape, MaterialSpec, PackSpec
 from catalog.shapes.spec import asset_id, readable
 from catalog.shapes.textures import png
 from catalog.starter import STARTER
@@ -57,7 +57,7 @@ def glb(mesh: Mesh, slots: list[str], colors: dict[str, tuple[float, float, floa
     return bytes(export_glb(scene, include_normals=True))  # type: ignore[no-untyped-call]
 
 
-def _tiled(shape: Shape, materials: dict[str, MaterialSpec]) -> Mesh:
+def _tiled(shape: BuiltShape, materials: dict[str, MaterialSpec]) -> Mesh:
     """The mesh with texture coordinates in repeats of each material's texture in place of metres."""
     mesh = shape.mesh
     factor = np.ones(len(mesh.vertices), np.float32)

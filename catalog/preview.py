@@ -38,7 +38,7 @@ _SKY = Sky((0.6, 0.6, 0.62), (0.7, 0.7, 0.7), (0.3, 0.3, 0.3))
 _GROUND = SurfaceMaterial((0.36, 0.37, 0.39), roughness=1.0)
 
 
-class Surfaces:
+class PreviewSurfaces:
     """Materials of packs as the renderer wants them, one object a material."""
 
     def __init__(self, store: PackStore) -> None:
@@ -99,7 +99,7 @@ def _framed(points: NDArray[np.float64]) -> Camera:
     return Camera((x, y, z), rotation, _FOV_DEG, SIZE, SIZE)
 
 
-def preview(surfaces: Surfaces, asset: Asset) -> NDArray[np.uint8]:
+def preview(surfaces: PreviewSurfaces, asset: Asset) -> NDArray[np.uint8]:
     """(SIZE, SIZE, 3) picture of one asset from the front, right and above, on a grey ground."""
     store = surfaces.store
     meshes: list[Mesh] = [store.mesh("/Engine/BasicShapes/Plane.Plane")]
@@ -151,7 +151,7 @@ def write_previews(folder: Path) -> Pack:
     Pictures are kept in the cache under ``C4S_HOME`` by the digest of meshes, materials and the renderer's sources.
     """
     store = PackStore([folder])
-    pack, surfaces = store.packs[folder], Surfaces(store)
+    pack, surfaces = store.packs[folder], PreviewSurfaces(store)
     named = []
     for asset in pack.assets:
         kept = cache_root() / "previews" / f"{_key(store, asset)}.png"

@@ -51,7 +51,7 @@ class _Part(BaseModel):
     model_config = ConfigDict(extra="allow", frozen=True)
 
 
-class Task(_Part):
+class BundleTask(_Part):
     """The case."""
 
     id: Text
@@ -60,7 +60,7 @@ class Task(_Part):
     """Of the ``task.yaml`` that the run used."""
 
 
-class Run(_Part):
+class BundleRun(_Part):
     """Where the submission comes from."""
 
     model: Annotated[str | None, BeforeValidator(lambda value: value if value is None else str(value))] = None
@@ -125,8 +125,8 @@ class Manifest(Record):
     """The whole of ``bundle.json``."""
 
     schema_version: Literal["code4scene.bundle.v1"]
-    task: Task
-    run: Section[Run] = None
+    task: BundleTask
+    run: Section[BundleRun] = None
     candidate_integrity: Section[Integrity] = None
     scenes: Section[Scenes] = None
     physics: Section[Physics] = None

@@ -69,7 +69,7 @@ def search(
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Find assets of the packs built here, as an agent's search tool finds them."""
-    from c4s.toolbox.catalog import CaseCatalog, Entry
+    from c4s.toolbox.catalog import CaseCatalog, CatalogEntry
 
     folders = (
         [_manifest(name).parent for name in pack]
@@ -77,7 +77,7 @@ def search(
         else sorted(path.parent for path in packs_root().glob("*/pack.json"))
     )
     packs = [(folder, Pack.read(folder / "pack.json")) for folder in folders]
-    catalog = CaseCatalog([Entry(asset, one, folder) for folder, one in packs for asset in one.assets])
+    catalog = CaseCatalog([CatalogEntry(asset, one, folder) for folder, one in packs for asset in one.assets])
     found = catalog.search(query, limit=limit)
     if json_output:
         print_json(found)

@@ -24,7 +24,7 @@ LEAST_FREE_GB = 2.0
 
 
 @dataclass(frozen=True)
-class Finding:
+class Diagnosis:
     """One thing that was looked at. ``needed`` things that are missing stop c4s; others cost what ``text`` says."""
 
     what: str
@@ -33,10 +33,10 @@ class Finding:
     text: str
 
 
-def _findings() -> Iterator[Finding]:
+def _findings() -> Iterator[Diagnosis]:
     missing = faults()
     usable = [name for name, why in missing.items() if not why]
-    yield Finding(
+    yield Diagnosis(
         "sandbox",
         bool(usable),
         True,
@@ -45,17 +45,17 @@ def _findings() -> Iterator[Finding]:
         else "; ".join(f"{name}: {why}" for name, why in missing.items()),
     )
     flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").is_file() else ""
-    yield Finding("AVX2", " avx2" in flags, True, f"pictures are drawn on the CPU ({platform.machine()})")
+    yield Diagnosis("AVX2", " avx2" in flags, True, f"pictures are drawn on the CPU ({platform.machine()})")
     free = shutil.disk_usage(home().parent if not home().exists() else home()).free / 1e9
-    yield Finding("disk", free > LEAST_FREE_GB, True, f"{free:.0f} GB free for {home()}")
-    yield Finding(
+    yield Diagnosis("disk", free > LEAST_FREE_GB, True, f"{free:.0f} GB free for {home()}")
+    yield Diagnosis(
         "starter suite",
         (suites_root() / "starter/suite.json").is_file(),
         False,
         "built" if (suites_root() / "starter/suite.json").is_file() else "build it: c4s suite build starter",
     )
     yield _prefect()
-    yield Finding(
+    yield Diagnosis(
         "Unreal Editor",
         shutil.which("UnrealEditor-Cmd") is not None,
         False,
@@ -64,7 +64,7 @@ def _findings() -> Iterator[Finding]:
     yield from _clients()
 
 
-def _clients() -> Iterator[Finding]:
+def _clients() -> Iterator[Diagnosis]:
     """The agent clients that are programs of their own: the version that is installed, or how to install it."""
     from c4s.agents.clients.client import ExternalClient
 
@@ -76,10 +76,10 @@ def _clients() -> Iterator[Finding]:
         try:
             program = agent.program({})
         except BadInput as missing:
-            yield Finding(f"client {name}", False, False, missing.line())
+            yield Diagnosis(f"client {name}", False, False, missing.line())
             continue
         where = f"{program.version or 'unknown version'}, {program.path}"
-        yield Finding(
+        yield Diagnosis(
             f"client {name}",
             True,
             False,
@@ -87,11 +87,11 @@ def _clients() -> Iterator[Finding]:
         )
 
 
-def _prefect() -> Finding:
+def _prefect() -> Diagnosis:
     """Whether the Prefect server of ``PREFECT_API_URL`` answers; without one, flows run in the command's process."""
     url = os.environ.get("PREFECT_API_URL")
     if not url:
-        return Finding("Prefect server", False, False, "PREFECT_API_URL is not set: flows run in one process")
+        return Diagnosis("Prefect server", False, False, "PREFECT_API_URL is not set: flows run in one process")
     import httpx
 
     try:
@@ -100,7 +100,7 @@ def _prefect() -> Finding:
         raise BadInput(
             f"the Prefect server does not answer: {error}", where=url, todo="start it, or unset PREFECT_API_URL"
         ) from None
-    return Finding("Prefect server", answer.is_success, False, f"{url} answers {answer.status_code}")
+    return Diagnosis("Prefect server", answer.is_success, False, f"{url} answers {answer.status_code}")
 
 
 def doctor(json_output: Annotated[bool, typer.Option("--json")] = False) -> int:

@@ -43,7 +43,7 @@ exporter records neither, so neither counts as an edit.
 """
 
 
-class Part(NamedTuple):
+class PartFacts(NamedTuple):
     """A component."""
 
     name: str
@@ -122,7 +122,7 @@ def mesh_of(component: Any) -> Any:
     return None
 
 
-class Paths(dict[Any, str]):
+class AssetPaths(dict[Any, str]):
     """Object paths, each asked for once an export: thousands of components share few classes and assets."""
 
     def __missing__(self, thing: Any) -> str:
@@ -134,7 +134,7 @@ class Reader:
     """Reads through Unreal's Python. Its memory of paths, classes and materials is good for one export."""
 
     def __init__(self) -> None:
-        self.paths = Paths()
+        self.paths = AssetPaths()
         self.materials: dict[str, Any] = {}
         """The materials that slots showed, by path."""
         self._recorded: dict[Any, list[str]] = {}
@@ -143,7 +143,7 @@ class Reader:
         """The components of an actor."""
         return list(actor.get_components_by_class(unreal.ActorComponent))
 
-    def part(self, component: Any) -> Part:
+    def part(self, component: Any) -> PartFacts:
         """One of them."""
         primitive = isinstance(component, unreal.PrimitiveComponent)
         placed = isinstance(component, unreal.SceneComponent)
@@ -152,7 +152,7 @@ class Reader:
             instances = [
                 place(component.get_instance_transform(i, True)) for i in range(component.get_instance_count())
             ]
-        return Part(
+        return PartFacts(
             component.get_name(),
             self.paths[component.get_class()],
             primitive,

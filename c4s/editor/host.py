@@ -27,7 +27,7 @@ class Pictures(Protocol):
         ...
 
 
-class Host(Protocol):
+class EngineHost(Protocol):
     """What an engine offers to the scripts that run in it."""
 
     @property
@@ -58,10 +58,10 @@ class PlainEditor:
         return None
 
 
-_host: Host = PlainEditor()
+_host: EngineHost = PlainEditor()
 
 
-def register(host: Host) -> None:
+def register(host: EngineHost) -> None:
     """Let the scripts of this process use what ``host`` offers. ``RuntimeError`` when another host has registered."""
     global _host
     if _host is not host and not isinstance(_host, PlainEditor):
@@ -69,6 +69,6 @@ def register(host: Host) -> None:
     _host = host
 
 
-def host() -> Host:
+def host() -> EngineHost:
     """What was registered, or a plain editor."""
     return _host

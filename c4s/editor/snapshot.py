@@ -15,14 +15,14 @@ from typing import Any
 import unreal
 
 from c4s.editor import identity
-from c4s.editor.facts import Part, Reader, angles, row
+from c4s.editor.facts import PartFacts, Reader, angles, row
 from c4s.editor.host import host
 from c4s.editor.materials import material_record
 
 SCHEMA_VERSION = "0.3.0"
 
 
-def _slots(part: Part, identity: str) -> list[dict[str, Any]]:
+def _slots(part: PartFacts, identity: str) -> list[dict[str, Any]]:
     found = []
     for index, (path, kind) in enumerate(part.slots):
         dynamic = path is not None and ("MaterialInstanceDynamic" in str(kind) or path.startswith("/Engine/Transient"))
@@ -38,7 +38,7 @@ def _slots(part: Part, identity: str) -> list[dict[str, Any]]:
     return found
 
 
-def _component(part: Part, mesh_path: str | None) -> dict[str, Any]:
+def _component(part: PartFacts, mesh_path: str | None) -> dict[str, Any]:
     record: dict[str, Any] = {
         "name": part.name,
         "class": part.kind,

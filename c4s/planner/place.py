@@ -14,7 +14,7 @@ from c4s.planner.graph import Node
 
 
 @dataclass
-class Entry:
+class PlacedEntry:
     """One copy of a node in the world (cm, degrees). ``bottom`` and ``top`` bound it; the pivot is at ``location``."""
 
     name: str
@@ -42,12 +42,12 @@ class Entry:
         return self.x + self.offset[0], self.y + self.offset[1], self.bottom + self.offset[2]
 
 
-def make_entry(node: Node, name: str, x: float, y: float, bottom: float, yaw_deg: float) -> Entry:
+def make_entry(node: Node, name: str, x: float, y: float, bottom: float, yaw_deg: float) -> PlacedEntry:
     """An entry whose world box stands with the middle of its bottom at (x, y, bottom)."""
     origin, half = transformed_box(
         affine((0, 0, 0), (0, yaw_deg, 0), node.scale), node.asset.bounds_min_cm, node.asset.bounds_max_cm
     )
-    return Entry(
+    return PlacedEntry(
         name=name,
         node=node,
         x=x,
@@ -61,10 +61,10 @@ def make_entry(node: Node, name: str, x: float, y: float, bottom: float, yaw_deg
     )
 
 
-def place(nodes: Sequence[Node], half_extent_cm: float) -> list[Entry]:
+def place(nodes: Sequence[Node], half_extent_cm: float) -> list[PlacedEntry]:
     """Entries of all nodes in order. Nodes may stand on, or relate to, earlier ones."""
-    first: dict[str, Entry] = {}
-    entries: list[Entry] = []
+    first: dict[str, PlacedEntry] = {}
+    entries: list[PlacedEntry] = []
     for node in nodes:
         base = make_entry(node, node.id, 0.0, 0.0, 0.0, node.yaw_deg)
         x, y, bottom = _anchor(node, base, first)
@@ -79,7 +79,7 @@ def place(nodes: Sequence[Node], half_extent_cm: float) -> list[Entry]:
     return entries
 
 
-def _anchor(node: Node, base: Entry, first: dict[str, Entry]) -> tuple[float, float, float]:
+def _anchor(node: Node, base: PlacedEntry, first: dict[str, PlacedEntry]) -> tuple[float, float, float]:
     """Middle of the bottom of the node's first copy, in cm."""
     bottom = 0.0
     x = y = 0.0
@@ -107,7 +107,7 @@ def _anchor(node: Node, base: Entry, first: dict[str, Entry]) -> tuple[float, fl
     return x, y, bottom
 
 
-def _offsets(node: Node, base: Entry, half_extent_cm: float) -> Iterator[tuple[float, float, float]]:
+def _offsets(node: Node, base: PlacedEntry, half_extent_cm: float) -> Iterator[tuple[float, float, float]]:
     """Offset (cm) and yaw of each copy from the anchor."""
     layout, count = node.layout, node.count
     if count == 1:

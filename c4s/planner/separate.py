@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 from shapely import STRtree, box
 
 from c4s.geometry.transform import Array
-from c4s.planner.place import Entry
+from c4s.planner.place import PlacedEntry
 from c4s.planner.tiers import is_ground
 
 ROUNDS = 60
 GAP_CM = 1.0
 
 
-def separate(entries: Sequence[Entry], half_extent_cm: float) -> tuple[list[str], int]:
+def separate(entries: Sequence[PlacedEntry], half_extent_cm: float) -> tuple[list[str], int]:
     """Move entries apart in place. Returns the names of moved entries and how many pairs still overlap.
 
     Ground tiles, and entries that stand on another, are left alone; what stands on a moved entry moves along.

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from c4s.planner.graph import read_graph
-from c4s.planner.place import Entry, place
+from c4s.planner.place import PlacedEntry, place
 from c4s.planner.separate import separate
 from c4s.planner.tiers import NAMES, is_ground, tier_of
 from c4s.records.pack import Asset
@@ -40,7 +40,7 @@ def validate(graph: Any, catalog: Sequence[Asset], half_extent_m: float = HALF_E
     }
 
 
-def _outside(entry: Entry, half_cm: float) -> bool:
+def _outside(entry: PlacedEntry, half_cm: float) -> bool:
     return abs(entry.x) > half_cm or abs(entry.y) > half_cm
 
 
@@ -75,7 +75,7 @@ def solve(
     }
 
 
-def _plain(entry: Entry) -> dict[str, Any]:
+def _plain(entry: PlacedEntry) -> dict[str, Any]:
     x, y, z = entry.location_cm
     if is_ground(entry):
         z -= entry.height

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from c4s.planner.place import Entry
+from c4s.planner.place import PlacedEntry
 
 GROUND, STRUCTURE, FURNITURE, DETAIL = 0, 1, 2, 3
 NAMES = {GROUND: "ground", STRUCTURE: "structures", FURNITURE: "props", DETAIL: "details"}
@@ -11,13 +11,13 @@ STRUCTURE_HEIGHT_CM = 250.0
 STRUCTURE_AREA_CM2 = 6.0e4
 
 
-def is_ground(entry: Entry) -> bool:
+def is_ground(entry: PlacedEntry) -> bool:
     """Whether an entry is a flat tile: at least 1 m wide and far lower than wide."""
     width = 2 * min(entry.half_x, entry.half_y)
     return width >= 100.0 and entry.height <= max(FLAT_RATIO * width, 12.0) and entry.on is None
 
 
-def tier_of(entry: Entry) -> int:
+def tier_of(entry: PlacedEntry) -> int:
     """Build tier of an entry."""
     if is_ground(entry):
         return GROUND

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from c4s.render.compiled import inner, kernel
 from c4s.render.layout import GEOMETRY, INSTANCE, LANES, PRIMITIVE, TFAR, TNEAR
 from c4s.render.lighting import LightTables, fog_passes, fog_radiance, sky_radiance
-from c4s.render.packets import FAR, Buffers, Scratch, View, aim, query
+from c4s.render.packets import FAR, Buffers, Scratch, ViewRays, aim, query
 from c4s.render.sampling import Patterns
 from c4s.render.shade import shade
 from c4s.render.surfaces import read_hit
@@ -32,7 +32,7 @@ def _start_rays(
     count: int,
     pixels: NDArray[np.int64],
     first: int,
-    view: View,
+    view: ViewRays,
     width: int,
     height: int,
     offset_x: float,
@@ -62,7 +62,7 @@ def _start_rays(
 @inner
 def _next_layer(
     scratch: Scratch,
-    view: View,
+    view: ViewRays,
     scene: SceneTables,
     textures: Textures,
     lights: LightTables,
@@ -141,7 +141,7 @@ def _trace_pixels(
     height: int,
     first_sample: int,
     last_sample: int,
-    view: View,
+    view: ViewRays,
     scene: SceneTables,
     textures: Textures,
     lights: LightTables,
@@ -197,7 +197,7 @@ def trace_pixels(
     height: int,
     first_sample: int,
     last_sample: int,
-    view: View,
+    view: ViewRays,
     scene: SceneTables,
     textures: Textures,
     lights: LightTables,

@@ -18,7 +18,7 @@ from c4s.render.lighting import Lanes, new_lanes
 FAR = 1e30
 
 
-class View(NamedTuple):
+class ViewRays(NamedTuple):
     """The camera (eye, forward, and right and up scaled to half the picture) and Embree's entry points."""
 
     axes: NDArray[np.float64]

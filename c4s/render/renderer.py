@@ -93,7 +93,7 @@ class Renderer:
         """
         from c4s.render.develop import BINS, combine_rows, develop_pixels, exposure_for, grade_table, mark_edges
         from c4s.render.kernels import trace_pixels
-        from c4s.render.packets import Buffers, View, new_scratch
+        from c4s.render.packets import Buffers, ViewRays, new_scratch
         from c4s.render.sampling import patterns_for, tile_order
         from c4s.render.textures import encode_table
 
@@ -120,7 +120,7 @@ class Renderer:
             np.full(pixels, -1, dtype=np.int32),
             np.full(pixels, np.inf, dtype=np.float32),
         )
-        view = View(
+        view = ViewRays(
             _axes(camera, self._origin),
             np.uintp(self._functions.intersect),
             np.uintp(self._functions.occluded),

@@ -11,7 +11,7 @@ from c4s.render import lighting as li
 from c4s.render.compiled import inner
 from c4s.render.layout import LANES, OPAQUE_MASK, TFAR
 from c4s.render.lighting import Lanes, LightTables, add_light, add_surroundings
-from c4s.render.packets import FAR, Packet, Scratch, View, aim, query
+from c4s.render.packets import FAR, Packet, Scratch, ViewRays, aim, query
 from c4s.render.sampling import Patterns
 
 
@@ -20,7 +20,7 @@ def _add_sun(
     shadow: Packet,
     lanes: Lanes,
     lights: LightTables,
-    view: View,
+    view: ViewRays,
     disk: NDArray[np.float64],
     cell: NDArray[np.int64],
     number: int,
@@ -52,7 +52,7 @@ def _add_local(
     shadow: Packet,
     lanes: Lanes,
     light: NDArray[np.float64],
-    view: View,
+    view: ViewRays,
     disk: NDArray[np.float64],
     cell: NDArray[np.int64],
     arriving: NDArray[np.float64],
@@ -119,7 +119,7 @@ def _add_local(
 
 @inner
 def _add_occlusion(
-    shadow: Packet, lanes: Lanes, view: View, directions: NDArray[np.float64], cell: NDArray[np.int64], reach: float
+    shadow: Packet, lanes: Lanes, view: ViewRays, directions: NDArray[np.float64], cell: NDArray[np.int64], reach: float
 ) -> None:
     for k in range(LANES):
         shadow.valid[k] = 0
@@ -148,7 +148,7 @@ def _add_occlusion(
 
 
 @inner
-def shade(scratch: Scratch, view: View, lights: LightTables, patterns: Patterns, sample: int) -> None:
+def shade(scratch: Scratch, view: ViewRays, lights: LightTables, patterns: Patterns, sample: int) -> None:
     """Light all lanes of one layer."""
     shadow, lanes, cell = scratch.shadow, scratch.lanes, scratch.cell
     for k in range(LANES):

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from c4s.errors import BadInput
 from c4s.packs.meshes import Mesh
 from c4s.render import layout
-from c4s.render.textures import Picture, Textures, build_textures
+from c4s.render.textures import TexturePicture, Textures, build_textures
 from c4s.render.types import Instance, SurfaceMaterial
 
 BASE, EMISSIVE, ROUGHNESS, METALLIC, OPACITY, BLENDS, SURFACE_COLUMNS = 0, 3, 6, 7, 8, 9, 10
@@ -87,7 +87,7 @@ class _Materials:
         self._rows: dict[int, int] = {}
         self._texture_rows: dict[tuple[int, bool], int] = {}
         self.items: list[SurfaceMaterial] = []
-        self.textures: list[Picture] = []
+        self.textures: list[TexturePicture] = []
         self.maps: list[list[int]] = []
 
     def row(self, material: SurfaceMaterial) -> int:
@@ -112,7 +112,7 @@ class _Materials:
         key = (id(texture), colors)
         if key not in self._texture_rows:
             self._texture_rows[key] = len(self.textures)
-            self.textures.append(Picture(texture, colors))
+            self.textures.append(TexturePicture(texture, colors))
         return self._texture_rows[key]
 
     def surfaces(self) -> NDArray[np.float32]:

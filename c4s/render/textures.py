@@ -30,7 +30,7 @@ class Textures(NamedTuple):
     """(2, 256) value of a byte: 0 sRGB, 1 plain."""
 
 
-class Picture(NamedTuple):
+class TexturePicture(NamedTuple):
     """A texture: (H, W, 3 or 4) bytes, and whether they are colours (sRGB) or numbers (normals, roughness)."""
 
     pixels: NDArray[np.uint8]
@@ -78,7 +78,7 @@ def _four(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return full
 
 
-def build_textures(pictures: Sequence[Picture]) -> Textures:
+def build_textures(pictures: Sequence[TexturePicture]) -> Textures:
     """The pyramids of pictures; each level halves the last, colours in linear light."""
     levels = np.zeros((max(1, len(pictures)), MAX_LEVELS, 3), dtype=np.int64)
     counts = np.zeros(max(1, len(pictures)), dtype=np.int64)

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.geometry.transform import WORLD_CM, affine, transformed_box
-from c4s.semantics.kinds import Facts, Kind
+from c4s.semantics.kinds import Facts, ThingKind
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ class Thing:
     """One placed object. ``low`` and ``high`` are its world box in cm, cut off at the edge of the largest world."""
 
     actor: str
-    kind: Kind
+    kind: ThingKind
     low: Array
     high: Array
     scale: Array
@@ -60,7 +60,7 @@ class _Reader:
         extra = snapshot.get("c4s")
         self._meshes: Mapping[str, Any] = (extra.get("meshes") or {}) if isinstance(extra, Mapping) else {}
         self._catalog = catalog
-        self._kinds: dict[str, Kind] = {}
+        self._kinds: dict[str, ThingKind] = {}
 
     def things(self, actors: Iterable[Any]) -> Iterator[Thing]:
         """The things of actors, in their order."""
@@ -78,9 +78,9 @@ class _Reader:
                 if isinstance(component, Mapping) and component.get("mesh") and component.get("visible", True):
                     yield from self._parts(name, materials, component)
 
-    def _kind(self, path: str) -> Kind:
+    def _kind(self, path: str) -> ThingKind:
         if path not in self._kinds:
-            self._kinds[path] = Kind(path, _facts(path, self._catalog), trusted(path, self._catalog))
+            self._kinds[path] = ThingKind(path, _facts(path, self._catalog), trusted(path, self._catalog))
         return self._kinds[path]
 
     def _whole(self, actor: Mapping[str, Any], class_path: str) -> Iterator[Thing]:
@@ -114,7 +114,7 @@ class _Reader:
                 yield _thing(name, kind, centre, half, scale, materials)
 
 
-def _thing(name: str, kind: Kind, centre: Array, half: Array, scale: Array, materials: tuple[str, ...]) -> Thing:
+def _thing(name: str, kind: ThingKind, centre: Array, half: Array, scale: Array, materials: tuple[str, ...]) -> Thing:
     low, high = np.clip([centre - half, centre + half], -WORLD_CM, WORLD_CM)
     return Thing(name, kind, low, high, scale, materials)
 

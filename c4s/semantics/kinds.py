@@ -20,7 +20,7 @@ def leaf(path: str) -> str:
 
 
 @dataclass(frozen=True, eq=False)
-class Kind:
+class ThingKind:
     """One asset."""
 
     asset: str
@@ -65,7 +65,7 @@ class Kind:
 class KindIndex:
     """Kinds by the phrases that name them: the ends of their head noun phrase, their category, their tags."""
 
-    def __init__(self, kinds: Iterable[Kind]) -> None:
+    def __init__(self, kinds: Iterable[ThingKind]) -> None:
         self._kinds = list(kinds)
         self._labels: dict[Phrase, list[int]] = {}
         for number, kind in enumerate(self._kinds):
@@ -73,7 +73,7 @@ class KindIndex:
                 self._labels.setdefault(label, []).append(number)
         self._ends: dict[int, dict[Phrase, list[int]]] = {}
 
-    def find(self, phrases: Iterable[Phrase]) -> list[Kind]:
+    def find(self, phrases: Iterable[Phrase]) -> list[ThingKind]:
         """The kinds that any of the phrases names, in order: a ``table lamp`` is a lamp and no table."""
         found: set[int] = set()
         for phrase in phrases:

@@ -30,7 +30,7 @@ NEAREST = 3
 
 
 @dataclass(frozen=True)
-class Entry:
+class CatalogEntry:
     """An asset of the catalog with the pack folder that holds its files."""
 
     asset: Asset
@@ -64,9 +64,9 @@ class Entry:
 class CaseCatalog:
     """The assets that a case offers."""
 
-    def __init__(self, entries: Sequence[Entry]) -> None:
+    def __init__(self, entries: Sequence[CatalogEntry]) -> None:
         self.entries = list(entries)
-        self._by_key: dict[str, list[Entry]] = {}
+        self._by_key: dict[str, list[CatalogEntry]] = {}
         for entry in self.entries:
             for key in {entry.asset.id, entry.asset.path, entry.asset.path.split(".")[0]}:
                 self._by_key.setdefault(key, []).append(entry)
@@ -93,7 +93,7 @@ class CaseCatalog:
         entries = []
         for folder in packs:
             pack = Pack.read(folder / "pack.json")
-            entries += [Entry(asset, pack, folder) for asset in pack.assets if asset.path in offered]
+            entries += [CatalogEntry(asset, pack, folder) for asset in pack.assets if asset.path in offered]
         return cls(entries)
 
     @property
@@ -101,7 +101,7 @@ class CaseCatalog:
         """The assets, in the order of the packs."""
         return [entry.asset for entry in self.entries]
 
-    def find(self, key: str) -> Entry:
+    def find(self, key: str) -> CatalogEntry:
         """An entry by id, or by package, object or class path. Refused when there is none, or more than one."""
         found = self._by_key.get(key) or self._by_key.get(key.removesuffix("_C") if "." in key else key, [])
         if len(found) == 1:
@@ -125,7 +125,7 @@ class CaseCatalog:
             texts.setdefault(entry.asset.category, entry.pack.category_descriptions.get(entry.asset.category, ""))
         return [{"category": name, "count": counts[name], "description": texts[name]} for name in sorted(counts)]
 
-    def ranked(self, query: str, *, category: str | None = None) -> list[tuple[Entry, float]]:
+    def ranked(self, query: str, *, category: str | None = None) -> list[tuple[CatalogEntry, float]]:
         """All entries that fit a query with their scores, best first; ties by id."""
         scores = self._index.scores(query)
         fitting = [(float(scores[number]), self.entries[number]) for number in np.flatnonzero(scores > 0).tolist()]

@@ -29,7 +29,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from c4s.errors import MachineryFault
 from c4s.files import parse_json
 from c4s.toolbox.registry import ALL_TOOLS, TOOLS
-from c4s.toolbox.run import Answer, Run
+from c4s.toolbox.run import CallAnswer, Run
 from c4s.toolbox.skill import skill_text
 
 START_TIMEOUT_S = 20.0
@@ -295,7 +295,7 @@ def _request_key(context: Any) -> str | None:
     return f"{session}:{json.dumps(context.request_id)}" if session else None
 
 
-def _wire_answer(answer: Answer) -> wire.CallToolResult:
+def _wire_answer(answer: CallAnswer) -> wire.CallToolResult:
     """Text first, then the picture. Never ``structuredContent``: clients drop it or the picture."""
     content: list[wire.ContentBlock] = [wire.TextContent(type="text", text=answer.text)]
     if answer.image is not None:

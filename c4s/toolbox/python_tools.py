@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.tool import Arguments, Tool, ToolResult, number, text
-from c4s.toolbox.workbench import JOB_LIMIT_S, Job, Workbench
+from c4s.toolbox.workbench import JOB_LIMIT_S, ScriptJob, Workbench
 
 GROUP = "Programmatic control"
 SYNC_WAIT_S = 60.0
@@ -21,7 +21,7 @@ def _execute(bench: Workbench, arguments: Arguments) -> ToolResult:
     return ToolResult(started | {"status": "started", "hint": "read_job_log tells the state and the output"})
 
 
-def _state(bench: Workbench, job: Job, limit: int, wait_s: float) -> dict[str, object]:
+def _state(bench: Workbench, job: ScriptJob, limit: int, wait_s: float) -> dict[str, object]:
     """State and the last ``limit`` bytes of the output of a job."""
     reply = bench.read_job(job, wait_s=wait_s)
     lines: list[str] = []

@@ -14,7 +14,7 @@ import orjson
 from c4s.files import digest_bytes, write_bytes
 
 
-class Record:
+class RunRecord:
     """Appends to a trajectory. Lines are written by one thread, pictures by any."""
 
     def __init__(self, trajectory: Path) -> None:

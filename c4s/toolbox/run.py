@@ -27,7 +27,7 @@ from c4s.errors import C4SError, MachineryFault
 from c4s.files import digest_bytes
 from c4s.records.suite import Budget
 from c4s.toolbox.arguments import plain, schema_problem
-from c4s.toolbox.record import Record, short, whole
+from c4s.toolbox.record import RunRecord, short, whole
 from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.registry import TOOLS, tool_set
 from c4s.toolbox.workbench import Workbench
@@ -48,7 +48,7 @@ POLLING = "read_job_log"
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class CallAnswer:
     """What goes back to the client: one JSON text and at most one PNG."""
 
     text: str
@@ -77,7 +77,7 @@ class _Call:
     key: str | None
     start_s: float
     clock: float
-    answered: asyncio.Future[Answer]
+    answered: asyncio.Future[CallAnswer]
 
     def fields(self) -> dict[str, Any]:
         """What both of its lines tell."""
@@ -113,8 +113,8 @@ class Run:
         self.ended = threading.Event()
         self._started: float | None = None
         self._stopped: float | None = None
-        self._record = Record(trajectory)
-        self._answers: dict[str, asyncio.Future[Answer] | None] = {}
+        self._record = RunRecord(trajectory)
+        self._answers: dict[str, asyncio.Future[CallAnswer] | None] = {}
         self._kept: deque[str] = deque()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._timer: asyncio.TimerHandle | None = None
@@ -173,7 +173,7 @@ class Run:
             "seconds_left": max(0, round(self.budget.wall_minutes * 60 - self.wall_s)),
         }
 
-    async def call(self, name: str, arguments: Mapping[str, Any], key: str | None) -> Answer:
+    async def call(self, name: str, arguments: Mapping[str, Any], key: str | None) -> CallAnswer:
         """Answer one call. A request id that was seen before gets the first answer again.
 
         Who waits may be cancelled: the call goes on, and is recorded.
@@ -211,10 +211,10 @@ class Run:
 
     def _begin(
         self, name: str, arguments: dict[str, Any], told: bytes, problem: str, key: str | None
-    ) -> asyncio.Future[Answer]:
+    ) -> asyncio.Future[CallAnswer]:
         """Refuse a call, or count it, record its start and set its tool to work."""
         assert self._loop is not None, "the run has not started"
-        answered: asyncio.Future[Answer] = self._loop.create_future()
+        answered: asyncio.Future[CallAnswer] = self._loop.create_future()
         refused = self._refused(name)
         if refused is not None:
             why, stop = refused
@@ -287,7 +287,7 @@ class Run:
             outcome, error = _failure(given, self.end_message)
             stop = self.end_message if outcome == "ended" else ""
             text = self._refusal(error, stop=bool(stop)).text
-        answer = Answer(text, outcome != "ok", image)
+        answer = CallAnswer(text, outcome != "ok", image)
         if isinstance(given, BaseException) and outcome == "fault":
             self.fault = self.fault or given
         written = self._write(
@@ -307,8 +307,8 @@ class Run:
         if self.fault is not None:
             self._end("fault", "the engine or a tool failed")
 
-    def _refusal(self, error: str, *, stop: bool = False) -> Answer:
-        return Answer(_json({"error": error, "budget": self.left(), **({"stop": error} if stop else {})}), True)
+    def _refusal(self, error: str, *, stop: bool = False) -> CallAnswer:
+        return CallAnswer(_json({"error": error, "budget": self.left(), **({"stop": error} if stop else {})}), True)
 
     def _write(self, event: str, **fields: Any) -> bool:
         """Record a line. A line that cannot be written is a fault of the machinery and ends the run: False."""

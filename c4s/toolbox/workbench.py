@@ -22,7 +22,7 @@ REFUSAL = "c4s.editor.scene_tools.SceneRefused: "
 
 
 @dataclass
-class Job:
+class ScriptJob:
     """A script that was given to the editor. ``started`` is a ``time.monotonic()`` value."""
 
     id: str
@@ -48,7 +48,7 @@ class Workbench:
         )
         self.solved: dict[str, Any] | None = None
         """The last solution of the planner."""
-        self.jobs: dict[str, Job] = {}
+        self.jobs: dict[str, ScriptJob] = {}
         self.levels: set[str] = {case.start_map}
         """Packages of the start level and of the levels that this run has saved."""
         self._pictures = 0
@@ -90,7 +90,7 @@ class Workbench:
             if not job.finished and self.read_job(job, wait_s=BUSY_WAIT_S)["status"] == "running":
                 raise ToolRefused(f"the editor is still busy with {job.id}", todo="wait for it with read_job_log")
 
-    def start_job(self, script: str, *, wait_s: float) -> Job:
+    def start_job(self, script: str, *, wait_s: float) -> ScriptJob:
         """Run a script in the editor's Python; it goes on in the background after ``wait_s``."""
         self.ran_script = True
         reply = self.engine.request(
@@ -98,12 +98,12 @@ class Workbench:
         )
         if "job_id" not in reply:
             raise ToolRefused(str(reply.get("error", "the editor did not take the script")))
-        job = Job(str(reply["job_id"]), time.monotonic())
+        job = ScriptJob(str(reply["job_id"]), time.monotonic())
         self.jobs[job.id] = job
         job.finished = reply["status"] != "running"
         return job
 
-    def read_job(self, job: Job, *, wait_s: float = 0.0, offset: int = 0) -> dict[str, Any]:
+    def read_job(self, job: ScriptJob, *, wait_s: float = 0.0, offset: int = 0) -> dict[str, Any]:
         """The state of a job. One that runs longer than ``JOB_LIMIT_S`` is abandoned."""
         reply = self.engine.request(
             "read_job_log", {"job_id": job.id, "wait_s": wait_s, "offset": offset}, timeout_s=wait_s + ENGINE_TIMEOUT_S

@@ -18,7 +18,7 @@ _STATUS = re.compile(r'"status": "(\w+)"')
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class ScriptAnswer:
     """A tool's answer as far as it was recorded."""
 
     job_id: str | None
@@ -33,24 +33,24 @@ class Answer:
         return self.status in ("done", "error") or (self.status == "running" and bool(self.text.strip()))
 
 
-def read_answer(line: Mapping[str, Any]) -> Answer:
+def read_answer(line: Mapping[str, Any]) -> ScriptAnswer:
     """The answer of a recorded call; one that was cut short is read as far as it goes."""
     recorded = str(line.get("result") or "")
     try:
         told = json.loads(recorded)
     except ValueError:
         job, status = _JOB.search(recorded), _STATUS.search(recorded)
-        return Answer(
+        return ScriptAnswer(
             json.loads(f'"{job[1]}"') if job else None,
             status[1] if status else None,
             recorded.replace("\\n", "\n").replace('\\"', '"'),
         )
     result = told.get("result") if isinstance(told, dict) else None
     if not isinstance(result, dict):
-        return Answer(None, None, "")
+        return ScriptAnswer(None, None, "")
     texts = [str(result[key]) for key in ("error", "output") if result.get(key)]
     job_id = result.get("job_id")
-    return Answer(str(job_id) if job_id is not None else None, result.get("status"), "\n".join(texts))
+    return ScriptAnswer(str(job_id) if job_id is not None else None, result.get("status"), "\n".join(texts))
 
 
 def error_families(text: str) -> list[str]:
@@ -66,7 +66,7 @@ class Feedback:
     errors: dict[str, None] = field(default_factory=dict)
     failed: bool = False
 
-    def add(self, answer: Answer) -> None:
+    def add(self, answer: ScriptAnswer) -> None:
         """Take in one answer that belongs to the submission."""
         self.observed |= answer.tells_of_execution
         self.failed |= answer.status == "error"

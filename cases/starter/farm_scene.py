@@ -5,7 +5,7 @@ The land is 100 x 80 m in cells of 10 m: column ``i`` (0 to 9) along X, row ``j`
 
 from __future__ import annotations
 
-from cases.model import Scene
+from cases.model import SourceScene
 from cases.starter.plot import STACK_GAP_CM, Plot, asset_paths
 from catalog.starter.farm import pack
 
@@ -24,7 +24,7 @@ def cell(i: int, j: int) -> tuple[float, float]:
     return -4500.0 + 1000 * i, -3500.0 + 1000 * j
 
 
-def build() -> Scene:
+def build() -> SourceScene:
     """The scene with its level."""
     p = Plot(SCENE_ID, PATHS, seed=23)
     _ground(p)
@@ -34,7 +34,7 @@ def build() -> Scene:
     _yard(p)
     _edges(p)
     p.daylight(-42.0, -118.0)
-    return Scene(SCENE_ID, "outdoor", "Small farm", p.level(), ("c4s-farm",))
+    return SourceScene(SCENE_ID, "outdoor", "Small farm", p.level(), ("c4s-farm",))
 
 
 def _ground(p: Plot) -> None:

@@ -5,7 +5,7 @@ X runs along the waterfront, the water lies at +Y. The quay's edge is y = 0, the
 
 from __future__ import annotations
 
-from cases.model import Scene
+from cases.model import SourceScene
 from cases.starter.plot import STACK_GAP_CM, Plot, asset_paths
 from catalog.starter.harbour import pack
 
@@ -30,7 +30,7 @@ EAST_ROW = ("Ochre", "Brick", "Cream", "", "Narrow", "DarkBrick", "Green", "Red"
 LANE_CM = 450.0
 
 
-def build() -> Scene:
+def build() -> SourceScene:
     """The scene with its level."""
     p = Plot(SCENE_ID, PATHS, seed=11)
     _ground(p)
@@ -44,7 +44,7 @@ def build() -> Scene:
     _boats(p)
     _mole(p)
     p.daylight(-46.0, -62.0)
-    return Scene(SCENE_ID, "outdoor", "Harbour street", p.level(), ("c4s-harbour",))
+    return SourceScene(SCENE_ID, "outdoor", "Harbour street", p.level(), ("c4s-harbour",))
 
 
 def _ground(p: Plot) -> None:

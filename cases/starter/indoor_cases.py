@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from cases.corruption import Author
-from cases.model import RepairCase, Scene, TextCase, View
+from cases.model import CaseView, RepairCase, SourceScene, TextCase
 from cases.starter import flat_scene, office_scene
 from cases.starter.indoor_text_cases import INDOOR_TEXT_CASES
 
 OFFICE_FOLDER, HOME_FOLDER = "C4SOffice", "C4SHome"
 
 
-def scenes() -> list[Scene]:
+def scenes() -> list[SourceScene]:
     """The office and the flat."""
     return [
-        Scene(office_scene.SCENE_ID, "indoor", "Open-plan office", office_scene.office_level(), ("c4s-office",)),
-        Scene(flat_scene.SCENE_ID, "indoor", "Furnished flat", flat_scene.flat_level(), ("c4s-home",)),
+        SourceScene(office_scene.SCENE_ID, "indoor", "Open-plan office", office_scene.office_level(), ("c4s-office",)),
+        SourceScene(flat_scene.SCENE_ID, "indoor", "Furnished flat", flat_scene.flat_level(), ("c4s-home",)),
     ]
 
 
-def cases(of: Sequence[Scene]) -> list[RepairCase | TextCase]:
+def cases(of: Sequence[SourceScene]) -> list[RepairCase | TextCase]:
     """All indoor cases; ``of`` are the scenes of ``scenes()``."""
     office, flat = of
     return [*INDOOR_TEXT_CASES, *office_cases(office), *flat_cases(flat)]
@@ -30,7 +30,7 @@ def _mesh(folder: str, category: str, name: str) -> str:
     return f"/Game/{folder}/{category}/SM_{name}.SM_{name}"
 
 
-def office_cases(scene: Scene) -> list[RepairCase]:
+def office_cases(scene: SourceScene) -> list[RepairCase]:
     """Repairs of the office: chains of one, two and four changes."""
     author = Author(scene.level, scene.scene_id)
     return [
@@ -42,8 +42,8 @@ def office_cases(scene: Scene) -> list[RepairCase]:
             "Restore",
             "easy",
             [
-                View("view-01", (-380, 180, 190), (-720, 450, 50), 75),
-                View("view-02", (-480, 340, 200), (-680, 540, 50), 80),
+                CaseView("view-01", (-380, 180, 190), (-720, 450, 50), 75),
+                CaseView("view-02", (-480, 340, 200), (-680, 540, 50), 80),
             ],
             "image-to-scene/indoor",
         ),
@@ -58,8 +58,8 @@ def office_cases(scene: Scene) -> list[RepairCase]:
             "Lifecycle",
             "medium",
             [
-                View("view-01", (-130, 250, 190), (-420, 400, 50), 70),
-                View("view-02", (-560, 240, 190), (-360, 430, 50), 75),
+                CaseView("view-01", (-130, 250, 190), (-420, 400, 50), 70),
+                CaseView("view-02", (-560, 240, 190), (-360, 430, 50), 75),
             ],
             "image-to-scene/indoor",
         ),
@@ -76,15 +76,15 @@ def office_cases(scene: Scene) -> list[RepairCase]:
             "Layout",
             "hard",
             [
-                View("view-01", (330, 230, 230), (650, 430, 60), 85),
-                View("view-02", (880, 225, 230), (520, 480, 50), 85),
+                CaseView("view-01", (330, 230, 230), (650, 430, 60), 85),
+                CaseView("view-02", (880, 225, 230), (520, 480, 50), 85),
             ],
             "image-to-scene/indoor",
         ),
     ]
 
 
-def flat_cases(scene: Scene) -> list[RepairCase]:
+def flat_cases(scene: SourceScene) -> list[RepairCase]:
     """Repairs of the flat: chains of one, three and five changes."""
     author = Author(scene.level, scene.scene_id)
     return [
@@ -95,7 +95,10 @@ def flat_cases(scene: Scene) -> list[RepairCase]:
             [author.mirror("Bathtub_01", "x")],
             "Symmetry",
             "easy",
-            [View("view-01", (184, 214, 225), (80, 365, 45), 90), View("view-02", (16, 212, 225), (125, 370, 45), 90)],
+            [
+                CaseView("view-01", (184, 214, 225), (80, 365, 45), 90),
+                CaseView("view-02", (16, 212, 225), (125, 370, 45), 90),
+            ],
             "image-to-scene/indoor",
         ),
         RepairCase(
@@ -110,8 +113,8 @@ def flat_cases(scene: Scene) -> list[RepairCase]:
             "Transform",
             "medium",
             [
-                View("view-01", (-560, -60, 190), (-150, -250, 50), 85),
-                View("view-02", (-40, 180, 210), (-260, -110, 30), 85),
+                CaseView("view-01", (-560, -60, 190), (-150, -250, 50), 85),
+                CaseView("view-02", (-40, 180, 210), (-260, -110, 30), 85),
             ],
             "image-to-scene/indoor",
         ),
@@ -129,8 +132,8 @@ def flat_cases(scene: Scene) -> list[RepairCase]:
             "Lifecycle",
             "hard",
             [
-                View("view-01", (590, -225, 215), (330, -200, 20), 95),
-                View("view-02", (320, -18, 215), (410, -330, 40), 85),
+                CaseView("view-01", (590, -225, 215), (330, -200, 20), 95),
+                CaseView("view-02", (320, -18, 215), (410, -330, 40), 85),
             ],
             "image-to-scene/indoor",
         ),

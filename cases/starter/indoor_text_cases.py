@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from cases.model import TextCase
-from cases.requirements import Entity, Predicate, Quantity, RequirementSpec
+from cases.requirements import EntitySpec, PredicateSpec, Quantity, RequirementSpec
 from cases.starter import flat_scene, office_scene
 
 OFFICE_TEXT = (
@@ -34,33 +34,33 @@ _EXACT: Final = "exact"
 
 OFFICE_REQUIREMENTS = RequirementSpec(
     entities=(
-        Entity("office", "An open-plan office", entity_type="region"),
-        Entity("walls", "Plain plaster walls", ("wall",), collection=True),
-        Entity("carpet", "grey carpet", ("floor",), entity_type="surface"),
-        Entity("desks", "oak desks", ("desk",), collection=True),
-        Entity("partitions", "low felt partitions", ("partition", "divider"), collection=True),
-        Entity("screens", "a monitor or a laptop", ("monitor", "laptop"), collection=True),
-        Entity("task chairs", "blue task chair", ("task chair",), collection=True),
-        Entity("meeting room", "glazed meeting room", ("glass partition",), entity_type="region"),
-        Entity("meeting table", "long walnut meeting table"),
-        Entity("meeting chairs", "seven teal chairs", ("conference chair",), collection=True),
-        Entity("whiteboard", "whiteboard"),
-        Entity("sofas", "two teal sofas", ("sofa",), collection=True),
-        Entity("rug", "striped rug"),
-        Entity("low table", "low table", ("side table",)),
-        Entity("plant", "tall plant"),
-        Entity("counter", "reception counter"),
-        Entity("door", "entrance door", ("door",)),
-        Entity("visitor chairs", "three orange chairs", ("visitor chair",), collection=True),
-        Entity("copier", "copier", ("printer",)),
-        Entity("filing cabinets", "filing cabinets", collection=True),
-        Entity("water cooler", "water cooler"),
-        Entity("coffee machine", "coffee machine"),
-        Entity("low cabinet", "low cabinet"),
+        EntitySpec("office", "An open-plan office", entity_type="region"),
+        EntitySpec("walls", "Plain plaster walls", ("wall",), collection=True),
+        EntitySpec("carpet", "grey carpet", ("floor",), entity_type="surface"),
+        EntitySpec("desks", "oak desks", ("desk",), collection=True),
+        EntitySpec("partitions", "low felt partitions", ("partition", "divider"), collection=True),
+        EntitySpec("screens", "a monitor or a laptop", ("monitor", "laptop"), collection=True),
+        EntitySpec("task chairs", "blue task chair", ("task chair",), collection=True),
+        EntitySpec("meeting room", "glazed meeting room", ("glass partition",), entity_type="region"),
+        EntitySpec("meeting table", "long walnut meeting table"),
+        EntitySpec("meeting chairs", "seven teal chairs", ("conference chair",), collection=True),
+        EntitySpec("whiteboard", "whiteboard"),
+        EntitySpec("sofas", "two teal sofas", ("sofa",), collection=True),
+        EntitySpec("rug", "striped rug"),
+        EntitySpec("low table", "low table", ("side table",)),
+        EntitySpec("plant", "tall plant"),
+        EntitySpec("counter", "reception counter"),
+        EntitySpec("door", "entrance door", ("door",)),
+        EntitySpec("visitor chairs", "three orange chairs", ("visitor chair",), collection=True),
+        EntitySpec("copier", "copier", ("printer",)),
+        EntitySpec("filing cabinets", "filing cabinets", collection=True),
+        EntitySpec("water cooler", "water cooler"),
+        EntitySpec("coffee machine", "coffee machine"),
+        EntitySpec("low cabinet", "low cabinet"),
     ),
     predicates=(
-        Predicate("scene_identity", "open-plan office", "An open-plan office on one floor", "office"),
-        Predicate(
+        PredicateSpec("scene_identity", "open-plan office", "An open-plan office on one floor", "office"),
+        PredicateSpec(
             "environment",
             "walls around carpet",
             "Plain plaster walls with large windows enclose a grey carpet",
@@ -68,12 +68,12 @@ OFFICE_REQUIREMENTS = RequirementSpec(
             "carpet",
             "encloses",
         ),
-        Predicate(
+        PredicateSpec(
             "quantity", "twenty desks", "About twenty oak desks", "desks", quantity=Quantity("approximately", 20)
         ),
-        Predicate("material", "oak desks", "oak desks", "desks", qualifiers=(("material", "oak"),)),
-        Predicate("distribution", "clusters of four", "stand in clusters of four", "desks"),
-        Predicate(
+        PredicateSpec("material", "oak desks", "oak desks", "desks", qualifiers=(("material", "oak"),)),
+        PredicateSpec("distribution", "clusters of four", "stand in clusters of four", "desks"),
+        PredicateSpec(
             "spatial_relation",
             "partitions between desks",
             "with low felt partitions between them",
@@ -81,26 +81,28 @@ OFFICE_REQUIREMENTS = RequirementSpec(
             "desks",
             "between",
         ),
-        Predicate(
+        PredicateSpec(
             "quantity",
             "screen at every desk",
             "every desk has a monitor or a laptop",
             "screens",
             quantity=Quantity("approximately", 20),
         ),
-        Predicate("attribute", "blue task chairs", "a blue task chair", "task chairs", qualifiers=(("color", "blue"),)),
-        Predicate("existence", "glazed meeting room", "a glazed meeting room", "meeting room"),
-        Predicate(
+        PredicateSpec(
+            "attribute", "blue task chairs", "a blue task chair", "task chairs", qualifiers=(("color", "blue"),)
+        ),
+        PredicateSpec("existence", "glazed meeting room", "a glazed meeting room", "meeting room"),
+        PredicateSpec(
             "material",
             "walnut meeting table",
             "a long walnut meeting table",
             "meeting table",
             qualifiers=(("material", "walnut"), ("shape", "long")),
         ),
-        Predicate(
+        PredicateSpec(
             "quantity", "seven chairs at the table", "seven teal chairs", "meeting chairs", quantity=Quantity(_EXACT, 7)
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "chairs around the table",
             "with seven teal chairs around it",
@@ -108,14 +110,16 @@ OFFICE_REQUIREMENTS = RequirementSpec(
             "meeting table",
             "around",
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation", "whiteboard on the wall", "a whiteboard hangs on its wall", "whiteboard", "walls", "on"
         ),
-        Predicate("quantity", "two sofas", "two teal sofas", "sofas", quantity=Quantity(_EXACT, 2)),
-        Predicate("spatial_relation", "sofas on the rug", "at right angles on a striped rug", "sofas", "rug", "around"),
-        Predicate("existence", "low table", "a low table between them", "low table"),
-        Predicate("existence", "tall plant", "a tall plant", "plant"),
-        Predicate(
+        PredicateSpec("quantity", "two sofas", "two teal sofas", "sofas", quantity=Quantity(_EXACT, 2)),
+        PredicateSpec(
+            "spatial_relation", "sofas on the rug", "at right angles on a striped rug", "sofas", "rug", "around"
+        ),
+        PredicateSpec("existence", "low table", "a low table between them", "low table"),
+        PredicateSpec("existence", "tall plant", "a tall plant", "plant"),
+        PredicateSpec(
             "spatial_relation",
             "counter near the door",
             "Near the entrance door a reception counter",
@@ -123,15 +127,15 @@ OFFICE_REQUIREMENTS = RequirementSpec(
             "door",
             "near",
         ),
-        Predicate(
+        PredicateSpec(
             "quantity",
             "three visitor chairs",
             "three orange chairs",
             "visitor chairs",
             quantity=Quantity("at_least", 3),
         ),
-        Predicate("existence", "copier and cabinets", "A copier and filing cabinets", "copier", "filing cabinets"),
-        Predicate(
+        PredicateSpec("existence", "copier and cabinets", "A copier and filing cabinets", "copier", "filing cabinets"),
+        PredicateSpec(
             "spatial_relation",
             "water cooler next to the cabinet",
             "a water cooler stands next to a low cabinet",
@@ -139,88 +143,88 @@ OFFICE_REQUIREMENTS = RequirementSpec(
             "low cabinet",
             "next_to",
         ),
-        Predicate("existence", "coffee machine", "a coffee machine", "coffee machine"),
+        PredicateSpec("existence", "coffee machine", "a coffee machine", "coffee machine"),
     ),
 )
 
 FLAT_REQUIREMENTS = RequirementSpec(
     entities=(
-        Entity("flat", "A furnished flat", entity_type="region"),
-        Entity("walls", "White walls", ("wall",), collection=True),
-        Entity("floors", "parquet", ("floor",), entity_type="surface"),
-        Entity("kitchen tiles", "chequered tiles", ("floor kitchen",), entity_type="surface"),
-        Entity("counters", "sage green counters", ("counter",), collection=True),
-        Entity("sink", "a sink"),
-        Entity("stove", "a stove"),
-        Entity("fridge", "a fridge"),
-        Entity("dining table", "oak dining table"),
-        Entity("dining chairs", "four chairs", ("dining chair",), collection=True),
-        Entity("fruit bowl", "bowl of fruit"),
-        Entity("sofa", "grey sofa"),
-        Entity("television", "television", ("tv",)),
-        Entity("bench", "low bench", ("media bench",)),
-        Entity("coffee table", "walnut coffee table"),
-        Entity("red rug", "red patterned rug", ("persian rug",)),
-        Entity("armchair", "mustard armchair"),
-        Entity("double bed", "double bed"),
-        Entity("bedside tables", "two bedside tables", ("bedside table", "bedside set"), collection=True),
-        Entity("wardrobe", "large wardrobe"),
-        Entity("child bed", "small bed"),
-        Entity("writing desk", "writing desk"),
-        Entity("globe", "globe"),
-        Entity("toys", "toys", ("teddy bear", "toy train", "toy blocks"), collection=True),
-        Entity("blue rug", "blue rug"),
-        Entity("bathtub", "a bathtub"),
-        Entity("toilet", "a toilet"),
-        Entity("washbasin", "a washbasin"),
-        Entity("curtains", "curtains", ("curtain",), collection=True),
+        EntitySpec("flat", "A furnished flat", entity_type="region"),
+        EntitySpec("walls", "White walls", ("wall",), collection=True),
+        EntitySpec("floors", "parquet", ("floor",), entity_type="surface"),
+        EntitySpec("kitchen tiles", "chequered tiles", ("floor kitchen",), entity_type="surface"),
+        EntitySpec("counters", "sage green counters", ("counter",), collection=True),
+        EntitySpec("sink", "a sink"),
+        EntitySpec("stove", "a stove"),
+        EntitySpec("fridge", "a fridge"),
+        EntitySpec("dining table", "oak dining table"),
+        EntitySpec("dining chairs", "four chairs", ("dining chair",), collection=True),
+        EntitySpec("fruit bowl", "bowl of fruit"),
+        EntitySpec("sofa", "grey sofa"),
+        EntitySpec("television", "television", ("tv",)),
+        EntitySpec("bench", "low bench", ("media bench",)),
+        EntitySpec("coffee table", "walnut coffee table"),
+        EntitySpec("red rug", "red patterned rug", ("persian rug",)),
+        EntitySpec("armchair", "mustard armchair"),
+        EntitySpec("double bed", "double bed"),
+        EntitySpec("bedside tables", "two bedside tables", ("bedside table", "bedside set"), collection=True),
+        EntitySpec("wardrobe", "large wardrobe"),
+        EntitySpec("child bed", "small bed"),
+        EntitySpec("writing desk", "writing desk"),
+        EntitySpec("globe", "globe"),
+        EntitySpec("toys", "toys", ("teddy bear", "toy train", "toy blocks"), collection=True),
+        EntitySpec("blue rug", "blue rug"),
+        EntitySpec("bathtub", "a bathtub"),
+        EntitySpec("toilet", "a toilet"),
+        EntitySpec("washbasin", "a washbasin"),
+        EntitySpec("curtains", "curtains", ("curtain",), collection=True),
     ),
     predicates=(
-        Predicate("scene_identity", "furnished flat", "A furnished flat for a family", "flat"),
-        Predicate(
+        PredicateSpec("scene_identity", "furnished flat", "A furnished flat for a family", "flat"),
+        PredicateSpec(
             "composition",
             "rooms divided by walls",
             "White walls divide it into a large living room, a hall, a small bathroom, a bedroom and a child's room",
             "walls",
         ),
-        Predicate(
+        PredicateSpec(
             "material", "parquet floors", "The floors are parquet", "floors", qualifiers=(("material", "parquet"),)
         ),
-        Predicate(
+        PredicateSpec(
             "attribute",
             "chequered kitchen tiles",
             "chequered tiles in the kitchen corner",
             "kitchen tiles",
             qualifiers=(("style", "chequered"),),
         ),
-        Predicate(
+        PredicateSpec(
             "attribute", "sage green counters", "sage green counters", "counters", qualifiers=(("color", "sage green"),)
         ),
-        Predicate(
+        PredicateSpec(
             "distribution", "kitchen in one row", "stand in one row along the wall", "counters", "walls", "along"
         ),
-        Predicate("existence", "sink", "a sink", "sink"),
-        Predicate("existence", "stove", "a stove", "stove"),
-        Predicate("existence", "fridge", "a fridge", "fridge"),
-        Predicate(
+        PredicateSpec("existence", "sink", "a sink", "sink"),
+        PredicateSpec("existence", "stove", "a stove", "stove"),
+        PredicateSpec("existence", "fridge", "a fridge", "fridge"),
+        PredicateSpec(
             "quantity",
             "four dining chairs",
             "An oak dining table with four chairs",
             "dining chairs",
             quantity=Quantity("at_least", 4),
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation", "fruit on the table", "with a bowl of fruit on it", "fruit bowl", "dining table", "on"
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation", "sofa faces television", "A grey sofa faces a television", "sofa", "television", "faces"
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation", "television on bench", "a television on a low bench", "television", "bench", "on"
         ),
-        Predicate("existence", "coffee table", "a walnut coffee table", "coffee table"),
-        Predicate("attribute", "red rug", "a red patterned rug", "red rug", qualifiers=(("color", "red"),)),
-        Predicate(
+        PredicateSpec("existence", "coffee table", "a walnut coffee table", "coffee table"),
+        PredicateSpec("attribute", "red rug", "a red patterned rug", "red rug", qualifiers=(("color", "red"),)),
+        PredicateSpec(
             "spatial_relation",
             "armchair beside the rug",
             "a mustard armchair stands beside the rug",
@@ -228,7 +232,7 @@ FLAT_REQUIREMENTS = RequirementSpec(
             "red rug",
             "beside",
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "bed between bedside tables",
             "a double bed between two bedside tables",
@@ -236,23 +240,23 @@ FLAT_REQUIREMENTS = RequirementSpec(
             "bedside tables",
             "between",
         ),
-        Predicate(
+        PredicateSpec(
             "quantity",
             "two bedside tables",
             "two bedside tables with lamps",
             "bedside tables",
             quantity=Quantity(_EXACT, 2),
         ),
-        Predicate("existence", "wardrobe", "a large wardrobe", "wardrobe"),
-        Predicate("existence", "child bed", "a small bed", "child bed"),
-        Predicate(
+        PredicateSpec("existence", "wardrobe", "a large wardrobe", "wardrobe"),
+        PredicateSpec("existence", "child bed", "a small bed", "child bed"),
+        PredicateSpec(
             "spatial_relation", "globe on the desk", "a writing desk with a globe", "globe", "writing desk", "on"
         ),
-        Predicate("spatial_relation", "toys on the rug", "toys on a blue rug", "toys", "blue rug", "on"),
-        Predicate("existence", "bathtub", "a bathtub", "bathtub"),
-        Predicate("existence", "toilet", "a toilet", "toilet"),
-        Predicate("existence", "washbasin", "a washbasin", "washbasin"),
-        Predicate("existence", "curtains", "Rust-coloured curtains hang at the windows", "curtains"),
+        PredicateSpec("spatial_relation", "toys on the rug", "toys on a blue rug", "toys", "blue rug", "on"),
+        PredicateSpec("existence", "bathtub", "a bathtub", "bathtub"),
+        PredicateSpec("existence", "toilet", "a toilet", "toilet"),
+        PredicateSpec("existence", "washbasin", "a washbasin", "washbasin"),
+        PredicateSpec("existence", "curtains", "Rust-coloured curtains hang at the windows", "curtains"),
     ),
 )
 

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from cases.corruption import Author
-from cases.model import RepairCase, Scene, TextCase, View
+from cases.model import CaseView, RepairCase, SourceScene, TextCase
 from cases.starter import farm_scene, harbour_scene
 from cases.starter.outdoor_texts import farm_text, harbour_text
 
 HARBOUR, FARM = harbour_scene.PATHS, farm_scene.PATHS
 
 
-def scenes() -> list[Scene]:
+def scenes() -> list[SourceScene]:
     """Both outdoor scenes."""
     return [harbour_scene.build(), farm_scene.build()]
 
 
-def cases(known: list[Scene]) -> list[RepairCase | TextCase]:
+def cases(known: list[SourceScene]) -> list[RepairCase | TextCase]:
     """All outdoor cases; ``known`` are the scenes that ``scenes`` built."""
     levels = {scene.scene_id: scene.level for scene in known}
     harbour = Author(levels[harbour_scene.SCENE_ID], harbour_scene.SCENE_ID)
@@ -23,8 +23,8 @@ def cases(known: list[Scene]) -> list[RepairCase | TextCase]:
     return [*_harbour_repairs(harbour), *_farm_repairs(farm), harbour_text(), farm_text()]
 
 
-def _view(location: tuple[float, float, float], target: tuple[float, float, float], fov_deg: float = 60.0) -> View:
-    return View("reference", location, target, fov_deg, 1600, 900)
+def _view(location: tuple[float, float, float], target: tuple[float, float, float], fov_deg: float = 60.0) -> CaseView:
+    return CaseView("reference", location, target, fov_deg, 1600, 900)
 
 
 def _harbour_repairs(a: Author) -> list[RepairCase]:

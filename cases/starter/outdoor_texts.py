@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cases.model import TextCase
-from cases.requirements import Entity, Predicate, Quantity, RequirementSpec
+from cases.requirements import EntitySpec, PredicateSpec, Quantity, RequirementSpec
 from cases.starter import farm_scene, harbour_scene
 
 HARBOUR, FARM = harbour_scene.PATHS, farm_scene.PATHS
@@ -26,42 +26,44 @@ HARBOUR_TEXT = (
 def harbour_text() -> TextCase:
     """The harbour as a text."""
     entities = (
-        Entity("harbour street", "harbour street", ("harbour", "waterfront", "port"), "region"),
-        Entity("quay", "stone quay", ("quay wall", "embankment"), "object", True),
-        Entity("water", "blue water", ("water tile", "sea", "harbour basin"), "surface", True),
-        Entity("promenade", "cobbled promenade", ("cobble tile", "cobblestone"), "surface", True),
-        Entity("road", "asphalt road", ("road tile", "street", "crossing tile"), "surface", True),
-        Entity("pavement", "pavement of pale stone", ("paving tile", "sidewalk"), "surface", True),
-        Entity("townhouses", "attached townhouses", ("townhouse", "house", "building"), collection=True),
-        Entity("canal", "narrow canal", ("water tile", "canal water"), "region"),
-        Entity("bridges", "stone bridges", ("bridge", "stone bridge"), collection=True),
-        Entity("market stalls", "market stalls", ("stall", "market stall"), collection=True),
-        Entity("cafe tables", "cafe tables", ("cafe table", "table"), collection=True),
-        Entity("parasols", "parasols", ("parasol", "umbrella"), collection=True),
-        Entity("kiosk", "green kiosk", ("kiosk", "hut")),
-        Entity("crane", "yellow crane", ("harbour crane", "crane")),
-        Entity("containers", "shipping containers", ("cargo container", "container"), collection=True),
-        Entity("warehouse", "brick warehouse", ("warehouse",)),
-        Entity("fishing boats", "fishing boats", ("fishing boat", "trawler"), collection=True),
-        Entity("sailing boats", "sailing boats", ("sailing boat", "yacht"), collection=True),
-        Entity("jetty", "wooden jetty", ("jetty planks", "pier"), collection=True),
-        Entity("lighthouse", "lighthouse", ("lighthouse",)),
-        Entity("street lamps", "street lamps", ("street lamp", "lantern"), collection=True),
-        Entity("benches", "benches", ("bench",), collection=True),
-        Entity("trees", "leafy trees", ("street tree", "tree"), collection=True),
-        Entity("bollards", "iron bollards", ("bollard",), collection=True),
-        Entity("cars", "parked cars", ("car", "van", "vehicle"), collection=True),
-        Entity("barrels", "barrels", ("barrel",), collection=True),
-        Entity("crates", "crates", ("wooden crate", "crate"), collection=True),
-        Entity("nets", "nets", ("net pile", "fishing net"), collection=True),
+        EntitySpec("harbour street", "harbour street", ("harbour", "waterfront", "port"), "region"),
+        EntitySpec("quay", "stone quay", ("quay wall", "embankment"), "object", True),
+        EntitySpec("water", "blue water", ("water tile", "sea", "harbour basin"), "surface", True),
+        EntitySpec("promenade", "cobbled promenade", ("cobble tile", "cobblestone"), "surface", True),
+        EntitySpec("road", "asphalt road", ("road tile", "street", "crossing tile"), "surface", True),
+        EntitySpec("pavement", "pavement of pale stone", ("paving tile", "sidewalk"), "surface", True),
+        EntitySpec("townhouses", "attached townhouses", ("townhouse", "house", "building"), collection=True),
+        EntitySpec("canal", "narrow canal", ("water tile", "canal water"), "region"),
+        EntitySpec("bridges", "stone bridges", ("bridge", "stone bridge"), collection=True),
+        EntitySpec("market stalls", "market stalls", ("stall", "market stall"), collection=True),
+        EntitySpec("cafe tables", "cafe tables", ("cafe table", "table"), collection=True),
+        EntitySpec("parasols", "parasols", ("parasol", "umbrella"), collection=True),
+        EntitySpec("kiosk", "green kiosk", ("kiosk", "hut")),
+        EntitySpec("crane", "yellow crane", ("harbour crane", "crane")),
+        EntitySpec("containers", "shipping containers", ("cargo container", "container"), collection=True),
+        EntitySpec("warehouse", "brick warehouse", ("warehouse",)),
+        EntitySpec("fishing boats", "fishing boats", ("fishing boat", "trawler"), collection=True),
+        EntitySpec("sailing boats", "sailing boats", ("sailing boat", "yacht"), collection=True),
+        EntitySpec("jetty", "wooden jetty", ("jetty planks", "pier"), collection=True),
+        EntitySpec("lighthouse", "lighthouse", ("lighthouse",)),
+        EntitySpec("street lamps", "street lamps", ("street lamp", "lantern"), collection=True),
+        EntitySpec("benches", "benches", ("bench",), collection=True),
+        EntitySpec("trees", "leafy trees", ("street tree", "tree"), collection=True),
+        EntitySpec("bollards", "iron bollards", ("bollard",), collection=True),
+        EntitySpec("cars", "parked cars", ("car", "van", "vehicle"), collection=True),
+        EntitySpec("barrels", "barrels", ("barrel",), collection=True),
+        EntitySpec("crates", "crates", ("wooden crate", "crate"), collection=True),
+        EntitySpec("nets", "nets", ("net pile", "fishing net"), collection=True),
     )
     has = _existence
     predicates = (
-        Predicate("scene_identity", "scene is a northern harbour street", "northern harbour street", "harbour street"),
-        Predicate(
+        PredicateSpec(
+            "scene_identity", "scene is a northern harbour street", "northern harbour street", "harbour street"
+        ),
+        PredicateSpec(
             "environment", "clear day", "on a clear day", "harbour street", qualifiers=(("lighting", "clear day"),)
         ),
-        Predicate(
+        PredicateSpec(
             "environment",
             "harbour is colourful",
             "colourful",
@@ -73,35 +75,35 @@ def harbour_text() -> TextCase:
         has("broad cobbled promenade", "promenade"),
         has("asphalt road", "road"),
         has("pavement of pale stone", "pavement"),
-        Predicate(
+        PredicateSpec(
             "quantity",
             "roughly seventeen townhouses",
             "roughly seventeen attached townhouses",
             "townhouses",
             quantity=Quantity("approximately", 17),
         ),
-        Predicate(
+        PredicateSpec(
             "attribute",
             "townhouses are red and cream",
             "red and cream plaster",
             "townhouses",
             qualifiers=(("color", "red"), ("color", "cream")),
         ),
-        Predicate(
+        PredicateSpec(
             "material",
             "townhouses of plaster and brick",
             "plaster and dark brick",
             "townhouses",
             qualifiers=(("material", "plaster"), ("material", "brick")),
         ),
-        Predicate(
+        PredicateSpec(
             "material",
             "roofs of slate and tile",
             "slate and tiled roofs",
             "townhouses",
             qualifiers=(("material", "slate"), ("material", "tiled")),
         ),
-        Predicate(
+        PredicateSpec(
             "distribution",
             "townhouses form one row",
             "in one continuous row",
@@ -109,7 +111,7 @@ def harbour_text() -> TextCase:
             relation="in_row",
             qualifiers=(("layout", "row"),),
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "townhouses behind the pavement",
             "Behind the pavement stand roughly seventeen attached townhouses",
@@ -118,8 +120,8 @@ def harbour_text() -> TextCase:
             "behind",
         ),
         has("narrow canal", "canal"),
-        Predicate("quantity", "two bridges", "two stone bridges", "bridges", quantity=Quantity("exact", 2)),
-        Predicate(
+        PredicateSpec("quantity", "two bridges", "two stone bridges", "bridges", quantity=Quantity("exact", 2)),
+        PredicateSpec(
             "spatial_relation",
             "bridges cross the canal",
             "is crossed by two stone bridges",
@@ -127,17 +129,17 @@ def harbour_text() -> TextCase:
             "canal",
             "across",
         ),
-        Predicate(
+        PredicateSpec(
             "quantity", "seven market stalls", "seven market stalls", "market stalls", quantity=Quantity("exact", 7)
         ),
-        Predicate(
+        PredicateSpec(
             "attribute",
             "awnings are striped",
             "striped awnings",
             "market stalls",
             qualifiers=(("attribute", "striped"),),
         ),
-        Predicate(
+        PredicateSpec(
             "distribution",
             "stalls in a line",
             "stand in a line facing the water",
@@ -145,7 +147,7 @@ def harbour_text() -> TextCase:
             relation="in_line",
             qualifiers=(("layout", "line"),),
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "stalls on the promenade",
             "On the promenade seven market stalls",
@@ -155,20 +157,20 @@ def harbour_text() -> TextCase:
         ),
         has("cafe tables", "cafe tables"),
         has("parasols", "parasols"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation", "cafe next to the kiosk", "next to a green kiosk", "cafe tables", "kiosk", "near"
         ),
-        Predicate("attribute", "kiosk is green", "green kiosk", "kiosk", qualifiers=(("color", "green"),)),
+        PredicateSpec("attribute", "kiosk is green", "green kiosk", "kiosk", qualifiers=(("color", "green"),)),
         has("tall yellow crane", "crane"),
-        Predicate("attribute", "crane is yellow", "yellow crane", "crane", qualifiers=(("color", "yellow"),)),
+        PredicateSpec("attribute", "crane is yellow", "yellow crane", "crane", qualifiers=(("color", "yellow"),)),
         has("stacked shipping containers", "containers"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation", "crane beside the warehouse", "beside a brick warehouse", "crane", "warehouse", "beside"
         ),
-        Predicate(
+        PredicateSpec(
             "material", "warehouse of brick", "brick warehouse", "warehouse", qualifiers=(("material", "brick"),)
         ),
-        Predicate(
+        PredicateSpec(
             "quantity",
             "several fishing boats",
             "Several fishing boats",
@@ -176,14 +178,14 @@ def harbour_text() -> TextCase:
             quantity=Quantity("qualitative", qualitative="several"),
         ),
         has("sailing boats", "sailing boats"),
-        Predicate("spatial_relation", "boats on the water", "float on the water", "fishing boats", "water", "on"),
-        Predicate("spatial_relation", "boats along the quay", "along the quay", "fishing boats", "quay", "along"),
+        PredicateSpec("spatial_relation", "boats on the water", "float on the water", "fishing boats", "water", "on"),
+        PredicateSpec("spatial_relation", "boats along the quay", "along the quay", "fishing boats", "quay", "along"),
         has("wooden jetty", "jetty"),
-        Predicate("material", "jetty of wood", "wooden jetty", "jetty", qualifiers=(("material", "wooden"),)),
-        Predicate(
+        PredicateSpec("material", "jetty of wood", "wooden jetty", "jetty", qualifiers=(("material", "wooden"),)),
+        PredicateSpec(
             "quantity", "one lighthouse", "A red and white lighthouse", "lighthouse", quantity=Quantity("exact", 1)
         ),
-        Predicate(
+        PredicateSpec(
             "attribute",
             "lighthouse is red and white",
             "red and white",
@@ -192,7 +194,7 @@ def harbour_text() -> TextCase:
         ),
         has("street lamps", "street lamps"),
         has("benches", "benches"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "lamps along the promenade",
             "street lamps and benches along the promenade",
@@ -201,7 +203,7 @@ def harbour_text() -> TextCase:
             "along",
         ),
         has("leafy trees", "trees"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "trees between the lamps",
             "leafy trees between the lamps",
@@ -209,7 +211,7 @@ def harbour_text() -> TextCase:
             "street lamps",
             "between",
         ),
-        Predicate(
+        PredicateSpec(
             "distribution",
             "bollards at regular intervals",
             "iron bollards at regular intervals",
@@ -217,15 +219,15 @@ def harbour_text() -> TextCase:
             relation="regular",
             qualifiers=(("layout", "regular intervals"),),
         ),
-        Predicate("spatial_relation", "bollards along the edge", "along the edge", "bollards", "quay", "along"),
-        Predicate(
+        PredicateSpec("spatial_relation", "bollards along the edge", "along the edge", "bollards", "quay", "along"),
+        PredicateSpec(
             "quantity", "a few cars", "a few parked cars", "cars", quantity=Quantity("qualitative", qualitative="few")
         ),
-        Predicate("spatial_relation", "cars on the road", "on the road", "cars", "road", "on"),
+        PredicateSpec("spatial_relation", "cars on the road", "on the road", "cars", "road", "on"),
         has("barrels", "barrels"),
         has("crates", "crates"),
         has("nets", "nets"),
-        Predicate(
+        PredicateSpec(
             "composition",
             "dense quayside, open road",
             "Keep the quayside dense with barrels, crates and nets, but leave the road itself open",
@@ -264,43 +266,43 @@ FARM_TEXT = (
 def farm_text() -> TextCase:
     """The farm as a text."""
     entities = (
-        Entity("farm", "small sunny farm", ("farm", "farmstead"), "region"),
-        Entity("yard", "yard of trodden earth", ("earth ground", "courtyard"), "surface", True),
-        Entity("well", "stone well", ("well",)),
-        Entity("farmhouse", "farmhouse", ("farmhouse", "house")),
-        Entity("barn", "red barn", ("barn",)),
-        Entity("silos", "steel silos", ("silo",), collection=True),
-        Entity("windmill", "stone windmill", ("windmill", "mill")),
-        Entity("track", "gravel track", ("gravel path", "path"), "surface", True),
-        Entity("fields", "ploughed fields", ("field tile", "soil"), "surface", True),
-        Entity("corn", "corn", ("corn row", "maize"), collection=True),
-        Entity("cabbages", "cabbages", ("cabbage row", "cabbage"), collection=True),
-        Entity("pumpkins", "pumpkins", ("pumpkin row", "pumpkin"), collection=True),
-        Entity("wheat", "golden wheat", ("wheat patch", "grain"), collection=True),
-        Entity("scarecrow", "scarecrow", ("scarecrow",)),
-        Entity("fence", "wooden fence", ("wood fence", "fence"), collection=True),
-        Entity("pasture", "green pasture", ("grass tile", "meadow"), "surface", True),
-        Entity("cows", "cows", ("cow", "cattle"), collection=True),
-        Entity("sheep", "sheep", ("sheep",), collection=True),
-        Entity("horses", "horses", ("horse",), collection=True),
-        Entity("trough", "wooden water trough", ("water trough", "trough")),
-        Entity("apple trees", "apple trees", ("apple tree", "fruit tree"), collection=True),
-        Entity("pond", "pond", ("pond tile",)),
-        Entity("boulders", "boulders", ("boulder", "rock"), collection=True),
-        Entity("bushes", "bushes", ("bush", "shrub"), collection=True),
-        Entity("tractor", "red tractor", ("tractor red", "tractor")),
-        Entity("hay cart", "hay cart", ("hay cart", "cart")),
-        Entity("pigs", "pigs", ("pig",), collection=True),
-        Entity("hens", "white hens", ("hen", "chicken"), collection=True),
-        Entity("coop", "chicken coop", ("chicken coop", "hen house")),
-        Entity("hay bales", "hay bales", ("hay bale", "bale"), collection=True),
-        Entity("shed", "tool shed", ("tool shed", "shed")),
-        Entity("poplars", "tall poplars", ("poplar",), collection=True),
+        EntitySpec("farm", "small sunny farm", ("farm", "farmstead"), "region"),
+        EntitySpec("yard", "yard of trodden earth", ("earth ground", "courtyard"), "surface", True),
+        EntitySpec("well", "stone well", ("well",)),
+        EntitySpec("farmhouse", "farmhouse", ("farmhouse", "house")),
+        EntitySpec("barn", "red barn", ("barn",)),
+        EntitySpec("silos", "steel silos", ("silo",), collection=True),
+        EntitySpec("windmill", "stone windmill", ("windmill", "mill")),
+        EntitySpec("track", "gravel track", ("gravel path", "path"), "surface", True),
+        EntitySpec("fields", "ploughed fields", ("field tile", "soil"), "surface", True),
+        EntitySpec("corn", "corn", ("corn row", "maize"), collection=True),
+        EntitySpec("cabbages", "cabbages", ("cabbage row", "cabbage"), collection=True),
+        EntitySpec("pumpkins", "pumpkins", ("pumpkin row", "pumpkin"), collection=True),
+        EntitySpec("wheat", "golden wheat", ("wheat patch", "grain"), collection=True),
+        EntitySpec("scarecrow", "scarecrow", ("scarecrow",)),
+        EntitySpec("fence", "wooden fence", ("wood fence", "fence"), collection=True),
+        EntitySpec("pasture", "green pasture", ("grass tile", "meadow"), "surface", True),
+        EntitySpec("cows", "cows", ("cow", "cattle"), collection=True),
+        EntitySpec("sheep", "sheep", ("sheep",), collection=True),
+        EntitySpec("horses", "horses", ("horse",), collection=True),
+        EntitySpec("trough", "wooden water trough", ("water trough", "trough")),
+        EntitySpec("apple trees", "apple trees", ("apple tree", "fruit tree"), collection=True),
+        EntitySpec("pond", "pond", ("pond tile",)),
+        EntitySpec("boulders", "boulders", ("boulder", "rock"), collection=True),
+        EntitySpec("bushes", "bushes", ("bush", "shrub"), collection=True),
+        EntitySpec("tractor", "red tractor", ("tractor red", "tractor")),
+        EntitySpec("hay cart", "hay cart", ("hay cart", "cart")),
+        EntitySpec("pigs", "pigs", ("pig",), collection=True),
+        EntitySpec("hens", "white hens", ("hen", "chicken"), collection=True),
+        EntitySpec("coop", "chicken coop", ("chicken coop", "hen house")),
+        EntitySpec("hay bales", "hay bales", ("hay bale", "bale"), collection=True),
+        EntitySpec("shed", "tool shed", ("tool shed", "shed")),
+        EntitySpec("poplars", "tall poplars", ("poplar",), collection=True),
     )
     has = _existence
     predicates = (
-        Predicate("scene_identity", "scene is a small farm", "small sunny farm", "farm"),
-        Predicate(
+        PredicateSpec("scene_identity", "scene is a small farm", "small sunny farm", "farm"),
+        PredicateSpec(
             "environment",
             "late summer sun",
             "sunny farm seen in late summer",
@@ -308,25 +310,25 @@ def farm_text() -> TextCase:
             qualifiers=(("lighting", "sunny"), ("atmosphere", "late summer")),
         ),
         has("yard of trodden earth", "yard"),
-        Predicate("quantity", "one well", "a round stone well", "well", quantity=Quantity("exact", 1)),
-        Predicate("material", "well of stone", "stone well", "well", qualifiers=(("material", "stone"),)),
-        Predicate("spatial_relation", "well in the middle of the yard", "in the middle", "well", "yard", "in"),
+        PredicateSpec("quantity", "one well", "a round stone well", "well", quantity=Quantity("exact", 1)),
+        PredicateSpec("material", "well of stone", "stone well", "well", qualifiers=(("material", "stone"),)),
+        PredicateSpec("spatial_relation", "well in the middle of the yard", "in the middle", "well", "yard", "in"),
         has("white two-storey farmhouse", "farmhouse"),
-        Predicate(
+        PredicateSpec(
             "attribute",
             "farmhouse is white",
             "white two-storey farmhouse",
             "farmhouse",
             qualifiers=(("color", "white"),),
         ),
-        Predicate(
+        PredicateSpec(
             "material",
             "farmhouse roof is tiled",
             "red tiled roof",
             "farmhouse",
             qualifiers=(("color", "red"), ("material", "tiled")),
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "farmhouse north of the yard",
             "on the north side of the yard",
@@ -335,20 +337,22 @@ def farm_text() -> TextCase:
             "north_of",
         ),
         has("large red barn", "barn"),
-        Predicate("attribute", "barn is red", "red barn", "barn", qualifiers=(("color", "red"),)),
-        Predicate("spatial_relation", "barn east of the yard", "red barn on the east side", "barn", "yard", "east_of"),
-        Predicate("quantity", "two silos", "Two steel silos", "silos", quantity=Quantity("exact", 2)),
-        Predicate("material", "silos of steel", "steel silos", "silos", qualifiers=(("material", "steel"),)),
+        PredicateSpec("attribute", "barn is red", "red barn", "barn", qualifiers=(("color", "red"),)),
+        PredicateSpec(
+            "spatial_relation", "barn east of the yard", "red barn on the east side", "barn", "yard", "east_of"
+        ),
+        PredicateSpec("quantity", "two silos", "Two steel silos", "silos", quantity=Quantity("exact", 2)),
+        PredicateSpec("material", "silos of steel", "steel silos", "silos", qualifiers=(("material", "steel"),)),
         has("stone windmill", "windmill"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation", "silos and windmill behind the barn", "rise behind the barn", "silos", "barn", "behind"
         ),
         has("gravel track", "track"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation", "track south of the yard", "passes south of the yard", "track", "yard", "south_of"
         ),
         has("ploughed fields", "fields"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "fields west of the farmhouse",
             "West of the farmhouse lie ploughed fields",
@@ -356,7 +360,7 @@ def farm_text() -> TextCase:
             "farmhouse",
             "west_of",
         ),
-        Predicate(
+        PredicateSpec(
             "distribution",
             "crops in straight rows",
             "long straight rows of corn, cabbages and pumpkins",
@@ -368,9 +372,9 @@ def farm_text() -> TextCase:
         has("cabbages", "cabbages"),
         has("pumpkins", "pumpkins"),
         has("patches of golden wheat", "wheat"),
-        Predicate("attribute", "wheat is golden", "golden wheat", "wheat", qualifiers=(("color", "golden"),)),
+        PredicateSpec("attribute", "wheat is golden", "golden wheat", "wheat", qualifiers=(("color", "golden"),)),
         has("scarecrow", "scarecrow"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "fence encloses the pasture",
             "a wooden fence encloses a green pasture",
@@ -378,21 +382,21 @@ def farm_text() -> TextCase:
             "pasture",
             "encloses",
         ),
-        Predicate("attribute", "pasture is green", "green pasture", "pasture", qualifiers=(("color", "green"),)),
-        Predicate("quantity", "four cows", "four cows", "cows", quantity=Quantity("exact", 4)),
-        Predicate(
+        PredicateSpec("attribute", "pasture is green", "green pasture", "pasture", qualifiers=(("color", "green"),)),
+        PredicateSpec("quantity", "four cows", "four cows", "cows", quantity=Quantity("exact", 4)),
+        PredicateSpec(
             "quantity",
             "several sheep",
             "several sheep",
             "sheep",
             quantity=Quantity("qualitative", qualitative="several"),
         ),
-        Predicate("quantity", "two horses", "two horses", "horses", quantity=Quantity("exact", 2)),
-        Predicate(
+        PredicateSpec("quantity", "two horses", "two horses", "horses", quantity=Quantity("exact", 2)),
+        PredicateSpec(
             "spatial_relation", "animals around the trough", "around a wooden water trough", "sheep", "trough", "around"
         ),
         has("apple trees", "apple trees"),
-        Predicate(
+        PredicateSpec(
             "distribution",
             "orchard is a grid",
             "A regular grid of apple trees",
@@ -400,7 +404,7 @@ def farm_text() -> TextCase:
             relation="grid",
             qualifiers=(("layout", "regular grid"),),
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "orchard east of the pasture",
             "to the east of the pasture",
@@ -409,7 +413,7 @@ def farm_text() -> TextCase:
             "east_of",
         ),
         has("pond", "pond"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "boulders at the pond",
             "a pond with boulders and bushes on its bank",
@@ -417,12 +421,12 @@ def farm_text() -> TextCase:
             "pond",
             "near",
         ),
-        Predicate("attribute", "tractor is red", "red tractor", "tractor", qualifiers=(("color", "red"),)),
-        Predicate("spatial_relation", "tractor in the yard", "a red tractor in the yard", "tractor", "yard", "in"),
-        Predicate("spatial_relation", "cart on the track", "a hay cart on the track", "hay cart", "track", "on"),
-        Predicate("spatial_relation", "pigs in a fenced pen", "pigs in a fenced pen", "pigs", "fence", "inside"),
+        PredicateSpec("attribute", "tractor is red", "red tractor", "tractor", qualifiers=(("color", "red"),)),
+        PredicateSpec("spatial_relation", "tractor in the yard", "a red tractor in the yard", "tractor", "yard", "in"),
+        PredicateSpec("spatial_relation", "cart on the track", "a hay cart on the track", "hay cart", "track", "on"),
+        PredicateSpec("spatial_relation", "pigs in a fenced pen", "pigs in a fenced pen", "pigs", "fence", "inside"),
         has("white hens", "hens"),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "hens around the coop",
             "white hens pick around a chicken coop",
@@ -430,7 +434,7 @@ def farm_text() -> TextCase:
             "coop",
             "around",
         ),
-        Predicate(
+        PredicateSpec(
             "spatial_relation",
             "hay bales near the shed",
             "Stack hay bales near the tool shed",
@@ -438,7 +442,7 @@ def farm_text() -> TextCase:
             "shed",
             "near",
         ),
-        Predicate(
+        PredicateSpec(
             "distribution",
             "poplars line the northern edge",
             "line the northern edge with tall poplars",
@@ -446,7 +450,7 @@ def farm_text() -> TextCase:
             relation="in_line",
             qualifiers=(("layout", "line"),),
         ),
-        Predicate(
+        PredicateSpec(
             "composition",
             "busy yard, orderly fields",
             "The yard should look busy and the fields orderly",
@@ -468,5 +472,5 @@ def farm_text() -> TextCase:
     )
 
 
-def _existence(words: str, subject: str) -> Predicate:
-    return Predicate("existence", f"there is {words}", words, subject)
+def _existence(words: str, subject: str) -> PredicateSpec:
+    return PredicateSpec("existence", f"there is {words}", words, subject)

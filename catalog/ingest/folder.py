@@ -18,7 +18,7 @@ from catalog.build import sources_digest
 from catalog.ingest.collision import How, HullChoice, collision_of
 from catalog.ingest.colours import colours_of
 from catalog.ingest.licence import UNKNOWN, licence
-from catalog.ingest.listing import Row, inputs_digest, listing, table
+from catalog.ingest.listing import ListingRow, inputs_digest, listing, table
 from catalog.ingest.source import Up, read_source
 from catalog.ingest.surface import SourcePart
 from catalog.ingest.units import check_units, words
@@ -171,8 +171,8 @@ def _built(
                 skipped.append({"file": relative, "reason": f"it cannot be opened: {error.strerror or error}"})
                 continue
             notes += [{"file": relative, "note": note} for note in [*source.notes, *collision.notes]]
-            row = rows.get(relative) or rows.get(path.name) or rows.get(path.stem) or Row()
-            described += row != Row()
+            row = rows.get(relative) or rows.get(path.name) or rows.get(path.stem) or ListingRow()
+            described += row != ListingRow()
             asset = writer.add(
                 path.stem,
                 collision.shown,
@@ -195,7 +195,7 @@ def _built(
             license_text=text,
             description=f"{len(writer.assets)} assets",
         )
-    if any(row != Row() for row in rows.values()):
+    if any(row != ListingRow() for row in rows.values()):
         notes.append({"file": "", "note": f"{described} assets are described by a table of the folder"})
     check = check_units(sizes)
     return {

@@ -132,7 +132,7 @@ def _one_format(folder: Path, files: Iterable[Path]) -> dict[tuple[str, ...], Pa
 
 
 @dataclass(frozen=True)
-class Row:
+class ListingRow:
     """What a table says about a file; empty where it says nothing."""
 
     name: str = ""
@@ -141,12 +141,12 @@ class Row:
     tags: tuple[str, ...] = ()
 
 
-def table(folder: Path) -> tuple[dict[str, Row], list[dict[str, str]]]:
+def table(folder: Path) -> tuple[dict[str, ListingRow], list[dict[str, str]]]:
     """Rows of CSV tables in the folder that have a column ``file``, by the file's path or name; and notes.
 
     Columns that are read: ``name``, ``category``, ``description``, ``tags`` (split at ``;``, ``,`` or ``|``).
     """
-    rows: dict[str, Row] = {}
+    rows: dict[str, ListingRow] = {}
     notes = []
     for path in sorted(folder.glob("*.csv")):
         try:
@@ -154,7 +154,7 @@ def table(folder: Path) -> tuple[dict[str, Row], list[dict[str, str]]]:
                 for row in csv.DictReader(file):
                     if row.get("file"):
                         said = {key: (row.get(key) or "").strip() for key in TOLD}
-                        rows[str(row["file"]).strip()] = Row(
+                        rows[str(row["file"]).strip()] = ListingRow(
                             said["name"],
                             said["category"],
                             said["description"],

@@ -20,7 +20,7 @@ from catalog.build import glb
 from catalog.preview import write_previews
 from catalog.proxy.colours import Colour, accent, base_colour
 from catalog.proxy.shapes import shaper
-from catalog.shapes import Builder, Shape
+from catalog.shapes import Builder, BuiltShape
 
 FIXED: dict[str, Colour] = {
     "Leaf": (0.09, 0.24, 0.06),
@@ -138,7 +138,7 @@ def _assets(entry: PaletteEntry, folder: Path, pack_id: str, materials: dict[str
     ]
 
 
-def _fit(shape: Shape, size: Vector) -> tuple[Mesh, list[CollisionBody]]:
+def _fit(shape: BuiltShape, size: Vector) -> tuple[Mesh, list[CollisionBody]]:
     """Stretch a shape to exactly ``size`` (cm), its bottom centre at the origin; a zero side has no bodies."""
     vertices = shape.mesh.vertices.astype(np.float64)
     low, high = vertices.min(axis=0), vertices.max(axis=0)

@@ -1,6 +1,15 @@
 """Parametric geometry: parts with materials and collision bodies, joined to meshes."""
 
-from catalog.shapes.builder import Builder, Shape
-from catalog.shapes.spec import AssetSpec, BlueprintSpec, Kit, MaterialSpec, PackSpec, Part
+from catalog.shapes.builder import Builder, BuiltShape
+from catalog.shapes.spec import AssetSpec, BlueprintPartSpec, BlueprintSpec, Kit, MaterialSpec, PackSpec
 
-__all__ = ["AssetSpec", "BlueprintSpec", "Builder", "Kit", "MaterialSpec", "PackSpec", "Part", "Shape"]
+__all__ = [
+    "AssetSpec",
+    "BlueprintPartSpec",
+    "BlueprintSpec",
+    "Builder",
+    "BuiltShape",
+    "Kit",
+    "MaterialSpec",
+    "PackSpec",
+]

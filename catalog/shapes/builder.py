@@ -20,7 +20,7 @@ Body = Literal["box", "hull", "sphere"]
 
 
 @dataclass(frozen=True)
-class Shape:
+class BuiltShape:
     """A finished mesh: its slots are material names in order of first use. Texture coordinates are in metres, but
     0..1 on parts that were added with ``fit``; ``fitted`` tells them apart a vertex."""
 
@@ -247,7 +247,7 @@ class Builder:
             )
         )
 
-    def shape(self) -> Shape:
+    def shape(self) -> BuiltShape:
         """Join all parts. Coordinates are rounded to 0.001 cm so that every machine builds the same bytes."""
         names = list(dict.fromkeys(material for material, _, _ in self._parts))
         whole = patches.join([patch for _, patch, _ in self._parts])
@@ -259,4 +259,4 @@ class Builder:
             np.concatenate([np.full(len(p.faces), names.index(m), np.int32) for m, p, _ in self._parts]),
         )
         fitted = np.concatenate([np.full(len(p.vertices), fit) for _, p, fit in self._parts])
-        return Shape(mesh, names, list(self._bodies), fitted)
+        return BuiltShape(mesh, names, list(self._bodies), fitted)

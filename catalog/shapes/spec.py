@@ -40,7 +40,7 @@ class AssetSpec:
 
 
 @dataclass(frozen=True)
-class Part:
+class BlueprintPartSpec:
     """A component of a composition: ``asset`` is the name of an asset of the pack, placed in cm and degrees."""
 
     asset: str
@@ -57,7 +57,7 @@ class BlueprintSpec:
     category: str
     description: str
     tags: tuple[str, ...]
-    parts: tuple[Part, ...]
+    parts: tuple[BlueprintPartSpec, ...]
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from catalog.shapes import BlueprintSpec, PackSpec, Part
+from catalog.shapes import BlueprintPartSpec, BlueprintSpec, PackSpec
 from catalog.starter import home_decor, home_kitchen_bath, home_living, home_rooms, indoor_materials
 
 CATEGORIES = {
@@ -25,10 +25,10 @@ BLUEPRINTS = (
         "A dining table with four chairs and a bowl of fruit.",
         ("dining", "table"),
         (
-            Part("DiningTable"),
-            Part("FruitBowl", (0, 0, 75)),
-            *(Part("DiningChair", (x, 62, 0), 180.0) for x in (-40, 40)),
-            *(Part("DiningChair", (x, -62, 0)) for x in (-40, 40)),
+            BlueprintPartSpec("DiningTable"),
+            BlueprintPartSpec("FruitBowl", (0, 0, 75)),
+            *(BlueprintPartSpec("DiningChair", (x, 62, 0), 180.0) for x in (-40, 40)),
+            *(BlueprintPartSpec("DiningChair", (x, -62, 0)) for x in (-40, 40)),
         ),
     ),
     BlueprintSpec(
@@ -36,14 +36,18 @@ BLUEPRINTS = (
         "sets",
         "A bedside table with a lamp and a book.",
         ("bedside", "lamp"),
-        (Part("BedsideTable"), Part("TableLamp", (0, -6, 50)), Part("OpenBook", (2, 9, 50), 20.0)),
+        (
+            BlueprintPartSpec("BedsideTable"),
+            BlueprintPartSpec("TableLamp", (0, -6, 50)),
+            BlueprintPartSpec("OpenBook", (2, 9, 50), 20.0),
+        ),
     ),
     BlueprintSpec(
         "TvWall",
         "sets",
         "A media bench with a television on it.",
         ("tv", "media"),
-        (Part("MediaBench"), Part("Television", (0, 0, 45))),
+        (BlueprintPartSpec("MediaBench"), BlueprintPartSpec("Television", (0, 0, 45))),
     ),
     BlueprintSpec(
         "FilledBookcase",
@@ -51,10 +55,10 @@ BLUEPRINTS = (
         "A bookcase with two rows of books and a vase.",
         ("bookcase", "books"),
         (
-            Part("Bookcase"),
-            Part("BookRowShort", (0, 0, 42.5)),
-            Part("BookRowShort", (-6, 0, 78.5)),
-            Part("TallVase", (8, 0, 114.5), scale=(0.8, 0.8, 0.8)),
+            BlueprintPartSpec("Bookcase"),
+            BlueprintPartSpec("BookRowShort", (0, 0, 42.5)),
+            BlueprintPartSpec("BookRowShort", (-6, 0, 78.5)),
+            BlueprintPartSpec("TallVase", (8, 0, 114.5), scale=(0.8, 0.8, 0.8)),
         ),
     ),
 )

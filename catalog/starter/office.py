@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from catalog.shapes import BlueprintSpec, PackSpec, Part
+from catalog.shapes import BlueprintPartSpec, BlueprintSpec, PackSpec
 from catalog.starter import indoor_materials, office_equipment, office_furniture, office_rooms
 
 CATEGORIES = {
@@ -23,12 +23,12 @@ BLUEPRINTS = (
         "A desk with monitor, keyboard, mouse, drawers and a task chair in front of it.",
         ("desk", "set", "workplace"),
         (
-            Part("OfficeDesk"),
-            Part("Monitor", (0, -16, 74)),
-            Part("Keyboard", (0, 16, 74)),
-            Part("Mouse", (32, 16, 74)),
-            Part("DrawerPedestal", (-52, 4, 0)),
-            Part("TaskChair", (0, 78, 0), 180.0),
+            BlueprintPartSpec("OfficeDesk"),
+            BlueprintPartSpec("Monitor", (0, -16, 74)),
+            BlueprintPartSpec("Keyboard", (0, 16, 74)),
+            BlueprintPartSpec("Mouse", (32, 16, 74)),
+            BlueprintPartSpec("DrawerPedestal", (-52, 4, 0)),
+            BlueprintPartSpec("TaskChair", (0, 78, 0), 180.0),
         ),
     ),
     BlueprintSpec(
@@ -37,9 +37,9 @@ BLUEPRINTS = (
         "A meeting table with six conference chairs.",
         ("meeting", "set", "table"),
         (
-            Part("MeetingTable"),
-            *(Part("ConferenceChair", (x, 100, 0), 180.0) for x in (-75, 0, 75)),
-            *(Part("ConferenceChair", (x, -100, 0)) for x in (-75, 0, 75)),
+            BlueprintPartSpec("MeetingTable"),
+            *(BlueprintPartSpec("ConferenceChair", (x, 100, 0), 180.0) for x in (-75, 0, 75)),
+            *(BlueprintPartSpec("ConferenceChair", (x, -100, 0)) for x in (-75, 0, 75)),
         ),
     ),
     BlueprintSpec(
@@ -48,10 +48,10 @@ BLUEPRINTS = (
         "A two-seat sofa and a low table with books on a rug.",
         ("lounge", "sofa"),
         (
-            Part("LoungeRug"),
-            Part("OfficeSofa", (0, -60, 1)),
-            Part("SideTable", (0, 45, 1)),
-            Part("BookStack", (8, 45, 42)),
+            BlueprintPartSpec("LoungeRug"),
+            BlueprintPartSpec("OfficeSofa", (0, -60, 1)),
+            BlueprintPartSpec("SideTable", (0, 45, 1)),
+            BlueprintPartSpec("BookStack", (8, 45, 42)),
         ),
     ),
     BlueprintSpec(
@@ -60,10 +60,10 @@ BLUEPRINTS = (
         "A tall bookshelf with three filled boards.",
         ("bookshelf", "books"),
         (
-            Part("TallBookshelf"),
-            Part("BookRow", (-8, 0, 44.5)),
-            Part("BookRow", (6, 0, 82.5)),
-            Part("BinderRow", (0, 0, 120.5)),
+            BlueprintPartSpec("TallBookshelf"),
+            BlueprintPartSpec("BookRow", (-8, 0, 44.5)),
+            BlueprintPartSpec("BookRow", (6, 0, 82.5)),
+            BlueprintPartSpec("BinderRow", (0, 0, 120.5)),
         ),
     ),
 )

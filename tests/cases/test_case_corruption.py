@@ -21,7 +21,7 @@ from cases.corruption import (
     id_of,
     with_identities,
 )
-from cases.model import RepairCase, View
+from cases.model import CaseView, RepairCase
 
 A, B = "/Game/P/SM_A.SM_A", "/Game/P/SM_B.SM_B"
 
@@ -152,7 +152,7 @@ def test_cases_that_cannot_be_scored_fairly_are_refused(author: Author, changes:
         ),
     }
     case = RepairCase(
-        "c", "scene", "t", [made[name] for name in changes], "Layout", "easy", [View("v", (0, 0, 0), (1, 0, 0))]
+        "c", "scene", "t", [made[name] for name in changes], "Layout", "easy", [CaseView("v", (0, 0, 0), (1, 0, 0))]
     )
     with pytest.raises(BadInput, match="c: "):
         check_repair(case, author.level, apply(author.level, case.operations, "/Game/In"))

@@ -8,7 +8,7 @@ import pytest
 
 from c4s.errors import BadInput
 from cases.model import TextCase
-from cases.requirements import FAMILIES, Predicate, bundle, families
+from cases.requirements import FAMILIES, PredicateSpec, bundle, families
 from cases.starter.outdoor_texts import farm_text, harbour_text
 
 TEXTS = [farm_text(), harbour_text()]
@@ -41,15 +41,15 @@ def test_starter_texts_ask_for_all_families_and_for_enough(case: TextCase) -> No
 @pytest.mark.parametrize(
     ("wrong", "what"),
     [
-        (Predicate("existence", "x", "a purple submarine", "farm"), "does not hold"),
-        (Predicate("existence", "x", "poplars", "nobody"), "no entity"),
-        (Predicate("existence", "x", "poplars", "farm", reference="nobody"), "no entity"),
-        (Predicate("quantity", "x", "four cows", "cows"), "without a quantity"),
-        (Predicate("spatial_relation", "x", "poplars", "farm"), "without a relation"),
-        (Predicate("attribute", "x", "four cows", "cows", qualifiers=(("color", "blue"),)), "does not hold"),
+        (PredicateSpec("existence", "x", "a purple submarine", "farm"), "does not hold"),
+        (PredicateSpec("existence", "x", "poplars", "nobody"), "no entity"),
+        (PredicateSpec("existence", "x", "poplars", "farm", reference="nobody"), "no entity"),
+        (PredicateSpec("quantity", "x", "four cows", "cows"), "without a quantity"),
+        (PredicateSpec("spatial_relation", "x", "poplars", "farm"), "without a relation"),
+        (PredicateSpec("attribute", "x", "four cows", "cows", qualifiers=(("color", "blue"),)), "does not hold"),
     ],
 )
-def test_an_ungrounded_requirement_is_refused(wrong: Predicate, what: str) -> None:
+def test_an_ungrounded_requirement_is_refused(wrong: PredicateSpec, what: str) -> None:
     case = farm_text()
     spec = replace(case.requirements, predicates=[*case.requirements.predicates, wrong])
     with pytest.raises(BadInput, match=what):

@@ -11,8 +11,8 @@ from c4s.errors import BadInput
 from c4s.records.pack import Pack
 from c4s.records.suite import SuiteFolder
 from cases.corruption import KINDS, Author, Recipe, apply, id_of
-from cases.model import RepairCase, Scene, SuiteDefinition, TextCase
-from cases.requirements import Entity, Predicate, RequirementSpec
+from cases.model import RepairCase, SourceScene, SuiteDefinition, TextCase
+from cases.requirements import EntitySpec, PredicateSpec, RequirementSpec
 from cases.starter import farm_scene, harbour_scene
 from cases.starter.outdoor_cases import cases, scenes
 from cases.starter.plot import Plot
@@ -37,7 +37,7 @@ def small() -> SuiteDefinition:
     plot.add("Cow", -200, 0)
     plot.add("Cow", 200, 100, yaw=90)
     plot.add("Barn", 0, -1500)
-    scene = Scene("paddock", "outdoor", "Paddock", plot.level(), ("c4s-farm",))
+    scene = SourceScene("paddock", "outdoor", "Paddock", plot.level(), ("c4s-farm",))
     author = Author(scene.level, "paddock")
     cow = next(name for name in author.actors if name.startswith("SM_Cow"))
     view = orbit("reference", (0, 0, 60), distance_cm=900, yaw_deg=80, width=160, height=90)
@@ -51,7 +51,8 @@ def small() -> SuiteDefinition:
         [view],
     )
     spec = RequirementSpec(
-        [Entity("cows", "two cows", ("cow",), collection=True)], [Predicate("existence", "cows", "two cows", "cows")]
+        [EntitySpec("cows", "two cows", ("cow",), collection=True)],
+        [PredicateSpec("existence", "cows", "two cows", "cows")],
     )
     text = TextCase(
         "paddock-text", "paddock", "Paddock", TEXT, spec, 20.0, "easy", ground=[farm_scene.PATHS["GrassTile"]]

@@ -10,7 +10,7 @@ from c4s.errors import BadInput
 from c4s.records.level import Level
 from cases.checks import check_definition, check_repair
 from cases.corruption import apply
-from cases.generate import Thing, generated, sound_things
+from cases.generate import SoundThing, generated, sound_things
 from cases.importers.run import import_scene
 from cases.model import RepairCase
 
@@ -30,7 +30,7 @@ TABLE = "actor,asset,x,y,z,roll,pitch,yaw\n" + "".join(
 
 
 @pytest.fixture(scope="module")
-def yard(tmp_path_factory: pytest.TempPathFactory) -> tuple[Level, Path, list[Thing]]:
+def yard(tmp_path_factory: pytest.TempPathFactory) -> tuple[Level, Path, list[SoundThing]]:
     import trimesh
 
     folder = tmp_path_factory.mktemp("yard")
@@ -42,11 +42,11 @@ def yard(tmp_path_factory: pytest.TempPathFactory) -> tuple[Level, Path, list[Th
     return level, folder / "packs", sound_things(level, [folder / "packs" / "yard"])
 
 
-def test_only_things_that_stand_and_fit_are_changed(yard: tuple[Level, Path, list[Thing]]) -> None:
+def test_only_things_that_stand_and_fit_are_changed(yard: tuple[Level, Path, list[SoundThing]]) -> None:
     assert [thing.name for thing in yard[2]] == ["crate_a", "crate_b", "crate_c", "post_a", "post_b"]
 
 
-def test_cases_follow_from_the_seed_and_can_be_solved(yard: tuple[Level, Path, list[Thing]]) -> None:
+def test_cases_follow_from_the_seed_and_can_be_solved(yard: tuple[Level, Path, list[SoundThing]]) -> None:
     level, packs, things = yard
     made = generated("yard", level, things, packs, ["yard"], count=4, changes=3, seed=5, environment="outdoor")
     again = generated("yard", level, things, packs, ["yard"], count=4, changes=3, seed=5, environment="outdoor")

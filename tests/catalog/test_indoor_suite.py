@@ -13,7 +13,7 @@ from c4s.records.verdict import Verdict
 from c4s.verify.physics.verdict import verify_physics
 from cases.checks import check_repair, check_scene
 from cases.corruption import KINDS, SpawnActor, apply, id_of
-from cases.model import RepairCase, Scene, TextCase
+from cases.model import RepairCase, SourceScene, TextCase
 from cases.requirements import bundle, families
 from cases.starter.indoor_cases import cases, scenes
 from cases.starter.indoor_text_cases import INDOOR_TEXT_CASES
@@ -55,7 +55,7 @@ def test_every_asset_has_a_real_size_a_description_and_bodies_within_it(indoor_p
 
 
 @pytest.mark.parametrize("scene", INDOOR_SCENES, ids=lambda s: s.scene_id)
-def test_scenes_stand_without_floating_or_penetration(scene: Scene, indoor_packs: Path, tmp_path: Path) -> None:
+def test_scenes_stand_without_floating_or_penetration(scene: SourceScene, indoor_packs: Path, tmp_path: Path) -> None:
     pack = indoor_packs / scene.packs[0]
     check_scene(scene, {asset.path for asset in PackStore([pack]).assets()})
     ids = [id_of(actor) for actor in scene.level.actors]

@@ -11,7 +11,7 @@ from c4s.records.pack import Pack
 from catalog.build import build_pack
 from catalog.ingest.folder import ingest
 from catalog.preview import SIZE, contact_sheet
-from catalog.shapes import AssetSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec, Part
+from catalog.shapes import AssetSpec, BlueprintPartSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec
 from tests.catalog.gltf_maker import Gltf
 
 SQUARE = [[-0.5, 0, 0], [0.5, 0, 0], [0.5, 1, 0], [-0.5, 1, 0]]
@@ -33,7 +33,11 @@ def _spec(color: tuple[float, float, float] = (0.6, 0.02, 0.02)) -> PackSpec:
         description="",
         materials=[MaterialSpec("Red", color)],
         assets=[AssetSpec("Post", "props", "A post.", (), _post), AssetSpec("Slab", "props", "A slab.", (), _slab)],
-        blueprints=[BlueprintSpec("Gate", "props", "Two posts.", (), (Part("Post"), Part("Post", (200, 0, 0))))],
+        blueprints=[
+            BlueprintSpec(
+                "Gate", "props", "Two posts.", (), (BlueprintPartSpec("Post"), BlueprintPartSpec("Post", (200, 0, 0)))
+            )
+        ],
         category_descriptions={"props": "Things"},
     )
 

@@ -11,7 +11,7 @@ from c4s.errors import BadInput
 from c4s.packs.store import PackStore
 from c4s.trees import digest_tree
 from catalog.build import build_pack
-from catalog.shapes import AssetSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec, Part
+from catalog.shapes import AssetSpec, BlueprintPartSpec, BlueprintSpec, Builder, MaterialSpec, PackSpec
 from catalog.shapes.patches import Patch, box, cylinder, ellipsoid, extrude, prism, tube
 from catalog.shapes.textures import wood
 
@@ -62,7 +62,11 @@ def spec(**changes: object) -> PackSpec:
         "assets": [AssetSpec("TestChair", "seating", "A chair.", ("chair",), chair)],
         "blueprints": [
             BlueprintSpec(
-                "Pair", "seating", "Two chairs.", (), (Part("TestChair"), Part("TestChair", (100, 0, 0), yaw_deg=180))
+                "Pair",
+                "seating",
+                "Two chairs.",
+                (),
+                (BlueprintPartSpec("TestChair"), BlueprintPartSpec("TestChair", (100, 0, 0), yaw_deg=180)),
             )
         ],
         "category_descriptions": {"seating": "Chairs"},
@@ -96,7 +100,7 @@ def test_wrong_specifications_are_refused(tmp_path: Path) -> None:
     with pytest.raises(BadInput, match="no material 'Cloth'"):
         build_pack(spec(materials=[MaterialSpec("Oak")]), tmp_path)
     with pytest.raises(BadInput, match="no asset 'Ghost'"):
-        build_pack(spec(blueprints=[BlueprintSpec("X", "seating", "", (), (Part("Ghost"),))]), tmp_path)
+        build_pack(spec(blueprints=[BlueprintSpec("X", "seating", "", (), (BlueprintPartSpec("Ghost"),))]), tmp_path)
     with pytest.raises(BadInput, match="no description"):
         build_pack(spec(category_descriptions={}), tmp_path)
 

@@ -17,10 +17,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from c4s.semantics.inventory import Thing
-from c4s.semantics.kinds import Kind
+from c4s.semantics.kinds import ThingKind
 from c4s.semantics.measures import RELATIONS, nearest
 
-KIND = Kind("/Game/P/SM_X.SM_X", None)
+KIND = ThingKind("/Game/P/SM_X.SM_X", None)
 PLACE = st.integers(-12, 12).map(lambda n: n * 50)
 HALF = st.sampled_from([5, 10, 25, 50, 150, 600])
 BOX = st.tuples(st.tuples(PLACE, PLACE, st.integers(0, 6).map(lambda n: n * 25)), st.tuples(HALF, HALF, HALF))

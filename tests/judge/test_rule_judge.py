@@ -14,7 +14,7 @@ from c4s.errors import BadInput
 from c4s.judge.rule.judge import RuleJudge
 from c4s.protocol.bundle import read_requirements
 from c4s.protocol.words import head, phrases_of, singular
-from c4s.semantics.kinds import Kind, KindIndex
+from c4s.semantics.kinds import KindIndex, ThingKind
 from c4s.semantics.quantities import limits
 from tests.shared import SHARED
 
@@ -149,7 +149,7 @@ def test_singular(plural, one):
     ],
 )
 def test_a_name_is_matched_by_its_whole_head_noun(name, wanted, found):
-    index = KindIndex([Kind("/Game/P/SM_X.SM_X", {"name": name})])
+    index = KindIndex([ThingKind("/Game/P/SM_X.SM_X", {"name": name})])
     assert bool(index.find(phrases_of([wanted]))) is found
 
 

@@ -11,7 +11,7 @@ import pytest
 import yaml
 
 from c4s.records.pack import Asset, Pack
-from c4s.toolbox.catalog import CaseCatalog, Entry
+from c4s.toolbox.catalog import CaseCatalog, CatalogEntry
 from catalog.build import starter_pack
 from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.shapes.spec import asset_id
@@ -39,7 +39,7 @@ def asset(name: str, title: str, category: str, description: str, tags: list[str
 
 def catalog_of(assets: list[Asset]) -> CaseCatalog:
     pack = Pack(pack_id="t", content_folder="T", title="T", license="-", assets=[])
-    return CaseCatalog([Entry(one, pack, Path()) for one in assets])
+    return CaseCatalog([CatalogEntry(one, pack, Path()) for one in assets])
 
 
 def starter() -> CaseCatalog:

@@ -32,7 +32,7 @@ _BOOTSTRAP = "import sys; sys.path.insert(0, sys.argv.pop(1)); from {module} imp
 
 
 @dataclass(frozen=True)
-class Paths:
+class Mounts:
     """What the process may see besides the runtime, at the paths that the host uses. All absolute."""
 
     read_only: tuple[Path, ...] = ()
@@ -128,7 +128,7 @@ def start(
     module: str,
     arguments: Mapping[str, Any],
     *,
-    paths: Paths,
+    paths: Mounts,
     output: int,
     keep_open: Sequence[int] = (),
     limits: Limits | None = None,
@@ -199,7 +199,7 @@ def _spawner(process: int) -> ThreadPoolExecutor:
 
 
 def _bubblewrap(
-    program: Sequence[str], visible: Iterable[Path], paths: Paths, variables: Mapping[str, str]
+    program: Sequence[str], visible: Iterable[Path], paths: Mounts, variables: Mapping[str, str]
 ) -> list[str]:
     command = [shutil.which("bwrap") or "bwrap", *_NAMESPACES]
     for path in visible:

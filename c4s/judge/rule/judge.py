@@ -16,7 +16,7 @@ import numpy as np
 from c4s.protocol.bundle import LOGIC_TYPES, Entity, Predicate, Requirements
 from c4s.protocol.words import phrases_of, tokens
 from c4s.semantics.inventory import Thing, inventory
-from c4s.semantics.kinds import Facts, Kind, KindIndex
+from c4s.semantics.kinds import Facts, KindIndex, ThingKind
 from c4s.semantics.looks import has_color, is_made_of, material_index
 from c4s.semantics.measures import (
     RELATIONS,
@@ -111,7 +111,7 @@ class RuleJudge:
     def __init__(self, requirements: Requirements, snapshot: Mapping[str, Any], catalog: Mapping[str, Facts]) -> None:
         self.requirements = requirements
         self.things = inventory(snapshot, catalog)
-        self._places: dict[Kind, list[int]] = {}
+        self._places: dict[ThingKind, list[int]] = {}
         for place, thing in enumerate(self.things):
             self._places.setdefault(thing.kind, []).append(place)
         self.closed = all(kind.facts is not None and not kind.basic_shape for kind in self._places)
@@ -119,7 +119,7 @@ class RuleJudge:
         self._kinds = KindIndex(self._places)
         self._phrases = {entity.id: phrases_of(entity.names) for entity in requirements.entities.values()}
         self._materials = material_index(catalog)
-        self._named: dict[tuple[Kind, ...], list[Thing]] = {}
+        self._named: dict[tuple[ThingKind, ...], list[Thing]] = {}
         self._grounded: dict[str, list[Thing]] = {}
         self._decisions: dict[str, Decision] = {}
         self._holding: dict[tuple[str, tuple[str, ...], tuple[str, ...]], list[Thing]] = {}
@@ -247,7 +247,7 @@ class RuleJudge:
         return conjunction([self._shows(things, kind, words, individual) for kind, words in predicate.qualifiers])
 
     def _shows(self, things: Sequence[Thing], kind: str, words: str, individual: bool) -> Decision:
-        found: dict[tuple[Kind, tuple[str, ...]], bool | None] = {}
+        found: dict[tuple[ThingKind, tuple[str, ...]], bool | None] = {}
         for thing in things:
             if (thing.kind, thing.materials) not in found:
                 found[thing.kind, thing.materials] = self._shown(thing, kind, words)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from c4s.judge.rule.judge import RuleJudge
-from c4s.judge.rule.overview import Part, dimensions, structural_integrity
+from c4s.judge.rule.overview import DimensionPart, dimensions, structural_integrity
 from c4s.protocol.bundle import Requirements, read_requirements
 from c4s.protocol.numbers import mean
 from c4s.protocol.rules import OVERVIEW_VIEWS
@@ -87,5 +87,5 @@ def _overview(judge: RuleJudge, views: Views) -> OverviewJudgement:
     )
 
 
-def _parts(rows: Sequence[Part]) -> list[OverviewPart]:
+def _parts(rows: Sequence[DimensionPart]) -> list[OverviewPart]:
     return [OverviewPart(name=part.name, value=part.value, known=part.known, detail=part.detail) for part in rows]

@@ -33,7 +33,7 @@ GRID = 4
 
 
 @dataclass(frozen=True)
-class Part:
+class DimensionPart:
     """One part of a dimension: its value in [0, 1] (0 when unknown) and what it rests on."""
 
     name: str
@@ -42,7 +42,7 @@ class Part:
     detail: dict[str, Any]
 
 
-def dimensions(judge: RuleJudge, views: Views) -> dict[str, list[Part]]:
+def dimensions(judge: RuleJudge, views: Views) -> dict[str, list[DimensionPart]]:
     """The parts of the four prompt dimensions, by dimension name."""
     seen = views.seen(judge.things)
     objects = [entity for entity in judge.requirements.entities.values() if entity.is_object]
@@ -59,10 +59,10 @@ def dimensions(judge: RuleJudge, views: Views) -> dict[str, list[Part]]:
     }
 
 
-def structural_integrity(things: Sequence[Thing]) -> Part:
+def structural_integrity(things: Sequence[Thing]) -> DimensionPart:
     """Share of things that are finite, not flattened to nothing and not stretched; 0 in an empty scene."""
     if not things:
-        return Part("undistorted", 0.0, False, {"things": 0, "distorted": []})
+        return DimensionPart("undistorted", 0.0, False, {"things": 0, "distorted": []})
     scale = np.abs([thing.scale for thing in things])
     low, high = (np.array([getattr(thing, side) for thing in things]) for side in ("low", "high"))
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
@@ -73,7 +73,7 @@ def structural_integrity(things: Sequence[Thing]) -> Part:
             & (scale.max(axis=1) / scale.min(axis=1) <= STRETCH)
         )
     distorted = [things[place].actor for place in np.flatnonzero(~sound).tolist()]
-    return Part(
+    return DimensionPart(
         "undistorted", int(sound.sum()) / len(things), True, {"things": len(things), "distorted": distorted[:50]}
     )
 
@@ -91,9 +91,9 @@ def _seen_counts(judge: RuleJudge, seen: Sequence[Thing], objects: Sequence[Enti
     return counts
 
 
-def _named_objects(counts: Mapping[str, int]) -> Part:
+def _named_objects(counts: Mapping[str, int]) -> DimensionPart:
     """Share of the prompt's named objects of which at least one is placed and clearly visible."""
-    return Part(
+    return DimensionPart(
         "visible_named_objects",
         sum(count > 0 for count in counts.values()) / len(counts) if counts else 0.0,
         bool(counts),
@@ -101,12 +101,12 @@ def _named_objects(counts: Mapping[str, int]) -> Part:
     )
 
 
-def _requirements(name: str, judge: RuleJudge, types: frozenset[str], anything: bool) -> Part:
+def _requirements(name: str, judge: RuleJudge, types: frozenset[str], anything: bool) -> DimensionPart:
     """Mean decision score of the bundle's requirements of some types; unknown ones count 0."""
     nodes = [node for node in judge.requirements.scored if judge.requirements.predicates[node].type in types]
     decisions = [judge.decide(node) for node in nodes]
     value = mean(d.score for d in decisions) if nodes and anything else 0.0
-    return Part(
+    return DimensionPart(
         name,
         value,
         any(d.status != "UNKNOWN" for d in decisions),
@@ -114,25 +114,25 @@ def _requirements(name: str, judge: RuleJudge, types: frozenset[str], anything: 
     )
 
 
-def _occupancy(things: Sequence[Thing]) -> Part:
+def _occupancy(things: Sequence[Thing]) -> DimensionPart:
     """How evenly things fill their common plan: the entropy of their cells, against the most they could fill."""
     if len(things) < 2:
-        return Part("plan_occupancy", 0.0, bool(things), {"things": len(things)})
+        return DimensionPart("plan_occupancy", 0.0, bool(things), {"things": len(things)})
     points = np.array([thing.centre[:2] for thing in things])
     span = np.maximum(np.ptp(points, axis=0), 1.0)
     cells = np.minimum(((points - points.min(axis=0)) / span.max() * GRID).astype(int), GRID - 1)
     shares = np.unique(cells, axis=0, return_counts=True)[1] / len(things)
     most = math.log(min(len(things), GRID * GRID))
-    return Part("plan_occupancy", float(-(shares * np.log(shares)).sum() / most), True, {"cells": len(shares)})
+    return DimensionPart("plan_occupancy", float(-(shares * np.log(shares)).sum() / most), True, {"cells": len(shares)})
 
 
-def _unswallowed(things: Sequence[Thing]) -> Part:
+def _unswallowed(things: Sequence[Thing]) -> DimensionPart:
     """Share of things of which no other thing of like size (up to 8 times its volume) holds more than half."""
     if not things:
-        return Part("unswallowed", 0.0, False, {"things": 0})
+        return DimensionPart("unswallowed", 0.0, False, {"things": 0})
     buried = holds_to_any(things, things, _is_swallowed)
     swallowed = [things[place].actor for place in np.flatnonzero(buried).tolist()]
-    return Part("unswallowed", 1 - len(swallowed) / len(things), True, {"swallowed": swallowed[:50]})
+    return DimensionPart("unswallowed", 1 - len(swallowed) / len(things), True, {"swallowed": swallowed[:50]})
 
 
 def _is_swallowed(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
@@ -146,7 +146,7 @@ def _is_swallowed(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
     )
 
 
-def _counts(judge: RuleJudge, counts: Mapping[str, int], objects: Sequence[Entity]) -> Part:
+def _counts(judge: RuleJudge, counts: Mapping[str, int], objects: Sequence[Entity]) -> DimensionPart:
     """Mean over the named objects of visible count / needed count, at most 1 each."""
     quantities = {
         subject: predicate.quantity
@@ -159,7 +159,7 @@ def _counts(judge: RuleJudge, counts: Mapping[str, int], objects: Sequence[Entit
         ratios[entity.id] = min(
             1.0, counts[entity.id] / needed(quantities.get(entity.id), collection=entity.collection)
         )
-    return Part(
+    return DimensionPart(
         "object_counts",
         mean(ratios.values()) if ratios else 0.0,
         bool(ratios),
@@ -167,9 +167,9 @@ def _counts(judge: RuleJudge, counts: Mapping[str, int], objects: Sequence[Entit
     )
 
 
-def _visible(things: Sequence[Thing], seen: Sequence[Thing]) -> Part:
+def _visible(things: Sequence[Thing], seen: Sequence[Thing]) -> DimensionPart:
     """Share of the placed things that are clearly visible in a view."""
-    return Part(
+    return DimensionPart(
         "visible_things",
         len(seen) / len(things) if things else 0.0,
         bool(things),

@@ -20,7 +20,7 @@ Name = tuple[str, ...]
 
 
 @dataclass(frozen=True)
-class Thing:
+class WordThing:
     """One line of the word net."""
 
     names: tuple[Name, ...]
@@ -32,13 +32,13 @@ class WordNet:
     """Things by their names."""
 
     def __init__(self, lines: Sequence[str]) -> None:
-        self._things: dict[Name, list[Thing]] = {}
+        self._things: dict[Name, list[WordThing]] = {}
         self._widened: dict[Name, Mapping[str, float]] = {}
         for line in lines:
             if not line.strip() or line.startswith("#"):
                 continue
             names, kinds, uses = line.split("|")
-            thing = Thing(
+            thing = WordThing(
                 tuple(tuple(map(stem_of, words_of(name))) for name in names.split(",")),
                 tuple(map(stem_of, words_of(kinds))),
                 tuple(map(stem_of, words_of(uses))),

@@ -50,7 +50,7 @@ def identity(record: Record) -> str:
     return f"path:{path}"
 
 
-class Entry(Protocol):
+class ActorEntry(Protocol):
     """One actor of a scene."""
 
     @property
@@ -67,7 +67,7 @@ class Entry(Protocol):
     def written(self) -> bytes | None:
         """The text of all fields that are ever compared, where the actor is text: equal means ``alike``."""
 
-    def alike(self, other: Entry) -> bool:
+    def alike(self, other: ActorEntry) -> bool:
         """A fast yes: all fields that are ever compared are written alike.
 
         Alike is not yet the same where a transform holds what is no number, which equals nothing, itself included.
@@ -94,7 +94,7 @@ class PlainEntry:
         texts = (read("class"), read("asset_path"), *(parts if type(parts) is list else ()))
         return texts if all(text is None or type(text) is str for text in texts) else None
 
-    def alike(self, other: Entry) -> bool:
+    def alike(self, other: ActorEntry) -> bool:
         """See ``Entry``."""
         try:
             return repr(_COMPARED(self.record)) == repr(_COMPARED(other.record))
@@ -154,7 +154,7 @@ class TextEntry(msgspec.Struct, gc=False, eq=False):
         text: bytes = self.kind
         return text
 
-    def alike(self, other: Entry) -> bool:
+    def alike(self, other: ActorEntry) -> bool:
         """See ``Entry``."""
         return type(other) is TextEntry and self.written == other.written
 
@@ -171,7 +171,7 @@ _ENTRY = msgspec.json.Decoder(TextEntry)
 _POSES = msgspec.json.Decoder(list[_Pose])
 
 
-def read_texts(texts: Sequence[msgspec.Raw], known: dict[bytes, bytes]) -> list[Entry]:
+def read_texts(texts: Sequence[msgspec.Raw], known: dict[bytes, bytes]) -> list[ActorEntry]:
     """The actors of a scene file. ``known``: see ``TextEntry.read``, which raises ``msgspec.DecodeError``."""
     entries = [TextEntry.read(text, known) for text in texts]
     try:
@@ -183,19 +183,19 @@ def read_texts(texts: Sequence[msgspec.Raw], known: dict[bytes, bytes]) -> list[
     return [*entries]
 
 
-def _location(entry: Entry) -> Vector3 | None:
+def _location(entry: ActorEntry) -> Vector3 | None:
     pose = entry.record.get("transform")
     if isinstance(pose, dict) and all(valid_vector(pose.get(name)) is not None for name in _POSE):
         return valid_vector(pose["location_cm"])
     return None
 
 
-def _plain_locations(entries: Sequence[Entry]) -> list[Vector3] | None:
+def _plain_locations(entries: Sequence[ActorEntry]) -> list[Vector3] | None:
     members = [[entry.record["transform"][name] for entry in entries] for name in _POSE]
     return members[0] if all(map(all_valid, members)) else None
 
 
-def posed_locations(entries: Sequence[Entry]) -> Sequence[Vector3 | None]:
+def posed_locations(entries: Sequence[ActorEntry]) -> Sequence[Vector3 | None]:
     """The location in cm of each actor whose location, rotation and scale are all valid vectors, else None."""
     texts = [entry for entry in entries if isinstance(entry, TextEntry)]
     if len(texts) == len(entries):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
 
-from c4s.verify.actors.entries import Entry, Record
+from c4s.verify.actors.entries import ActorEntry, Record
 
 Descriptor: TypeAlias = tuple[str, str, str, tuple[str, ...]]
 """Class path, static mesh, Blueprint class, sorted component assets; all normalised."""
@@ -68,7 +68,7 @@ def is_semantic(record: Record) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class Kind:
+class ActorKind:
     """What an actor is: its descriptor, a number that stands for it within one case, and whether it is semantic."""
 
     descriptor: Descriptor
@@ -80,17 +80,17 @@ class Kinds:
     """The kinds of a case's actors, worked out once for each combination of recorded text."""
 
     def __init__(self) -> None:
-        self._known: dict[Hashable, Kind] = {}
+        self._known: dict[Hashable, ActorKind] = {}
         self._numbers: dict[Descriptor, int] = {}
 
-    def of(self, entry: Entry) -> Kind:
+    def of(self, entry: ActorEntry) -> ActorKind:
         """The kind of an actor."""
         text = entry.kind_text()
         known = None if text is None else self._known.get(text)
         if known is None:
             record = entry.record
             kind = descriptor(record)
-            known = Kind(kind, self._numbers.setdefault(kind, len(self._numbers)), is_semantic(record))
+            known = ActorKind(kind, self._numbers.setdefault(kind, len(self._numbers)), is_semantic(record))
             if text is not None:
                 self._known[text] = known
         return known

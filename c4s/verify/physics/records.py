@@ -15,7 +15,7 @@ SUPPORT_VERSION: Final = "c4s.support.v1"
 State = Literal["supported", "floating", "unresolved"]
 
 
-class MeasuredScene(TypedDict):
+class MeasuredPopulation(TypedDict):
     """What was measured."""
 
     setting: str
@@ -49,7 +49,7 @@ class ContactsRecord(TypedDict):
     """Contacts of a scene's population. Contacts that cannot change a verdict are left out."""
 
     schema_version: Literal["c4s.contacts.v1"]
-    scene: MeasuredScene
+    scene: MeasuredPopulation
     measured_beyond_cm: float
     noise_cm: float
     """Rounding of the depths."""
@@ -93,7 +93,7 @@ class SupportRecord(TypedDict):
     """What holds each actor of a scene's population."""
 
     schema_version: Literal["c4s.support.v1"]
-    scene: MeasuredScene
+    scene: MeasuredPopulation
     metric: str | None
     rows: list[SupportRow]
     excluded: NotRequired[int]
@@ -127,7 +127,7 @@ def checked(scene: PhysicsScene, record: Mapping[str, Any], kind: type[Kind]) ->
     return found
 
 
-def scene_record(scene: PhysicsScene) -> MeasuredScene:
+def scene_record(scene: PhysicsScene) -> MeasuredPopulation:
     """What a record says of the scene that it is of."""
     return {
         "setting": scene.setting,

@@ -27,7 +27,7 @@ _FLAT = 1e-8
 Rows: TypeAlias = NDArray[np.int64]
 
 
-class Triangles(Protocol):
+class SurfaceTriangles(Protocol):
     """A triangle mesh in its local frame (cm): ``vertices`` (n, 3) and ``faces`` (m, 3) of vertex indices."""
 
     @property
@@ -37,7 +37,7 @@ class Triangles(Protocol):
     def faces(self) -> NDArray[Any]: ...
 
 
-MeshSource: TypeAlias = Callable[[str, Mapping[str, Any]], Triangles | None]
+MeshSource: TypeAlias = Callable[[str, Mapping[str, Any]], SurfaceTriangles | None]
 """Gives the mesh of a path, checked against what the snapshot says of it; None where it is not at hand."""
 
 
@@ -93,7 +93,7 @@ class Surfaces:
         extra = snapshot.get("c4s")
         facts = extra.get("meshes") if isinstance(extra, Mapping) else None
         self.facts: Mapping[str, Any] = facts if isinstance(facts, Mapping) else {}
-        self._source, self._sets, self._known = meshes, dict[str, TriangleSet](), dict[str, Triangles | None]()
+        self._source, self._sets, self._known = meshes, dict[str, TriangleSet](), dict[str, SurfaceTriangles | None]()
         self._actors: list[Mapping[str, Any]] = snapshot["actors"]
         self.unknown: dict[int, str] = dict(bodies.unresolved)
         """Actor to the reason why its surfaces are not (all) known."""
@@ -105,7 +105,7 @@ class Surfaces:
         self._offset = np.array([piece.offset for piece in self._pieces]).reshape(-1, 3)
         self._tree = shapely.STRtree(shapely.box(*self._low[:, :2].T, *self._high[:, :2].T))
 
-    def mesh(self, path: str) -> Triangles | None:
+    def mesh(self, path: str) -> SurfaceTriangles | None:
         """The triangles of a mesh, where they are known."""
         if path not in self._known:
             found = self._source(path, self.facts.get(path) or {}) if self._source is not None else None
@@ -144,7 +144,7 @@ class Surfaces:
             pieces += [_piece(index, self._triangles(component.mesh, found), place) for place in component.places]
         return True
 
-    def _triangles(self, path: str, mesh: Triangles) -> TriangleSet:
+    def _triangles(self, path: str, mesh: SurfaceTriangles) -> TriangleSet:
         if path not in self._sets:
             self._sets[path] = TriangleSet(np.asarray(mesh.vertices, dtype=np.float64)[mesh.faces])
         return self._sets[path]

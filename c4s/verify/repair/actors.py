@@ -11,8 +11,8 @@ from typing import Any, Literal, TypeAlias
 import msgspec
 
 from c4s.errors import BadInput
-from c4s.verify.actors.entries import Entry, PlainEntry, Record, posed_locations
-from c4s.verify.actors.kinds import Descriptor, Kind
+from c4s.verify.actors.entries import ActorEntry, PlainEntry, Record, posed_locations
+from c4s.verify.actors.kinds import ActorKind, Descriptor
 from c4s.verify.actors.vectors import Vector3, valid_vector
 
 Role: TypeAlias = Literal["input", "truth", "candidate"]
@@ -30,14 +30,14 @@ _CONTENT_FIELDS = (
 
 
 @dataclass(frozen=True, slots=True)
-class Scene:
+class RepairScene:
     """A snapshot that was read from a file: its actors as text, and how its export went."""
 
-    actors: list[Entry]
+    actors: list[ActorEntry]
     export_metadata: Any
 
 
-def by_identity(entries: Sequence[Entry], role: Role) -> dict[str, Entry]:
+def by_identity(entries: Sequence[ActorEntry], role: Role) -> dict[str, ActorEntry]:
     """Actors by identity key; ``BadInput`` when two share one."""
     found = {entry.identity(): entry for entry in entries}
     if len(found) != len(entries):
@@ -48,7 +48,7 @@ def by_identity(entries: Sequence[Entry], role: Role) -> dict[str, Entry]:
     return found
 
 
-def _plain(snapshot: Any, where: str) -> Scene:
+def _plain(snapshot: Any, where: str) -> RepairScene:
     if not isinstance(snapshot, dict):
         raise BadInput("a scene snapshot must be a JSON object", where=where)
     actors = snapshot.get("actors")
@@ -57,10 +57,10 @@ def _plain(snapshot: Any, where: str) -> Scene:
     wrong = next((n for n, actor in enumerate(actors) if not isinstance(actor, dict)), None)
     if wrong is not None:
         raise BadInput(f"actor {wrong} is not a JSON object", where=where)
-    return Scene(list(map(PlainEntry, actors)), snapshot.get("export_metadata"))
+    return RepairScene(list(map(PlainEntry, actors)), snapshot.get("export_metadata"))
 
 
-def scene_actors(snapshot: Any, role: Role) -> list[Entry]:
+def scene_actors(snapshot: Any, role: Role) -> list[ActorEntry]:
     """The actors of a snapshot after the scene checks (scorer fact 2.1); raises ``BadInput``.
 
     Args:
@@ -68,7 +68,7 @@ def scene_actors(snapshot: Any, role: Role) -> list[Entry]:
         role: which scene of the case it is.
     """
     where = f"{role} snapshot"
-    scene = snapshot if isinstance(snapshot, Scene) else _plain(snapshot, where)
+    scene = snapshot if isinstance(snapshot, RepairScene) else _plain(snapshot, where)
     metadata = scene.export_metadata
     if not metadata and (role == "candidate" or not isinstance(metadata, dict)):
         return scene.actors
@@ -83,10 +83,10 @@ def scene_actors(snapshot: Any, role: Role) -> list[Entry]:
 class Actor(msgspec.Struct, gc=False, eq=False):
     """A semantic actor prepared for matching."""
 
-    entry: Entry
+    entry: ActorEntry
     key: str
     index: int
-    kind: Kind
+    kind: ActorKind
     location: Vector3 | None
     """Location in cm; None unless location, rotation and scale are all valid."""
     written: bytes | None
@@ -117,7 +117,7 @@ class Actor(msgspec.Struct, gc=False, eq=False):
         return self.content, self.index
 
 
-def prepare(entries: Iterable[Entry], keys: Iterable[str], kinds: Iterable[Kind]) -> list[Actor]:
+def prepare(entries: Iterable[ActorEntry], keys: Iterable[str], kinds: Iterable[ActorKind]) -> list[Actor]:
     """The semantic ones of the actors, with their identities and kinds, ready for matching, in export order."""
     known = [row for row in zip(entries, keys, kinds, strict=True) if row[2].semantic]
     places = posed_locations([entry for entry, _, _ in known])

@@ -16,14 +16,14 @@ from c4s.verify.repair.acceptance import Errors, measure
 from c4s.verify.repair.actors import Actor, by_identity, prepare, scene_actors
 from c4s.verify.repair.assignment import minimum_cost
 from c4s.verify.repair.correspondence import Correspondence, Pair, correspond
-from c4s.verify.repair.targets import Target, find_targets
+from c4s.verify.repair.targets import RepairTarget, find_targets
 
 
 @dataclass(slots=True)
 class Repair:
     """All of a case that does not depend on the tolerance profile."""
 
-    targets: list[Target]
+    targets: list[RepairTarget]
     beside: list[str]
     """Labels of actors that differ from the truth in properties which make no target."""
     start: list[Actor]
@@ -35,7 +35,7 @@ class Repair:
     """Pair of each matched candidate actor."""
     output_of: dict[int, int]
     """Candidate actor of each matched input actor."""
-    target_of_start: dict[int, Target]
+    target_of_start: dict[int, RepairTarget]
     start_index: dict[str, int]
     """Index of an input actor by identity."""
     replaced: set[int]

@@ -17,7 +17,7 @@ import msgspec
 from c4s.errors import BadInput
 from c4s.files import digest_bytes, parse_json
 from c4s.verify.actors.entries import read_texts
-from c4s.verify.repair.actors import Scene
+from c4s.verify.repair.actors import RepairScene
 
 
 class _Document(msgspec.Struct):
@@ -49,12 +49,12 @@ def _read(path: Path) -> bytes:
         raise BadInput(f"cannot read this snapshot: {error}", where=str(path)) from None
 
 
-def _as_text(data: bytes, known: dict[bytes, bytes]) -> Scene | None:
+def _as_text(data: bytes, known: dict[bytes, bytes]) -> RepairScene | None:
     """The scene with its actors as text, or None when the file must be parsed whole."""
     try:
         data.decode()
         document = _DOCUMENT.decode(data)
-        return Scene(read_texts(document.actors, known), document.export_metadata)
+        return RepairScene(read_texts(document.actors, known), document.export_metadata)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         return None
 

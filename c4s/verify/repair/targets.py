@@ -8,14 +8,14 @@ from typing import Literal, TypeAlias
 
 from c4s.errors import BadInput
 from c4s.verify.actors.difference import same_but_for_identity, target_differences
-from c4s.verify.actors.entries import Entry, Record
+from c4s.verify.actors.entries import ActorEntry, Record
 from c4s.verify.actors.kinds import Descriptor, descriptor, is_semantic, short_class
 
 Operation: TypeAlias = Literal["add", "remove", "repair"]
 
 
 @dataclass(frozen=True, slots=True)
-class Target:
+class RepairTarget:
     """One target. ``truth`` is the state to reproduce, cut down to evidence that the input records too."""
 
     key: str
@@ -59,7 +59,9 @@ def _without_identity_pairs(added: dict[str, Record], removed: dict[str, Record]
             same_class.pop(partner, None)
 
 
-def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[str]) -> tuple[list[Target], list[str]]:
+def find_targets(
+    before: dict[str, ActorEntry], after: dict[str, ActorEntry], finite: set[str]
+) -> tuple[list[RepairTarget], list[str]]:
     """All targets, in their fixed order, and the labels of actors that differ in properties which make no target.
 
     Args:
@@ -77,8 +79,8 @@ def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[
     )
     if added and removed:
         _without_identity_pairs(added, removed)
-    found = [Target(key, "add", ("existence",), record, None) for key, record in added.items()]
-    found += [Target(key, "remove", ("existence",), None, record) for key, record in removed.items()]
+    found = [RepairTarget(key, "add", ("existence",), record, None) for key, record in added.items()]
+    found += [RepairTarget(key, "remove", ("existence",), None, record) for key, record in removed.items()]
     beside = []
     for key, entry in after.items():
         old = before.get(key)
@@ -89,7 +91,7 @@ def find_targets(before: dict[str, Entry], after: dict[str, Entry], finite: set[
         if not (is_semantic(entry.record) or is_semantic(old.record)):
             continue
         if fields:
-            found.append(Target(key, "repair", tuple(fields), cut, old.record))
+            found.append(RepairTarget(key, "repair", tuple(fields), cut, old.record))
         elif "properties" in cut and cut["properties"] != old.record["properties"]:
             beside.append(str(old.record.get("label") or key))
     if not found:

@@ -66,7 +66,7 @@ def to_gltf(matrix_cm: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class Pictures:
+class GlbPictures:
     """Texture files of a material, and what the alpha of the base colour does."""
 
     base: Path | None = None
@@ -86,9 +86,9 @@ class _Scene:
         self.nodes: list[str] = []
         """Names of the nodes by their number, which is their key in the scene: labels are not unique."""
         self.geometries: dict[tuple[str, int, str], str] = {}
-        self._materials: dict[tuple[Material, Pictures], tuple[str, PBRMaterial]] = {}
+        self._materials: dict[tuple[Material, GlbPictures], tuple[str, PBRMaterial]] = {}
         self._opened: dict[tuple[Path, bool], Image.Image] = {}
-        self._exact: dict[str, tuple[str, Material, Pictures]] = {}
+        self._exact: dict[str, tuple[str, Material, GlbPictures]] = {}
         self.triangles = 0
         self.extras = LightsAndCameras(world)
 
@@ -135,19 +135,19 @@ class _Scene:
             self.triangles += int(np.count_nonzero(mesh.face_slots == slot))
             yield self.geometries[key]
 
-    def _pictures(self, component: StaticMeshComponent, slot: int) -> Pictures:
+    def _pictures(self, component: StaticMeshComponent, slot: int) -> GlbPictures:
         """Texture files of the pack material that a slot shows, or of the one that it was made of."""
         material = component.get_material(slot) if slot < component.get_num_materials() else None
         packed = self._store.material(material._origin_path()) if material is not None else None
         if packed is None:
-            return Pictures()
+            return GlbPictures()
         base, normal, roughness_metal, emissive = (
             self._store.pack_file(packed, name)
             for name in (packed.texture, packed.normal_texture, packed.roughness_metal_texture, packed.emissive_texture)
         )
-        return Pictures(base, normal, roughness_metal, emissive, packed.alpha, packed.alpha_cutoff)
+        return GlbPictures(base, normal, roughness_metal, emissive, packed.alpha, packed.alpha_cutoff)
 
-    def _material(self, surface: Material, pictures: Pictures) -> tuple[str, PBRMaterial]:
+    def _material(self, surface: Material, pictures: GlbPictures) -> tuple[str, PBRMaterial]:
         known = (surface, pictures)
         if known not in self._materials:
             key = f"material_{len(self._materials)}"

@@ -37,7 +37,7 @@ _CHUNK = 1 << 18
 _TAIL_BYTES = 4000
 
 
-class Job:
+class EngineJob:
     """One piece of work for the engine's main thread."""
 
     def __init__(self, number: int, request: Mapping[str, Any], log: JobLog) -> None:
@@ -109,9 +109,9 @@ class JobBoard:
         """What the engine calls its version, told when it is ready."""
         self.gone: str | None = None
         """How the engine ended; None while it runs."""
-        self.running: Job | None = None
-        self._waiting: deque[Job] = deque()
-        self._jobs: OrderedDict[str, Job] = OrderedDict()
+        self.running: EngineJob | None = None
+        self._waiting: deque[EngineJob] = deque()
+        self._jobs: OrderedDict[str, EngineJob] = OrderedDict()
         self._lock = threading.Lock()
         self._count, self._stopping, self._printing = 0, False, -1
         self._incoming = channel.Incoming()
@@ -121,11 +121,11 @@ class JobBoard:
         self._thread = threading.Thread(target=self._work, name="engine-jobs", daemon=True)
         self._thread.start()
 
-    def submit(self, request: Mapping[str, Any]) -> Job:
+    def submit(self, request: Mapping[str, Any]) -> EngineJob:
         """Queue work for the engine."""
         with self._lock:
             self._count += 1
-            job = Job(self._count, request, JobLog(self._folder / f"job-{self._count}.log"))
+            job = EngineJob(self._count, request, JobLog(self._folder / f"job-{self._count}.log"))
             self._jobs[job.id] = job
             while len(self._jobs) > KEPT_JOBS and next(iter(self._jobs.values())).done.is_set():
                 self._jobs.popitem(last=False)
@@ -138,7 +138,7 @@ class JobBoard:
         self._finish(job, self.gone, "EngineDied", ended=True)
         return job
 
-    def job(self, job_id: str) -> Job | None:
+    def job(self, job_id: str) -> EngineJob | None:
         """A job by its id, if it is still known."""
         with self._lock:
             return self._jobs.get(job_id)
@@ -160,7 +160,7 @@ class JobBoard:
             told["error"] = gone
         return told
 
-    def abandon(self, job: Job) -> None:
+    def abandon(self, job: EngineJob) -> None:
         """Ask a job to end: at its next Python instruction when it runs, at once when it waits. Best effort."""
         with self._lock:
             job.abandoned = True
@@ -259,7 +259,7 @@ class JobBoard:
         finally:
             channel.close(writing)
 
-    def _finish(self, job: Job, error: Any, fault: Any, value: bytes = b"", *, ended: bool = False) -> None:
+    def _finish(self, job: EngineJob, error: Any, fault: Any, value: bytes = b"", *, ended: bool = False) -> None:
         job.error, job.fault = (None if text is None else str(text) for text in (error, fault))
         if error is None:
             try:

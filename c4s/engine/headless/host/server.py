@@ -19,7 +19,7 @@ from typing import Any
 import orjson
 
 from c4s.engine.bridge import MAX_REQUEST_BYTES, decode, read_line
-from c4s.engine.headless.host.jobs import Job, JobBoard
+from c4s.engine.headless.host.jobs import EngineJob, JobBoard
 
 DEFAULT_WAIT_S = 20.0
 MAX_SHOTS = 16
@@ -131,11 +131,11 @@ class BridgeServer:
         wait_s = _number(params, "wait_s", DEFAULT_WAIT_S)
         return self._finish(self._board.submit({"function": function, "params": arguments}), wait_s)
 
-    def _finish(self, job: Job, wait_s: float) -> dict[str, Any]:
+    def _finish(self, job: EngineJob, wait_s: float) -> dict[str, Any]:
         job.done.wait(wait_s)
         return job.reply()
 
-    def _known(self, params: Params) -> Job:
+    def _known(self, params: Params) -> EngineJob:
         job = self._board.job(str(params.get("job_id")))
         if job is None:
             raise BadRequest(f"no such job {params.get('job_id')!a:.100}")

@@ -43,7 +43,7 @@ class EngineSession:
         listener: socket.socket,
         connection: socket.socket,
         output: int,
-        paths: sandbox.Paths,
+        paths: sandbox.Mounts,
         folders: tuple[Path, Path],
         limits: Limits,
     ) -> None:
@@ -83,7 +83,7 @@ class EngineSession:
             folder.mkdir(parents=True, exist_ok=True)
         chosen, limits, compiled = use or sandbox.backend(), limits or Limits(), kernels.compiled()
         readable = (*packs, *levels, compiled, *((content,) if content_read_only else ()))
-        paths = sandbox.Paths(readable, (scratch,) if content_read_only else (content, scratch), scratch)
+        paths = sandbox.Mounts(readable, (scratch,) if content_read_only else (content, scratch), scratch)
         with ExitStack() as undo:
             socket_folder = Path(tempfile.mkdtemp(prefix="c4s-"))
             undo.callback(shutil.rmtree, socket_folder)

@@ -28,7 +28,7 @@ _PNG_LEVEL = 4
 
 
 @dataclass(frozen=True)
-class Scene:
+class DrawnScene:
     """A level ready for pictures; masks hold indices into ``names`` and ``labels``."""
 
     renderer: Renderer
@@ -66,7 +66,7 @@ def camera_of(view: Mapping[str, Any]) -> Camera:
     return Camera((x, y, z), (pitch, yaw, roll), float(view["fov_deg"]), int(view["width"]), int(view["height"]))
 
 
-def write_mask(path: Path, picture: Picture, scene: Scene) -> None:
+def write_mask(path: Path, picture: Picture, scene: DrawnScene) -> None:
     """Write the actor mask and depth of a picture with the table of its actors."""
     with path.open("wb") as file:
         np.savez_compressed(
@@ -78,13 +78,13 @@ def write_mask(path: Path, picture: Picture, scene: Scene) -> None:
         )
 
 
-def visible(picture: Picture, scene: Scene) -> dict[str, int]:
+def visible(picture: Picture, scene: DrawnScene) -> dict[str, int]:
     """Pixels of each actor that the picture shows, by object name."""
     indices, counts = np.unique(picture.actor[picture.actor >= 0], return_counts=True)
     return {scene.names[index]: int(count) for index, count in zip(indices, counts, strict=True)}
 
 
-def open_level() -> Scene:
+def open_level() -> DrawnScene:
     """The current level of this process."""
     from c4s.engine.headless.world.state import world
 
@@ -100,7 +100,7 @@ def open_level() -> Scene:
         instances.append(Instance(meshes[shown.mesh], shown.matrix, surfaces.of(shown.component), shown.actor_index))
     actors = level.actor_list()
     sources = tuple(level.light_sources())
-    return Scene(
+    return DrawnScene(
         Renderer(loaded, instances, lights_of(sources)),
         tuple(actor.get_name() for actor in actors),
         tuple(actor.get_actor_label() for actor in actors),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.editor.facts import Part, Reader, Stand
+from c4s.editor.facts import PartFacts, Reader, Stand
 from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal.components import InstancedStaticMeshComponent, StaticMeshComponent
 from c4s.engine.headless.world.state import world
@@ -35,7 +35,7 @@ class DirectReader(Reader):
     def parts(self, actor: Any) -> list[Any]:
         return list(actor._components)
 
-    def part(self, component: Any) -> Part:
+    def part(self, component: Any) -> PartFacts:
         if not isinstance(component, StaticMeshComponent):
             return super().part(component)
         pose = component._world_pose()
@@ -44,7 +44,7 @@ class DirectReader(Reader):
             instances = [_place(compose(each, pose)) for each in component._instances]
         mesh = component._mesh
         slots = [self.material(component._material(i)) for i in range(component._slot_count())]
-        return Part(
+        return PartFacts(
             str(component._name),
             self.paths[component._class()],
             True,

@@ -11,7 +11,7 @@ from c4s.collision.shapes import Body
 from c4s.engine.headless.queries.advance import Advance, SweepHit
 from c4s.engine.headless.queries.channels import Response
 from c4s.engine.headless.queries.filters import Wanted
-from c4s.engine.headless.queries.index import SpatialIndex, Target, current
+from c4s.engine.headless.queries.index import QueryTarget, SpatialIndex, current
 from c4s.engine.headless.queries.solids import Array, ray_body
 from c4s.engine.headless.queries.triangles import Rows, Triangles, facing, first_on_segment
 
@@ -24,7 +24,7 @@ _advance = Advance()
 class Hit:
     """Where a query met a target. Lengths in cm."""
 
-    target: Target
+    target: QueryTarget
     distance: float
     location: Array
     """Where the ray, or the middle of the moved shape, is at that moment."""
@@ -55,7 +55,7 @@ def ray(start: Array, end: Array, wanted: Wanted, *, many: bool = False, all_hit
         return []
     index, direction = current(), step / length
 
-    def meet(target: Target) -> Hit | None:
+    def meet(target: QueryTarget) -> Hit | None:
         found = _ray_triangles if wanted.triangles and target.asset is not None else _ray_bodies
         return found(index, target, start, direction, length)
 
@@ -81,7 +81,7 @@ def sweep(
     length = length if length > SHORTEST_CM else 0.0
     index = current()
 
-    def meet(target: Target) -> Hit | None:
+    def meet(target: QueryTarget) -> Hit | None:
         if target.component in skipped:
             return None
         found = _sweep_triangles if wanted.triangles and target.asset is not None else _sweep_bodies
@@ -92,7 +92,11 @@ def sweep(
 
 
 def _answered(
-    near: list[tuple[float, Target]], wanted: Wanted, meet: Callable[[Target], Hit | None], length: float, many: bool
+    near: list[tuple[float, QueryTarget]],
+    wanted: Wanted,
+    meet: Callable[[QueryTarget], Hit | None],
+    length: float,
+    many: bool,
 ) -> Iterator[Hit]:
     """Hits on targets that answer; for a single hit nothing behind the nearest block is looked at."""
     best = np.inf
@@ -124,7 +128,7 @@ def _kept(hits: Iterator[Hit], many: bool, all_hits: bool) -> list[Hit]:
     )
 
 
-def _ray_bodies(index: SpatialIndex, target: Target, start: Array, direction: Array, length: float) -> Hit | None:
+def _ray_bodies(index: SpatialIndex, target: QueryTarget, start: Array, direction: Array, length: float) -> Hit | None:
     best: Hit | None = None
     for number, body in enumerate(index.bodies(target)):
         found = ray_body(body, start, direction, length)
@@ -139,7 +143,9 @@ def _world_corners(triangles: Triangles, rows: Rows, matrix: Array) -> Array:
     return corners
 
 
-def _ray_triangles(index: SpatialIndex, target: Target, start: Array, direction: Array, length: float) -> Hit | None:
+def _ray_triangles(
+    index: SpatialIndex, target: QueryTarget, start: Array, direction: Array, length: float
+) -> Hit | None:
     triangles = index.triangles(target)
     if triangles is None:
         return None
@@ -160,7 +166,7 @@ def _ray_triangles(index: SpatialIndex, target: Target, start: Array, direction:
     return Hit(target, fraction * length, place, place, normal, normal, face=int(triangles.faces[rows[row]]))
 
 
-def _swept(target: Target, moving: Body, direction: Array, hit: SweepHit, element: int, face: int) -> Hit:
+def _swept(target: QueryTarget, moving: Body, direction: Array, hit: SweepHit, element: int, face: int) -> Hit:
     return Hit(
         target,
         hit.distance,
@@ -175,7 +181,9 @@ def _swept(target: Target, moving: Body, direction: Array, hit: SweepHit, elemen
     )
 
 
-def _sweep_bodies(index: SpatialIndex, target: Target, moving: Body, direction: Array, length: float) -> Hit | None:
+def _sweep_bodies(
+    index: SpatialIndex, target: QueryTarget, moving: Body, direction: Array, length: float
+) -> Hit | None:
     best: Hit | None = None
     for number, body in enumerate(index.bodies(target)):
         found = _advance.sweep(moving, body, direction, length)
@@ -185,7 +193,9 @@ def _sweep_bodies(index: SpatialIndex, target: Target, moving: Body, direction: 
     return best
 
 
-def _sweep_triangles(index: SpatialIndex, target: Target, moving: Body, direction: Array, length: float) -> Hit | None:
+def _sweep_triangles(
+    index: SpatialIndex, target: QueryTarget, moving: Body, direction: Array, length: float
+) -> Hit | None:
     triangles = index.triangles(target)
     if triangles is None:
         return None
@@ -220,7 +230,7 @@ def _local_box(matrix: Array, inverse: Array, low: Array, high: Array) -> tuple[
     return middle - half, middle + half
 
 
-def overlaps(bodies: list[Body], wanted: Wanted) -> list[Target]:
+def overlaps(bodies: list[Body], wanted: Wanted) -> list[QueryTarget]:
     """Targets that any of the bodies overlaps (touching is no overlap), in a steady order."""
     if not bodies:
         return []

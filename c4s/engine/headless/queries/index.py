@@ -22,7 +22,7 @@ _ROOM = 256
 _Corners = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
-class Target:
+class QueryTarget:
     """One placed mesh (or volume) that queries can meet."""
 
     __slots__ = ("_bodies", "_matrix", "actor", "asset", "component", "geometry", "item", "pose")
@@ -52,7 +52,7 @@ class SpatialIndex:
         self._rows: dict[Any, list[int]] = {}
         self._free: list[int] = []
         self._low, self._high = np.full((3, _ROOM), np.inf), np.full((3, _ROOM), -np.inf)
-        self._targets: list[Target | None] = []
+        self._targets: list[QueryTarget | None] = []
         self._plain: dict[str, list[MeshBody]] = {}
         self._reach: dict[str, _Corners] = {}
         self._triangles: dict[str, Triangles | None] = {}
@@ -84,7 +84,7 @@ class SpatialIndex:
                 if found:
                     self._rows[actor] = found
 
-    def _of(self, actor: Any) -> list[Target]:
+    def _of(self, actor: Any) -> list[QueryTarget]:
         return [
             target
             for component in actor._components
@@ -93,19 +93,19 @@ class SpatialIndex:
         ]
 
     @staticmethod
-    def _of_component(component: Any, pose: Pose) -> list[Target]:
+    def _of_component(component: Any, pose: Pose) -> list[QueryTarget]:
         mesh, instances = getattr(component, "_mesh", None), getattr(component, "_instances", None)
         if mesh is not None:
             poses = [pose] if instances is None else [compose(each, pose) for each in instances]
             return [
-                Target(component._outer, component, -1 if instances is None else i, each, mesh._asset, mesh)
+                QueryTarget(component._outer, component, -1 if instances is None else i, each, mesh._asset, mesh)
                 for i, each in enumerate(poses)
             ]
         if type(component).__name__ == "BrushComponent":
-            return [Target(component._outer, component, -1, pose, None, None)]
+            return [QueryTarget(component._outer, component, -1, pose, None, None)]
         return []
 
-    def _add(self, target: Target, low: Array, high: Array) -> int:
+    def _add(self, target: QueryTarget, low: Array, high: Array) -> int:
         if self._free:
             row = self._free.pop()
             self._targets[row] = target
@@ -118,7 +118,7 @@ class SpatialIndex:
         self._low[:, row], self._high[:, row] = low, high
         return row
 
-    def _box(self, target: Target) -> tuple[Array, Array] | None:
+    def _box(self, target: QueryTarget) -> tuple[Array, Array] | None:
         """World box of the mesh and of its bodies; None when it reaches out of the world."""
         low, high = target.component._local_bounds() if target.asset is None else self._corners(target.asset)
         origin, extent = target.pose.box(low, high)
@@ -151,7 +151,7 @@ class SpatialIndex:
 
     # reading
 
-    def crossing(self, start: Array, step: Array, half: Array) -> list[tuple[float, Target]]:
+    def crossing(self, start: Array, step: Array, half: Array) -> list[tuple[float, QueryTarget]]:
         """Targets whose box, widened by ``half`` (cm), meets a segment, with the fraction of the way; nearest first."""
         end = start + step
         rows = self._near(np.minimum(start, end) - half, np.maximum(start, end) + half)
@@ -160,7 +160,7 @@ class SpatialIndex:
         order = order[np.argsort(first[order], kind="stable")]
         return [(float(first[i]), target) for i in order.tolist() if (target := self._targets[rows[i]]) is not None]
 
-    def meeting(self, low: Array, high: Array) -> list[Target]:
+    def meeting(self, low: Array, high: Array) -> list[QueryTarget]:
         """Targets whose box meets a box."""
         return [target for row in self._near(low, high).tolist() if (target := self._targets[row]) is not None]
 
@@ -174,7 +174,7 @@ class SpatialIndex:
             near &= self._high[axis, :used] >= low[axis]
         return np.flatnonzero(near)
 
-    def bodies(self, target: Target) -> list[Body]:
+    def bodies(self, target: QueryTarget) -> list[Body]:
         """Collision bodies of a target in the world."""
         if target._bodies is None:
             target._bodies = self.placed(target, target.pose)
@@ -184,7 +184,7 @@ class SpatialIndex:
         """Collision bodies of a component as they would lie under another pose (instances move with it)."""
         return [body for target in self._of_component(component, pose) for body in self.placed(target, target.pose)]
 
-    def placed(self, target: Target, pose: Pose) -> list[Body]:
+    def placed(self, target: QueryTarget, pose: Pose) -> list[Body]:
         """Collision bodies of a target as they would lie under another pose."""
         name = target.asset.path if target.asset is not None else f"{type(target.component).__name__}:box"
         if name not in self._plain:
@@ -193,7 +193,7 @@ class SpatialIndex:
         shapes = [SHAPES.shape(body, pose.scale) for body in self._plain[name]]
         return [shape.place(rotation, location) for shape in shapes if shape is not None]
 
-    def triangles(self, target: Target) -> Triangles | None:
+    def triangles(self, target: QueryTarget) -> Triangles | None:
         """Triangles of a target's mesh in its local frame; None when there are none."""
         if target.asset is None:
             return None
@@ -220,7 +220,7 @@ def local_reach(body: CollisionBody) -> _Corners:
     return (x - half, y - half, z - half), (x + half, y + half, z + half)
 
 
-def _records(target: Target) -> list[CollisionBody]:
+def _records(target: QueryTarget) -> list[CollisionBody]:
     if target.asset is not None:
         return list(target.asset.collision)
     low, high = (np.array(corner) for corner in target.component._local_bounds())
