@@ -37,6 +37,7 @@ from mcp.server.lowlevel import Server
 from bench.row import Row
 from c4s.files import json_lines
 from c4s.protocol.settings import TEXT_TO_SCENE
+from c4s.records.folder import AttemptFolder
 from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
@@ -84,7 +85,7 @@ def new_run(name: str, folder: Path, calls: int = 100_000) -> Run:
         }
     )
     bench = Workbench(case, folder, CaseCatalog([]), _NoEngine(), folder)
-    return Run(name, bench, case.budget, folder / name / "trajectory.jsonl", OFFERED)
+    return Run(name, bench, case.budget, AttemptFolder(folder / name).trajectory, OFFERED)
 
 
 def one_client(endpoint: Endpoint) -> dict[str, int]:

@@ -126,7 +126,7 @@ def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: s
         verdicts=verdicts,
         policy=DEFAULT_POLICY,
     )
-    (folder.root / "verdicts").mkdir(parents=True)
+    folder.verdict(GATE).parent.mkdir(parents=True)
     for name, verdict in verdicts.items():
         folder.verdict(name).write_text(json.dumps(verdict.plain()))
     folder.score.write_text(json.dumps(made.plain()))

@@ -21,6 +21,7 @@ from bench.row import Row
 from c4s.engine.headless.host.session import EngineSession
 from c4s.files import write_json
 from c4s.protocol.settings import OUTDOOR_REPAIR
+from c4s.records.folder import AttemptFolder
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.catalog import CaseCatalog
@@ -132,7 +133,7 @@ def session(root: Path, actors: int) -> dict[str, Any]:
         Gateway() as gateway,
     ):
         bench = Workbench(case, agent_folder, CaseCatalog.load(case, []), engine, root / "scratch")
-        endpoint = gateway.open_run(Run("bench", bench, case.budget, root / "trajectory.jsonl"))
+        endpoint = gateway.open_run(Run("bench", bench, case.budget, AttemptFolder(root).trajectory))
         with GatewayClient(endpoint) as client:
             for number in range(_ROUNDS):
                 for name, arguments in mix(number):

@@ -17,6 +17,7 @@ from c4s.errors import MachineryFault
 from c4s.evidence import export_and_look, overview_cameras, take_pictures
 from c4s.evidence.cameras import SIZE_PX, VIEWS
 from c4s.files import write_json
+from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
 from cases.model import CaseView
 from cases.views import camera
@@ -65,12 +66,12 @@ def scene(
         keep_pictures=True,
     )
     inputs, starts = _inputs(packs, corrupted, views, out / "inputs", progress) if corrupted else ({}, {})
-    captures = out / "truth" / "captures"
+    captures = EvidenceFolder(out / "truth").captures
     pictures = {
         case_id: [captures / f"{case_id}--{view.name}.png" for view in wanted] for case_id, wanted in views.items()
     }
     return Exported(
-        out / "truth" / "snapshot.json",
+        EvidenceFolder(out / "truth").snapshot,
         inputs,
         pictures,
         starts,
@@ -88,7 +89,7 @@ def _inputs(
     """Snapshot and pictures of each corrupted level; opened one after the other, none holds anything of another."""
     for case_id, level in levels.items():
         level.write(out / "levels" / f"{case_id}.level.json")
-    files = {case_id: out / f"{case_id}.snapshot.json" for case_id in levels}
+    files = {case_id: out / f"{case_id}.scene.json" for case_id in levels}
     pictures: dict[str, list[Path]] = {}
     with open_engine(
         DEFAULT_ENGINE,

@@ -20,6 +20,7 @@ from c4s.engine import DEFAULT_ENGINE
 from c4s.errors import BadInput
 from c4s.evidence import export_level
 from c4s.files import read_json
+from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level, Vector
 from c4s.records.pack import Pack
 from c4s.verify.physics.verdict import verify_physics
@@ -114,7 +115,7 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[SoundThing]:
     Raises ``MachineryFault`` when the engine cannot export the scene.
     """
     with tempfile.TemporaryDirectory(prefix="c4s-generate-") as folder:
-        document, out = Path(folder) / "scene.level.json", Path(folder) / "snapshot.json"
+        document, out = Path(folder) / "scene.level.json", EvidenceFolder(Path(folder)).snapshot
         level.write(document)
         export_level(engine=DEFAULT_ENGINE, packs=packs, level=document, out=out)
         snapshot: dict[str, Any] = read_json(out)

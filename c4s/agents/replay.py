@@ -23,7 +23,7 @@ def recorded_calls(trajectory: Path) -> Iterator[tuple[str, dict[str, Any], bool
     ``BadInput``.
     """
     if not trajectory.is_file():
-        raise BadInput("no such trajectory", where=str(trajectory), todo="give the trajectory.jsonl of an attempt")
+        raise BadInput("no such trajectory", where=str(trajectory), todo="give the trajectory of an attempt")
     for line in sorted(counted_calls(read_lines(trajectory)), key=lambda line: int(line["call"])):
         if line["outcome"] in ("ok", "error"):
             yield str(line["tool"]), dict(line["arguments"]), line["outcome"] == "ok"

@@ -64,7 +64,7 @@ def pack(
     plan = Plan.read(RunFolder(root).plan)
     trial = RunFolder(root).trial(configuration, case, repeat)
     if not trial.score.is_file():
-        raise BadInput("no score of such a trial", where=str(trial.root), todo="see the run's plan.json for names")
+        raise BadInput("no score of such a trial", where=str(trial.root), todo="see the run's plan for names")
     manifest = pack_trial(trial, out, withheld=(suite or suites_root() / plan.suite_id) / "withheld" / case)
     if json_output:
         print_json({"bundle": str(out), "files": manifest.files})

@@ -8,6 +8,7 @@ import typer
 
 from c4s.cli.output import print_json
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
+from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 
 
@@ -23,8 +24,8 @@ def report(
     from warehouse.ingest import rebuild_from_run
 
     if from_runs:
-        for plan in sorted(runs_root().glob("*/plan.json")):
-            rebuild_from_run(plan.parent, suites_root() / Plan.read(plan).suite_id, warehouse_root())
+        for run in RunFolder.planned(runs_root()):
+            rebuild_from_run(run.root, suites_root() / Plan.read(run.plan).suite_id, warehouse_root())
     rebuild(warehouse_root())
     page = build_site(warehouse_root(), site_root())
     if json_output:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+SAVES = "saves.jsonl"
+"""In a submission: every package that the engine saved, a JSON line each."""
+
 
 class EvidenceFolder:
     """What clean engine processes exported from the retained submission: ``<trial>/evidence``."""
@@ -94,7 +97,7 @@ class AttemptFolder:
     @property
     def saves(self) -> Path:
         """Every package that was saved, a JSON line each."""
-        return self.submission / "saves.jsonl"
+        return self.submission / SAVES
 
     @property
     def images(self) -> Path:
@@ -181,6 +184,11 @@ class RunFolder:
     def spending(self) -> Path:
         """What the whole run has spent on models, against its limit."""
         return self.root / "spending.jsonl"
+
+    @classmethod
+    def planned(cls, runs: Path) -> list[RunFolder]:
+        """The runs of a folder that have a plan, by name."""
+        return [folder for path in sorted(runs.glob("*")) if (folder := cls(path)).plan.is_file()]
 
     def trial(self, configuration: str, case_id: str, repeat: int) -> TrialFolder:
         """Folder of a trial; repeats count from 1."""

@@ -30,6 +30,7 @@ from c4s.files import append_json_line
 from c4s.geometry.transform import Array
 from c4s.packs import basic_shapes
 from c4s.packs.store import PackStore
+from c4s.records.folder import SAVES
 from c4s.records.level import Level, LevelActor
 from c4s.records.pack import Material
 
@@ -172,7 +173,7 @@ class World(AssetLibrary):
         except BadInput as error:
             self.log.error(f"SaveMap: '{package}' is not saved: {error.line()}")
             return False
-        append_json_line(self.content / "saves.jsonl", {"package": package})
+        append_json_line(self.content / SAVES, {"package": package})
         self.package = package
         self.map._object_path = self.map_path()
         self.map._name = package.rsplit("/", 1)[-1]
