@@ -25,7 +25,7 @@ FOLDER = re.compile(rf"(?:^|/)({'|'.join(RUN_FOLDERS)})(?=/)")
 SETTING = re.compile(r"text-to-scene|image-to-scene(?:/\w+)?")
 VERIFIER = re.compile(r"(?:physics|repair|detailed|overview|integrity)")
 BACKEND = re.compile(rf"\b(?:{'|'.join(map(re.escape, BACKENDS))})\b[\w.]*")
-MOST_FUNCTION_LINES, MOST_FILE_LINES = 60, 400
+MOST_FILE_LINES = 400
 
 
 def run_files(file: Source) -> set[str]:
@@ -79,16 +79,6 @@ def backends(file: Source) -> set[str]:
     return {name for name in modules if not any(other != name and name.startswith(f"{other}.") for other in modules)}
 
 
-def long_functions(file: Source) -> set[str]:
-    """Functions of too many lines, docstring included."""
-    return {
-        node.name
-        for node in file.nodes
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
-        and (node.end_lineno or node.lineno) - node.lineno >= MOST_FUNCTION_LINES
-    }
-
-
 def long_files(file: Source) -> set[str]:
     """The file as a whole, where it has too many lines."""
     return {"whole"} if len(file.text.splitlines()) > MOST_FILE_LINES else set()
@@ -136,9 +126,6 @@ RULES = {
         "def open_engine():\n    import c4s.engine.unreal\ndef f():\n    from c4s.engine import headless\n"
         "run('-m', 'c4s.engine.headless.process.main')\n",
         {"c4s.engine.headless"},
-    ),
-    "a function has at most 60 lines": Rule(
-        long_functions, (), broken.FUNCTIONS, "def f():\n" + "    pass\n" * 60 + "def g():\n" + "    pass\n" * 59, {"f"}
     ),
     "a file has at most 400 lines": Rule(long_files, (), broken.FILES, "pass\n" * 401, {"whole"}),
 }
