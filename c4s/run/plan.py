@@ -12,6 +12,7 @@ from c4s.files import digest
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.suite import SuiteFolder
+from c4s.run.choices import check_configurations, check_labels
 
 VERSIONED = ("prefect", "numpy", "scipy", "embreex", "python-fcl", "coal", "trimesh", "mcp", "duckdb", "pyarrow")
 
@@ -74,7 +75,13 @@ def make_plan(
     repeats: int = 1,
     cases: Sequence[str] = (),
 ) -> Plan:
-    """A plan over the suite's cases (all, or those named). Raises ``BadInput`` for an unknown case."""
+    """A plan over the suite's cases (all, or those named).
+
+    Raises ``BadInput`` for an unknown case, and for an engine, judge, policy or configuration that cannot be obeyed
+    (``c4s.run.choices``).
+    """
+    check_labels(engine, judge, policy)
+    check_configurations(configurations)
     record = suite.suite()
     known = {case.case_id for case in record.cases}
     for case_id in cases:
