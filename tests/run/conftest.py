@@ -42,7 +42,7 @@ def environment(home: Path) -> dict[str, str]:
     return {**os.environ, "C4S_HOME": str(home), "COLUMNS": "140"}
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def c4s(home: Path) -> Command:
     """Run the command line in the home."""
 
