@@ -63,6 +63,10 @@ class MachineryFault(C4SError):
     exit_code = 3
 
 
+class OverLimit(MachineryFault):
+    """A process that c4s runs went over its time or its memory and was ended."""
+
+
 class AgentFault(C4SError):
     """The agent under test failed. An outcome, not a fault of the run."""
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from c4s.errors import AgentFault, MachineryFault
+from c4s.errors import AgentFault
 
 Stage = Literal["attempt", "integrity", "look", "judge", "verify", "score", "persist"]
 Kind = Literal["engine", "processor", "request"]
@@ -40,10 +40,6 @@ LIMITS: Final[dict[Stage, Limit]] = {
 """An attempt's seconds count from the end of its wall budget: engine start, and the grace that a client has to stop."""
 ONLINE_JUDGE: Final = Limit("request", 3600.0)
 """The stage ``judge`` where the judge asks a model over a network."""
-
-
-class OverLimit(MachineryFault):
-    """A stage ran over its time or its memory and was ended."""
 
 
 class SceneTooLarge(AgentFault):

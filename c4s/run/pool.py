@@ -16,10 +16,11 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Self, TypeVar, TypeVarTuple
 
+from c4s.errors import OverLimit
 from c4s.judge.registry import judge_named
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
-from c4s.run.limits import LIMITS, ONLINE_JUDGE, Kind, Limit, OverLimit, SceneTooLarge, Stage
+from c4s.run.limits import LIMITS, ONLINE_JUDGE, Kind, Limit, SceneTooLarge, Stage
 from c4s.run.plan import Trial
 from c4s.run.processes import Process, WorkerDied
 from c4s.run.slots import Slots
@@ -165,6 +166,7 @@ async def work(function: Callable[[*Args], R], *arguments: *Args) -> R:
     try:
         result, seconds = await turn.pool.run(turn.limit, function, *arguments)
     except (OverLimit, SceneTooLarge, WorkerDied) as error:
-        raise type(error)(error.what, where=turn.name, todo=error.todo) from None
+        error.where = turn.name
+        raise
     turn.spent_s += seconds
     return result

@@ -19,8 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from c4s.errors import MachineryFault
-from c4s.run.limits import OverLimit
+from c4s.errors import MachineryFault, OverLimit
 from c4s.run.worker import HEADER
 
 POLL_S = 0.25

@@ -16,8 +16,7 @@ import time
 import traceback
 from typing import Any
 
-from c4s.errors import MachineryFault
-from c4s.run.limits import OverLimit
+from c4s.errors import MachineryFault, OverLimit
 
 HEADER = struct.Struct(">Q")
 PR_SET_PDEATHSIG = 1

@@ -38,3 +38,16 @@ def child_that_stays(path: Path) -> None:
 
 def refuse() -> NoReturn:
     raise BadInput("not this", where="here", todo="that")
+
+
+def engine_that_grows(folder: Path) -> None:
+    """An engine that takes more memory than it may have."""
+    from c4s.engine.confine.confinement import Limits
+    from c4s.engine.headless.host.session import EngineSession
+
+    with EngineSession.start(
+        packs=[], content=folder / "content", scratch=folder / "scratch", limits=Limits(memory=512 << 20)
+    ) as engine:
+        with (folder / "pids").open("a") as told:
+            told.write(f"{os.getpid()}\n")
+        engine.execute("import time\nheld = bytearray(b'1' * (600 << 20))\ntime.sleep(60)")

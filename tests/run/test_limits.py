@@ -15,12 +15,12 @@ from typing import Any
 
 import pytest
 
-from c4s.errors import BadInput, MachineryFault
-from c4s.run.limits import LIMITS, Limit, OverLimit, SceneTooLarge
+from c4s.errors import BadInput, MachineryFault, OverLimit
+from c4s.run.limits import LIMITS, Limit, SceneTooLarge
 from c4s.run.pool import Pool
 from c4s.run.processes import WorkerDied, _family
 from tests.run.conftest import environment
-from tests.run.jobs import child_that_stays, note_process, refuse
+from tests.run.jobs import child_that_stays, engine_that_grows, note_process, refuse
 from warehouse.database import rows
 
 ROOT = Path(__file__).parents[2]
@@ -89,6 +89,18 @@ def test_what_the_scene_causes_is_an_outcome_after_a_second_fresh_worker(
             await pool.run(limit, note_process, tmp_path / "pids", how)
         first, second = map(int, (tmp_path / "pids").read_text().split())
         assert first in idle and second not in idle
+
+    in_pool(work)
+
+
+def test_an_engine_over_its_limits_is_an_outcome_too(tmp_path: Path) -> None:
+    async def work(pool: Pool) -> None:
+        with pytest.raises(SceneTooLarge, match="more than 512 MiB of memory"):
+            await pool.run(Limit("engine", 120.0, of_scene=True), engine_that_grows, tmp_path)
+        assert len(set((tmp_path / "pids").read_text().split())) == 2
+        with pytest.raises(OverLimit) as raised:
+            await pool.run(LONG, engine_that_grows, tmp_path)
+        assert not isinstance(raised.value, SceneTooLarge) and raised.value.exit_code == 3
 
     in_pool(work)
 

@@ -105,6 +105,8 @@ class JobBoard:
         """Set when the engine serves, refuses, or has ended."""
         self.refusal: dict[str, str] | None = None
         """The bad input for which the engine did not start."""
+        self.over_limit = False
+        """Whether it was ended for what ``watch`` saw."""
         self.gone: str | None = None
         """How the engine ended; None while it runs."""
         self.running: Job | None = None
@@ -205,6 +207,7 @@ class JobBoard:
                 watched = time.monotonic()
                 reason = self._watch()
                 if reason is not None:
+                    self.over_limit = True
                     raise EngineGone(reason)
             if self._wake_end in ready:
                 os.read(self._wake_end, _CHUNK)

@@ -22,7 +22,7 @@ from c4s.engine.confine.watch import Watch
 from c4s.engine.headless.host import kernels
 from c4s.engine.headless.host.jobs import JobBoard
 from c4s.engine.headless.host.server import BridgeServer
-from c4s.errors import BadInput, C4SError, MachineryFault
+from c4s.errors import BadInput, C4SError, MachineryFault, OverLimit
 
 START_TIMEOUT_S = 120.0
 _STOP_TIMEOUT_S = 5.0
@@ -49,6 +49,10 @@ class EngineDied(MachineryFault):
     def __init__(self, what: str, *, during: str, where: str, lines: Sequence[str] = ()) -> None:
         self.during, self.lines = during, list(lines)
         super().__init__(what, where=where)
+
+
+class EngineOverLimit(EngineDied, OverLimit):
+    """The engine process was ended for the memory, threads or files that it took."""
 
 
 class EngineSession:
@@ -148,7 +152,7 @@ class EngineSession:
         if refusal is not None:
             raise BadInput(refusal["what"], where=refusal["where"], todo=refusal["todo"])
         if self._board.gone is not None:
-            raise EngineDied(self._board.gone, during="start", where=str(self.logs))
+            raise self._dead(self._board.gone, "start")
 
     @property
     def pid(self) -> int:
@@ -167,15 +171,14 @@ class EngineSession:
         except BridgeFault as fault:
             if self._board.gone is None:
                 raise
-            raise EngineDied(self._board.gone, during=kind, where=str(self.logs)) from fault
+            raise self._dead(self._board.gone, kind) from fault
         if reply.get("engine_ended") or reply.get("state") == "dead":
-            raise EngineDied(
-                str(reply["error"]),
-                during=kind,
-                where=str(self.logs),
-                lines=reply.get("result", {}).get("python_logs", ()),
-            )
+            raise self._dead(str(reply["error"]), kind, reply.get("result", {}).get("python_logs", ()))
         return reply
+
+    def _dead(self, what: str, during: str, lines: Sequence[str] = ()) -> EngineDied:
+        kind = EngineOverLimit if self._board.over_limit else EngineDied
+        return kind(what, during=during, where=str(self.logs), lines=lines)
 
     def execute(self, script: str, timeout_s: float = 600.0) -> dict[str, Any]:
         """Run a script to its end and return the final reply with all its lines under ``result.python_logs``.
