@@ -91,8 +91,7 @@ def refuse_pending(pending: Sequence[Pending], total: int) -> None:
     if not pending:
         return
     first = next((one for one in pending if not isinstance(one.error, BadInput)), pending[0])
-    kind = BadInput if isinstance(first.error, BadInput) else MachineryFault
-    raise kind(
-        f"{len(pending)} of {total} trials are pending; first {first.trial.name}: {first.reason}",
-        todo="run the same command again",
-    ) from first.error
+    what = f"{len(pending)} of {total} trials are pending; first {first.trial.name}: {first.reason}"
+    if isinstance(first.error, BadInput):
+        raise BadInput(what) from first.error
+    raise MachineryFault(what, todo="run the same command again") from first.error

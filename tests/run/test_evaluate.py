@@ -16,7 +16,7 @@ import pytest
 from c4s.home import runs_root
 from c4s.records.plan import Plan
 from c4s.verify.registry import GATE
-from tests.run.conftest import Command, environment
+from tests.run.conftest import Command, apart, environment
 from warehouse.database import rows
 
 CASES = ["text-flat-family"]
@@ -120,14 +120,11 @@ def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c
 
 
 def test_the_flow_runs_each_stage_as_a_task_and_gives_the_same_scores(ran: Path, tmp_path: Path) -> None:
-    apart = tmp_path / "home"
-    apart.mkdir()
-    for name in ("packs", "suites"):
-        (apart / name).symlink_to(ran / name)
+    own = apart(tmp_path / "home", ran)
     flow = "import asyncio; from flows.evaluate import evaluate; asyncio.run(evaluate('small', ['oracle'], slots=2))"
     done = subprocess.run(
         [sys.executable, "-c", flow],
-        env=environment(apart) | {"PREFECT_HOME": str(tmp_path / "prefect"), **OFFLINE},
+        env=environment(own) | {"PREFECT_HOME": str(tmp_path / "prefect"), **OFFLINE},
         text=True,
         capture_output=True,
         timeout=280,
@@ -135,10 +132,10 @@ def test_the_flow_runs_each_stage_as_a_task_and_gives_the_same_scores(ran: Path,
     )
     assert done.returncode == 0, done.stderr
     wanted = {key: row["score"] for key, row in _scores(ran).items() if key[0] == "oracle"}
-    assert {key: row["score"] for key, row in _scores(apart).items()} == wanted
+    assert {key: row["score"] for key, row in _scores(own).items()} == wanted
     for case in {case for _, case in wanted}:
         seen = set(re.findall(rf"Task run '([\w-]+)-oracle/{case}/r1' - Finished in state Completed", done.stderr))
-        verdicts = {path.stem for path in (apart / "runs/small/oracle" / case / "r1/verdicts").glob("*.json")}
+        verdicts = {path.stem for path in (own / "runs/small/oracle" / case / "r1/verdicts").glob("*.json")}
         assert {"attempt-1", "integrity-1", "look", "score", "persist", *(verdicts - {GATE})} <= seen
         assert ("judge" in seen) == case.startswith("text-")
 

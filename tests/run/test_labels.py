@@ -19,7 +19,7 @@ from c4s.records.suite import SuiteFolder
 from c4s.run import stages
 from c4s.run.plan import Trial, make_plan, trials
 from c4s.score.policies import POLICIES
-from tests.run.conftest import Command
+from tests.run.conftest import apart, command_in
 
 TEXT, REPAIR = "text-flat-family", "indoor-flat-01-mirrored-bath"
 RUN = ("run", "small", "-a", "planner", "-c", TEXT, "--run-id", "labels")
@@ -31,35 +31,41 @@ def choices(label: str) -> list[str]:
 
 
 @pytest.fixture(scope="module")
-def trial(home: Path, c4s: Command) -> tuple[Trial, Plan]:
+def own(home: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A home where nothing else runs."""
+    return apart(tmp_path_factory.mktemp("labels") / "home", home)
+
+
+@pytest.fixture(scope="module")
+def trial(own: Path) -> tuple[Trial, Plan]:
     """A trial of the text case that was run and scored, and its plan."""
-    done = c4s(*RUN)
+    done = command_in(own)(*RUN)
     assert done.returncode == 0, done.stderr
-    plan = Plan.read(home / "runs/labels/plan.json")
-    return next(trials(home / "runs/labels", home / "suites/small", plan)), plan
+    plan = Plan.read(own / "runs/labels/plan.json")
+    return next(trials(own / "runs/labels", own / "suites/small", plan)), plan
 
 
 @pytest.mark.parametrize("label", WRONG)
-def test_a_label_that_nothing_obeys_is_refused_with_the_choices(home: Path, c4s: Command, label: str) -> None:
+def test_a_label_that_nothing_obeys_is_refused_with_the_choices(own: Path, label: str) -> None:
     for command in (
         ("run", "small", "-a", "noop", "-c", REPAIR, "--run-id", "refused"),
         ("agent", "try", "noop", "--suite", "small", "-c", REPAIR),
     ):
-        done = c4s(*command, f"--{label}", WRONG[label])
+        done = command_in(own)(*command, f"--{label}", WRONG[label])
         assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
         assert WRONG[label] in done.stderr and all(choice in done.stderr for choice in choices(label))
-    assert not (home / "runs/refused").exists() and not (home / "tries").exists()
+    assert not (own / "runs/refused").exists() and not (own / "tries").exists()
 
 
 @pytest.mark.parametrize("label", WRONG)
-def test_the_flow_refuses_it_too(home: Path, monkeypatch: pytest.MonkeyPatch, label: str) -> None:
+def test_the_flow_refuses_it_too(own: Path, monkeypatch: pytest.MonkeyPatch, label: str) -> None:
     from flows.evaluate import evaluate
 
-    monkeypatch.setenv("C4S_HOME", str(home))
+    monkeypatch.setenv("C4S_HOME", str(own))
     refused: Any = evaluate.fn("small", ["noop"], run_id="refused", cases=[REPAIR], **{label: WRONG[label]})
     with pytest.raises(BadInput, match=WRONG[label]):
         asyncio.run(refused)
-    assert not (home / "runs/refused").exists()
+    assert not (own / "runs/refused").exists()
 
 
 @pytest.mark.parametrize(
@@ -74,11 +80,11 @@ def test_the_flow_refuses_it_too(home: Path, monkeypatch: pytest.MonkeyPatch, la
     ],
 )
 def test_a_configuration_that_cannot_be_obeyed_is_refused(
-    home: Path, configurations: list[Configuration], told: str
+    own: Path, configurations: list[Configuration], told: str
 ) -> None:
     with pytest.raises(BadInput, match=told):
         make_plan(
-            SuiteFolder(home / "suites/small"),
+            SuiteFolder(own / "suites/small"),
             configurations,
             run_id="refused",
             policy=DEFAULT_POLICY,
@@ -133,24 +139,22 @@ def test_a_file_made_under_another_label_is_a_fault_and_no_score(
     assert stages.score(*trial).status == "measured"
 
 
-def test_it_ends_the_command_as_a_machinery_fault_and_stores_nothing(
-    home: Path, c4s: Command, trial: tuple[Trial, Plan]
-) -> None:
+def test_it_ends_the_command_as_a_machinery_fault_and_stores_nothing(own: Path, trial: tuple[Trial, Plan]) -> None:
     captures = trial[0].folder.evidence.captures_index
     before = captures.read_bytes()
     captures.write_text(json.dumps(json.loads(before) | {"engine": "unreal"}))
     trial[0].folder.score.unlink()
-    for part in (home / "warehouse").rglob("*.parquet"):
+    for part in (own / "warehouse").rglob("*.parquet"):
         part.unlink()
-    done = c4s(*RUN)
+    done = command_in(own)(*RUN)
     assert done.returncode == 3 and "made under engine 'unreal'" in done.stderr, done.stderr
     assert not trial[0].folder.score.exists()
     captures.write_bytes(before)
-    assert c4s(*RUN).returncode == 0 and trial[0].folder.score.is_file()
+    assert command_in(own)(*RUN).returncode == 0 and trial[0].folder.score.is_file()
 
 
-def test_a_run_under_another_policy_is_scored_by_it(home: Path, c4s: Command) -> None:
-    done = c4s("run", "small", "-a", "noop", "-c", REPAIR, "--run-id", "f1", "--policy", "repair-only")
+def test_a_run_under_another_policy_is_scored_by_it(own: Path) -> None:
+    done = command_in(own)("run", "small", "-a", "noop", "-c", REPAIR, "--run-id", "f1", "--policy", "repair-only")
     assert done.returncode == 0, done.stderr
-    score = read_json(home / f"runs/f1/noop/{REPAIR}/r1/score.json")
+    score = read_json(own / f"runs/f1/noop/{REPAIR}/r1/score.json")
     assert (score["policy"], score["score"], score["components"]["physics"]) == ("repair-only", 0.0, 1.0)

@@ -19,7 +19,7 @@ from c4s.errors import BadInput, MachineryFault, OverLimit
 from c4s.run.limits import LIMITS, Limit, SceneTooLarge
 from c4s.run.pool import Pool
 from c4s.run.processes import WorkerDied, _family
-from tests.run.conftest import environment
+from tests.run.conftest import apart, environment
 from tests.run.jobs import child_that_stays, engine_that_grows, note_process, refuse
 from warehouse.database import rows
 
@@ -137,14 +137,6 @@ def test_every_stage_has_a_limit_and_those_that_read_the_scene_alone_are_the_age
     assert all(limit.seconds > 0 and limit.memory_bytes > 0 for limit in LIMITS.values())
 
 
-def _home(tmp_path: Path, home: Path) -> Path:
-    made = tmp_path / "home"
-    made.mkdir()
-    for part in ("packs", "suites"):
-        (made / part).symlink_to(home / part)
-    return made
-
-
 def _command(home: Path, broken: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, "-c", "from tests.run.broken import main; main()", *arguments],
@@ -160,7 +152,7 @@ def _command(home: Path, broken: str, *arguments: str) -> subprocess.CompletedPr
 def test_stages_that_the_scene_breaks_are_outcomes_and_a_dead_worker_is_a_pending_trial(
     home: Path, tmp_path: Path
 ) -> None:
-    here = _home(tmp_path, home)
+    here = apart(tmp_path / "home", home)
     run = ("run", "small", "-a", "oracle", "-a", "noop", "--slots", "2", "--json")
     broken = "look:oracle:text:grows,integrity:oracle:indoor-flat-01:grows,verify:oracle:indoor-flat-02:loops"
     done = _command(here, f"{broken},score:noop:indoor-flat-01:dies", *run)
@@ -190,7 +182,7 @@ def test_stages_that_the_scene_breaks_are_outcomes_and_a_dead_worker_is_a_pendin
 
 
 def test_a_run_that_is_killed_leaves_no_process(home: Path, tmp_path: Path) -> None:
-    here = _home(tmp_path, home)
+    here = apart(tmp_path / "home", home)
     command = [sys.executable, "-m", "c4s.cli", "run", "small", "-a", "noop", "--slots", "2"]
     process = subprocess.Popen(
         command, env=environment(here), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
