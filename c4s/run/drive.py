@@ -37,11 +37,15 @@ class Pending:
 
 
 def in_slots(pool: Pool, run: Run, trial: Trial, plan: Plan, rank: int = 0) -> Do:
-    """A trial's ``do``: each stage waits for its slot, and is then run. Earlier ranks go first."""
+    """A trial's ``do``: each stage waits for its slot, and is then run. Earlier ranks go first.
+
+    Stages are given the plan without other trials, so that what crosses to a worker does not grow with the plan.
+    """
+    own = plan.model_copy(update={"cases": [trial.case], "configurations": [trial.configuration]})
 
     async def do(stage: Stage, *arguments: Any) -> Any:
-        async with pool.turn(stage, trial, plan, rank):
-            return await run(stage, trial, plan, *arguments)
+        async with pool.turn(stage, trial, own, rank):
+            return await run(stage, trial, own, *arguments)
 
     return do
 

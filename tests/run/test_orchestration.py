@@ -9,14 +9,18 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from c4s.errors import MachineryFault
 from c4s.protocol.settings import SETTINGS, Setting
 from c4s.records.plan import Configuration, Plan, PlannedCase
+from c4s.records.verdict import Verdict
 from c4s.run.drive import run_trials
-from c4s.run.limits import Limit, Stage
+from c4s.run.limits import Limit, SceneTooLarge, Stage
 from c4s.run.plan import Trial, trials
 from c4s.run.pool import Pool
+from c4s.run.slots import Slots
 from c4s.run.trial import run_trial
 from c4s.verify.registry import is_judged, verifiers_of
 
@@ -217,3 +221,48 @@ def test_a_fault_costs_its_trial_after_what_runs_beside_it_has_ended(tmp_path: P
     assert {entry[2] for entry in told if entry[:2] == ("case-1", "verify")} == free, "what runs beside it is finished"
     assert {entry[1] for entry in told if entry[0] == "case-1"} == {"attempt", "integrity", "verify"}
     assert all((f"case-{number}", "persist") in told for number in (0, 2))
+
+
+def test_what_a_scene_too_large_for_the_judge_costs_is_the_judged_verdicts(tmp_path: Path) -> None:
+    async def run(stage: Stage, *arguments: Any) -> Any:
+        if stage == "judge":
+            raise SceneTooLarge("it took longer than 900 s", where="judge of it")
+        return True
+
+    told = order_of(tmp_path, "text-to-scene", run)
+    _, (trial,) = planned(tmp_path, 1, ("text-to-scene",))
+    judged = {verifier.name for verifier in verifiers_of("text-to-scene") if "judgements" in verifier.needs}
+    verdicts = {name: Verdict.read(path) for name, path in trial.folder.verdicts.items()}
+    assert verdicts.keys() == judged and judged.isdisjoint({entry[1] for entry in told if entry[0] == "verify"})
+    assert {verdict.status for verdict in verdicts.values()} == {"not_evaluated"}
+    assert {verdict.reason for verdict in verdicts.values()} == {
+        "resource_limit: judge of it: it took longer than 900 s"
+    }
+    assert told[-1] == ("persist done",)
+
+
+@given(count=st.integers(1, 4), jobs=st.lists(st.tuples(st.integers(0, 3), st.booleans()), max_size=12))
+def test_no_slot_is_lost_or_lent_twice_whoever_gives_up(count: int, jobs: list[tuple[int, bool]]) -> None:
+    async def work() -> None:
+        slots, inside, go = Slots(count), 0, asyncio.Event()
+
+        async def job(rank: int) -> None:
+            nonlocal inside
+            async with slots.slot(rank):
+                inside += 1
+                assert inside <= count
+                await go.wait()
+                inside -= 1
+
+        made = [asyncio.create_task(job(rank)) for rank, _ in jobs]
+        await asyncio.sleep(0)
+        assert slots.taken == inside == min(count, len(jobs))
+        waiting = [task for task, (_, gives_up) in zip(made, jobs, strict=True) if gives_up][count:]
+        go.set()
+        for task in waiting:
+            task.cancel()
+        ended = await asyncio.gather(*made, return_exceptions=True)
+        assert all(error is None or isinstance(error, asyncio.CancelledError) for error in ended)
+        assert slots.taken == 0
+
+    finished(work())
