@@ -16,6 +16,8 @@ turn an ``AgentFault`` or a ``MachineryFault`` into a recorded status. Everythin
 
 from __future__ import annotations
 
+from typing import Any
+
 
 class C4SError(Exception):
     """Base of all errors that c4s raises on purpose.
@@ -38,6 +40,16 @@ class C4SError(Exception):
         text = f"{text} ({self.todo})" if self.todo else text
         return " ".join(text.split())
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Whole across a process border: class, text and fields, whatever its constructor takes."""
+        return _again, (type(self), self.args, self.__dict__)
+
+
+def _again(kind: type[C4SError], args: tuple[Any, ...], fields: dict[str, Any]) -> C4SError:
+    error = kind.__new__(kind, *args)
+    error.__dict__.update(fields)
+    return error
+
 
 class BadInput(C4SError):
     """What the user gave cannot be used."""
@@ -49,6 +61,10 @@ class MachineryFault(C4SError):
     """c4s, or a program that it runs, failed. Never a score."""
 
     exit_code = 3
+
+
+class OverLimit(MachineryFault):
+    """A process that c4s runs went over its time or its memory and was ended."""
 
 
 class AgentFault(C4SError):

@@ -1,19 +1,18 @@
-"""One agent attempt. The second runs only where the first left no valid submission."""
+"""One agent attempt."""
 
 from __future__ import annotations
 
 from prefect import task
+from prefect.cache_policies import NO_CACHE
 
+from c4s.records.attempt import AttemptOutcome
 from c4s.records.plan import Plan
 from c4s.run import stages
 from c4s.run.plan import Trial
-from tasks.pool import in_slot
+from c4s.run.pool import work
 
 
-@task(task_run_name="attempt-{number}-{trial.name}")
-def attempt(trial: Trial, plan: Plan, number: int, valid_before: bool = False) -> bool:
-    """Run attempt ``number`` unless an earlier one was valid. Returns whether it is needed and on record."""
-    if valid_before:
-        return False
-    in_slot(stages.attempt, trial, plan, number)
-    return True
+@task(task_run_name="attempt-{number}-{trial.name}", cache_policy=NO_CACHE)
+async def attempt(trial: Trial, plan: Plan, number: int) -> AttemptOutcome:
+    """Run attempt ``number``, or read its outcome."""
+    return await work(stages.attempt, trial, plan, number)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from c4s.errors import BadInput, MachineryFault
-from c4s.meter.endpoints import key_of, model_endpoint, spending_limit
+from c4s.meter.endpoints import ModelEndpoint, key_of, model_endpoint, spending_limit
 from c4s.meter.meter import Meter
 from c4s.meter.prices import PriceTable
 from c4s.meter.record import UPSTREAM_FAULTS
@@ -48,6 +48,27 @@ class ModelAccess:
             )
 
 
+def check_model(configuration: Configuration, default_endpoint: str, wire: str) -> tuple[str, ModelEndpoint, list[str]]:
+    """Name and description of the endpoint that a configuration asks for, and the models that it may use there.
+
+    ``BadInput`` where it names no model, an unknown endpoint, or one that does not speak the client's wire format.
+    """
+    if not configuration.model:
+        raise BadInput("the configuration names no model", where=configuration.name, todo="add `model:` to it")
+    side = configuration.options.get("side_models", [])
+    if not isinstance(side, list) or not all(isinstance(model, str) and model for model in side):
+        raise BadInput("side_models must be a list of model names", where=configuration.name)
+    name = str(configuration.options.get("endpoint", default_endpoint))
+    endpoint = model_endpoint(name)
+    if wire not in endpoint.formats:
+        raise BadInput(
+            f"client {configuration.client!r} speaks {wire}, and endpoint {name!r} speaks "
+            + ", ".join(endpoint.formats),
+            where=configuration.name,
+        )
+    return name, endpoint, [configuration.model, *side]
+
+
 @contextmanager
 def open_model(
     configuration: Configuration,
@@ -63,16 +84,7 @@ def open_model(
     The configuration names ``model``; its options may name ``endpoint`` (of ``endpoints.yaml`` or a known one) and
     ``side_models``, further models that the client may use. ``BadInput`` for what is missing.
     """
-    if not configuration.model:
-        raise BadInput("the configuration names no model", where=configuration.name, todo="add `model:` to it")
-    name = str(configuration.options.get("endpoint", default_endpoint))
-    endpoint = model_endpoint(name)
-    if wire not in endpoint.formats:
-        raise BadInput(
-            f"client {configuration.client!r} speaks {wire}, and endpoint {name!r} speaks "
-            + ", ".join(endpoint.formats),
-            where=configuration.name,
-        )
+    name, endpoint, models = check_model(configuration, default_endpoint, wire)
     books = Ledger(ledger, spending_limit()) if ledger is not None else None
     run = MeterRun(
         configuration.name,
@@ -81,8 +93,8 @@ def open_model(
         usage,
         prices=PriceTable.load(),
         ledger=books,
-        models=(configuration.model, *configuration.options.get("side_models", ())),
+        models=models,
         at_limit=at_limit,
     )
     with Meter() as meter:
-        yield ModelAccess(meter.open_run(run), configuration.model, run)
+        yield ModelAccess(meter.open_run(run), models[0], run)

@@ -2,28 +2,37 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import tempfile
 import webbrowser
-from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from c4s.agents.base import CLIENTS, ModelClient, agent_of
+from c4s.cli.evaluation import built_suite
 from c4s.cli.live import follow
 from c4s.cli.output import console, print_json, print_table
+from c4s.engine import DEFAULT_ENGINE, engine_kinds
 from c4s.errors import BadInput, C4SError
 from c4s.files import read_json
-from c4s.home import home, suites_root
+from c4s.home import home
+from c4s.judge.registry import DEFAULT_JUDGE, JUDGES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.folder import AttemptFolder, RunFolder
 from c4s.records.plan import Configuration, Plan
 from c4s.records.score import TrialScore
 from c4s.records.suite import SuiteFolder
+from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
+from c4s.run.drive import in_slots, stage_functions
+from c4s.run.limits import Stage
 from c4s.run.plan import Trial, make_plan, open_run, trials
+from c4s.run.pool import Pool
+from c4s.run.trial import run_trial
 
 app = typer.Typer(
     help="Agent clients: which there are, one trial with live output, a recorded attempt again.", no_args_is_help=True
@@ -52,18 +61,6 @@ def list_clients(json_output: Annotated[bool, typer.Option("--json")] = False) -
     )
 
 
-def _suite(name: str) -> Path:
-    folder = suites_root() / name
-    if not (folder / "suite.json").is_file():
-        built = sorted(path.parent.name for path in suites_root().glob("*/suite.json"))
-        raise BadInput(
-            f"unknown suite {name!r}",
-            where=str(suites_root()),
-            todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`",
-        )
-    return folder
-
-
 def _new_folder(root: Path, stem: str) -> Path:
     """The first free ``<stem>-<n>``, made."""
     root.mkdir(parents=True, exist_ok=True)
@@ -82,6 +79,9 @@ def try_agent(
     name: Annotated[str, typer.Argument(help="configuration: a baseline, or a YAML file")],
     case: Annotated[str, typer.Option("--case", "-c", help="case id")],
     suite: Annotated[str, typer.Option(help="id of a built suite")] = "starter",
+    policy: Annotated[str, typer.Option(help="id of a score policy that ships")] = DEFAULT_POLICY,
+    judge: Annotated[str, typer.Option(help=", ".join(JUDGES))] = DEFAULT_JUDGE,
+    engine: Annotated[str, typer.Option(help=", ".join(engine_kinds()))] = DEFAULT_ENGINE,
     open_page: Annotated[
         bool, typer.Option("--open/--no-open", help="open the case page at the end, where there is a desktop")
     ] = True,
@@ -91,25 +91,17 @@ def try_agent(
 
     A try has a folder of its own under ``tries/`` and is on no leaderboard.
     """
-    chosen, suite_folder = configuration(name), _suite(suite)
+    chosen, suite_folder = configuration(name), built_suite(suite)
     plan = make_plan(
-        SuiteFolder(suite_folder),
-        [chosen],
-        run_id="try",
-        policy=DEFAULT_POLICY,
-        judge="rule",
-        engine="headless",
-        cases=[case],
+        SuiteFolder(suite_folder), [chosen], run_id="try", policy=policy, judge=judge, engine=engine, cases=[case]
     )
-    agent = agent_of(chosen)
-    if isinstance(agent, ModelClient):
-        agent.ready(chosen)
+    check_ready(plan.configurations)
     root = _new_folder(home() / "tries", f"{chosen.name}-{case}")
     plan = open_run(root / "run", plan)
     trial = next(iter(trials(root / "run", suite_folder, plan)))
     if not json_output:
         console.print(f"{chosen.name} on {case}, in {root}", style="dim", soft_wrap=True, highlight=False)
-    score = _watched(trial, plan, quiet=json_output)
+    score = asyncio.run(_watched(trial, plan, quiet=json_output))
     page = _publish(root, suite_folder, plan, case)
     if json_output:
         print_json(score.plain() | {"folder": str(root), "page": page.as_uri()})
@@ -120,18 +112,20 @@ def try_agent(
         webbrowser.open(page.as_uri())
 
 
-def _watched(trial: Trial, plan: Plan, *, quiet: bool) -> TrialScore:
-    from c4s.run import stages
-    from c4s.run.trial import run_trial
+async def _watched(trial: Trial, plan: Plan, *, quiet: bool) -> TrialScore:
+    """The trial in worker processes; unless quiet, each attempt is followed while it runs."""
+    inside = stage_functions()
 
-    for number in range(1, stages.ATTEMPTS + 1):
-        with nullcontext() if quiet else follow(console, trial.folder.attempt(number).root):
-            outcome = stages.attempt(trial, plan, number)
-        if not quiet:
-            console.print(_ending(outcome), soft_wrap=True, highlight=False)
-        if stages.integrity(trial, plan, number):
-            break
-    return run_trial(trial, plan)
+    async def run(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
+        if quiet or stage != "attempt":
+            return await inside(stage, trial, plan, *arguments)
+        with follow(console, trial.folder.attempt(*arguments).root):
+            outcome = await inside(stage, trial, plan, *arguments)
+        console.print(_ending(outcome), soft_wrap=True, highlight=False)
+        return outcome
+
+    async with Pool() as pool:
+        return await run_trial(trial, plan, in_slots(pool, run, trial, plan))
 
 
 def _ending(outcome: AttemptOutcome) -> str:
@@ -174,7 +168,7 @@ def replay(
     from c4s.run.attempt import run_attempt
     from c4s.run.stages import inputs
 
-    recorded = AttemptOutcome.read(attempt / "outcome.json")
+    recorded = AttemptOutcome.read(AttemptFolder(attempt).outcome)
     trial = _trial_of(attempt)
     if trial.configuration.client == "oracle":
         raise BadInput("the oracle reads the truth, which a replay is not given", where=str(attempt))
@@ -184,13 +178,15 @@ def replay(
             given.case,
             given.agent_folder,
             Configuration(
-                name="replay", client="replay", options={"trajectory": str(attempt.absolute() / "trajectory.jsonl")}
+                name="replay",
+                client="replay",
+                options={"trajectory": str(AttemptFolder(attempt.absolute()).trajectory)},
             ),
             recorded.attempt,
             Path(folder) / "attempt",
             given.packs,
             None,
-            engine=str(read_json(attempt / "manifest.json", what="attempt manifest")["engine"]),
+            engine=str(read_json(AttemptFolder(attempt).manifest, what="attempt manifest")["engine"]),
         )
     equal = (again.submission, again.submission_sha256) == (recorded.submission, recorded.submission_sha256)
     if json_output:
@@ -213,8 +209,8 @@ def _trial_of(attempt: Path) -> Trial:
     """The trial that an attempt's folder belongs to: ``<run>/<agent>/<case>/r<k>/attempt-<n>``."""
     folder = attempt.absolute()
     run = folder.parents[3] if len(folder.parents) > 3 else folder
-    if not (run / "plan.json").is_file():
+    if not RunFolder(run).plan.is_file():
         raise BadInput("not an attempt of a run", where=str(attempt), todo="give <run>/<agent>/<case>/r<k>/attempt-<n>")
-    plan = Plan.read(run / "plan.json")
-    suite = _suite(plan.suite_id)
+    plan = Plan.read(RunFolder(run).plan)
+    suite = built_suite(plan.suite_id)
     return next(trial for trial in trials(run, suite, plan) if trial.folder.root == folder.parent)

@@ -14,7 +14,7 @@ def demo(replace: Replace = False) -> None:
     """Build the starter suite, run the five baselines on it, print the leaderboard and the page's address."""
     started = time.perf_counter()
     build_starter_visibly(replace=replace)
-    made = evaluate_here("starter", BASELINES, run_id=None, cases=(), repeats=1, slots=None)
+    made = evaluate_here("starter", BASELINES)
     print_leaderboard("starter")
     print(f"{made.ran} trials run, {made.skipped} already done, {time.perf_counter() - started:.0f} s in all")
     print(f"Leaderboard: {made.page}")

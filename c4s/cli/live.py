@@ -15,6 +15,7 @@ from rich.text import Text
 
 from c4s.errors import BadInput
 from c4s.meter.record import sums
+from c4s.records.folder import AttemptFolder
 
 INTERVAL_S = 0.25
 THUMBNAIL_COLUMNS = 64
@@ -42,8 +43,8 @@ class LiveView:
     """Prints the calls of an attempt as they end."""
 
     def __init__(self, console: Console, attempt: Path) -> None:
-        self.console, self.attempt = console, attempt
-        self._calls, self._usage = _Follower(attempt / "trajectory.jsonl"), _Follower(attempt / "usage.jsonl")
+        self.console, self.attempt = console, AttemptFolder(attempt)
+        self._calls, self._usage = _Follower(self.attempt.trajectory), _Follower(self.attempt.usage)
         self._requests: list[dict[str, Any]] = []
 
     def poll(self) -> None:
@@ -54,7 +55,7 @@ class LiveView:
                 continue
             self.console.print(call_line(line, cost_text(self._requests)), soft_wrap=True)
             for image in line.get("images") or []:
-                path = self.attempt / "images" / f"{image['sha256']}.png"
+                path = self.attempt.images / f"{image['sha256']}.png"
                 if path.is_file():
                     self.console.print(thumbnail(self.console, path))
 

@@ -9,6 +9,9 @@ import typer
 from c4s.cli.board import leaderboard, print_leaderboard
 from c4s.cli.evaluation import evaluate_here
 from c4s.cli.output import print_json
+from c4s.engine import DEFAULT_ENGINE, engine_kinds
+from c4s.judge.registry import DEFAULT_JUDGE, JUDGES
+from c4s.protocol.rules import DEFAULT_POLICY
 
 
 def run(
@@ -20,6 +23,9 @@ def run(
     case: Annotated[list[str] | None, typer.Option("--case", "-c", help="only this case; repeatable")] = None,
     run_id: Annotated[str | None, typer.Option(help="folder name of the run (default: the suite's id)")] = None,
     repeats: Annotated[int, typer.Option(min=1, help="repeats of each case")] = 1,
+    policy: Annotated[str, typer.Option(help="id of a score policy that ships")] = DEFAULT_POLICY,
+    judge: Annotated[str, typer.Option(help=", ".join(JUDGES))] = DEFAULT_JUDGE,
+    engine: Annotated[str, typer.Option(help=", ".join(engine_kinds()))] = DEFAULT_ENGINE,
     slots: Annotated[int | None, typer.Option(min=1, help="engines at once (default: one a core)")] = None,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
@@ -27,7 +33,17 @@ def run(
 
     The same command again goes on where a run stopped and skips what is done.
     """
-    made = evaluate_here(suite, agent or (), run_id=run_id, cases=case or (), repeats=repeats, slots=slots)
+    made = evaluate_here(
+        suite,
+        agent or (),
+        run_id=run_id,
+        cases=case or (),
+        repeats=repeats,
+        policy=policy,
+        judge=judge,
+        engine=engine,
+        slots=slots,
+    )
     if json_output:
         print_json(
             {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from c4s.errors import C4SError, MachineryFault
+from c4s.errors import C4SError, MachineryFault, OverLimit
 
 
 class EngineCallError(C4SError):
@@ -25,3 +25,7 @@ class EngineDied(MachineryFault):
     def __init__(self, what: str, *, during: str, where: str, lines: Sequence[str] = ()) -> None:
         self.during, self.lines = during, list(lines)
         super().__init__(what, where=where)
+
+
+class EngineOverLimit(EngineDied, OverLimit):
+    """The engine process was ended for the memory, threads or files that it took."""

@@ -19,6 +19,8 @@ class Judge:
     judge: Callable[[Evidence], Judgements]
     version: Callable[[], str]
     """Changes with anything that can change an answer."""
+    online: bool = False
+    """Whether it asks a model over a network."""
 
 
 def _rule(evidence: Evidence) -> Judgements:
@@ -32,6 +34,8 @@ def _rule(evidence: Evidence) -> Judgements:
 
 
 JUDGES = {judge.name: judge for judge in (Judge(RULE, _rule, rule_version),)}
+DEFAULT_JUDGE = RULE
+"""Needs no network."""
 
 
 def judge_named(name: str) -> Judge:

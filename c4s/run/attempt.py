@@ -1,9 +1,7 @@
 """One attempt: an engine, a gateway, an agent, and what is kept of it.
 
-``<attempt>/`` holds ``trajectory.jsonl``, ``usage.jsonl``, ``manifest.json`` (engine, pack digests that it mounted),
-``submission/`` (the content that the engine saved) and its ``submission.digests.json``, ``scratch/`` (engine log, job
-logs, screenshots), ``agent/`` (the client's own files), and ``outcome.json``, which is written last: an attempt with it
-is done, one without it is repeated and the remains are kept beside it as ``<attempt>.interrupted-<n>``.
+``c4s.records.folder`` tells what lies in an attempt's folder. The outcome is written last: an attempt with it is done,
+one without it is repeated and the remains are kept beside it as ``<attempt>.interrupted-<n>``.
 """
 
 from __future__ import annotations
@@ -28,7 +26,7 @@ from c4s.files import append_json_line, json_lines, write_json
 from c4s.meter.record import sums
 from c4s.meter.spending import SpendingLimitReached
 from c4s.records.attempt import AttemptOutcome, EndedBy
-from c4s.records.folder import AttemptFolder
+from c4s.records.folder import SAVES, AttemptFolder
 from c4s.records.level import Level
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration
@@ -57,7 +55,7 @@ def run_attempt(
     ledger: Path | None = None,
     engine: str = DEFAULT_ENGINE,
 ) -> AttemptOutcome:
-    """Run one attempt and write its ``outcome.json``; an outcome that is there is returned as it is.
+    """Run one attempt and write its outcome; an outcome that is there is returned as it is.
 
     Args:
         case: the agent's side of the case.
@@ -73,41 +71,42 @@ def run_attempt(
     What the agent does wrong is an outcome. A ``MachineryFault`` passes through and leaves no outcome: the trial stays
     pending. An engine that dies or goes silent after agent code ran in it is the agent's doing.
     """
-    if (folder / "outcome.json").is_file():
-        return AttemptOutcome.read(folder / "outcome.json")
+    paths = AttemptFolder(folder)
+    if paths.done:
+        return AttemptOutcome.read(paths.outcome)
     if (withheld is not None) != (configuration.client == "oracle"):
         raise BadInput("the withheld folder is for the oracle, and only for it", where=configuration.name)
     agent = agent_of(configuration)
     if isinstance(agent, ModelClient):
         agent.ready(configuration)
     _set_aside(folder)
-    (folder / "agent").mkdir(parents=True)
+    paths.agent.mkdir(parents=True)
     catalog = CaseCatalog.load(case, packs)
-    (folder / "usage.jsonl").touch()
-    (folder / "trajectory.jsonl").touch()
+    paths.usage.touch()
+    paths.trajectory.touch()
     levels, truth_package = [agent_folder / "start.level.json"], None
     if withheld is not None:
         truth_package = f"/Game/Oracle/{re.sub('[^A-Za-z0-9_-]', '_', case.case_id)}"
         levels.append(_readable_truth(withheld, folder / "oracle", truth_package))
-    content, scratch = folder / "submission", folder / "scratch"
+    content, scratch = paths.submission, paths.scratch
     stopping = _Stopping()
     with (
-        _model(agent, configuration, folder, ledger, stopping) as model,
+        _model(agent, configuration, paths.usage, ledger, stopping) as model,
         Gateway() as gateway,
         open_engine(
             engine, packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
         ) as session,
     ):
-        write_json(folder / "manifest.json", _manifest(session, packs))
+        write_json(paths.manifest, _manifest(session, packs))
         bench = Workbench(case, agent_folder, catalog, session, scratch)
-        run = Run(f"{case.case_id}-{attempt}", bench, case.budget, folder / "trajectory.jsonl")
+        run = Run(f"{case.case_id}-{attempt}", bench, case.budget, paths.trajectory)
         context = AgentContext(
             case,
             agent_folder,
             gateway.open_run(run),
             configuration,
             attempt,
-            folder / "agent",
+            paths.agent,
             truth_package,
             model,
             lambda seconds: run.ended.wait(seconds) or run.over_calls,
@@ -123,9 +122,9 @@ def run_attempt(
             todo="raise the limit and run the same command again",
         )
     for record in report.usage:
-        append_json_line(folder / "usage.jsonl", record)
+        append_json_line(paths.usage, record)
     outcome = _outcome(run, report, error, content, attempt, engine_version)
-    outcome.write(folder / "outcome.json")
+    outcome.write(paths.outcome)
     return outcome
 
 
@@ -150,19 +149,14 @@ class _Stopping:
 
 @contextmanager
 def _model(
-    agent: Agent, configuration: Configuration, folder: Path, ledger: Path | None, stopping: _Stopping
+    agent: Agent, configuration: Configuration, usage: Path, ledger: Path | None, stopping: _Stopping
 ) -> Iterator[ModelAccess | None]:
     """A meter for an agent that uses a model; None for one that does not."""
     if not isinstance(agent, ModelClient):
         yield None
         return
     with open_model(
-        configuration,
-        agent.endpoint,
-        agent.wire_of(configuration),
-        usage=folder / "usage.jsonl",
-        ledger=ledger,
-        at_limit=stopping,
+        configuration, agent.endpoint, agent.wire_of(configuration), usage=usage, ledger=ledger, at_limit=stopping
     ) as access:
         yield access
 
@@ -233,7 +227,7 @@ def _outcome(
     if unsound is not None:
         ended_by, message = "agent_error", f"agent code left what cannot be submitted: {unsound}"
     submission = last_saved(content) if unsound is None else None
-    with (content.parent / "usage.jsonl").open(encoding="utf-8") as lines:
+    with AttemptFolder(content.parent).usage.open(encoding="utf-8") as lines:
         used = sums(list(json_lines(lines)))
     return AttemptOutcome(
         attempt=attempt,
@@ -252,13 +246,13 @@ def _outcome(
 
 
 def last_saved(content: Path) -> str | None:
-    """The last package in ``saves.jsonl`` whose level lies in ``content``.
+    """The last package in the list of saves whose level lies in ``content``.
 
     Agent code can write to this folder: what is no plain line with a sound package name, or leads out of the folder
     by a link, is no save.
     """
     try:
-        handle = os.open(content / "saves.jsonl", os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+        handle = os.open(content / SAVES, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError:
         return None
     with os.fdopen(handle, "rb") as source:

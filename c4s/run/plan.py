@@ -13,6 +13,7 @@ from c4s.packs.suite_check import check_case
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.suite import SuiteFolder
+from c4s.run.choices import check_configurations, check_labels
 
 VERSIONED = ("prefect", "numpy", "scipy", "embreex", "python-fcl", "coal", "trimesh", "mcp", "duckdb", "pyarrow")
 
@@ -77,10 +78,13 @@ def make_plan(
 ) -> Plan:
     """A plan over the suite's cases (all, or those named).
 
-    Raises ``BadInput`` for an unknown case, and for a case or pack that is not as it was frozen.
+    Raises ``BadInput`` for an unknown case, for a case or pack that is not as it was frozen, and for an engine, judge,
+    policy or configuration that cannot be obeyed (``c4s.run.choices``).
     """
     from c4s.run.host import this_host
 
+    check_labels(engine, judge, policy)
+    check_configurations(configurations)
     record = suite.suite()
     known = {case.case_id for case in record.cases}
     for case_id in cases:

@@ -16,7 +16,7 @@ from typing import Any
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import append_json_line, digest_file, read_json, write_json
 from c4s.packs.suite_check import check_case
-from c4s.protocol.rules import GATE
+from c4s.protocol.rules import DEFAULT_POLICY, GATE
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.evidence import Evidence, EvidenceName, ManifestDigests
@@ -240,8 +240,12 @@ def verify(trial: Trial, plan: Plan, name: str) -> Verdict:
 
 def score(trial: Trial, plan: Plan) -> TrialScore:
     """The trial's score from its verdicts; zero with its reason where no attempt left a valid submission."""
+    from c4s.run.labels import check_agreement
     from c4s.score.case import case_score
+    from c4s.score.policies import policy_named
+    from c4s.score.rescore import rescored
 
+    check_agreement(trial, plan)
     path = trial.folder.score
     if path.is_file():
         return TrialScore.read(path)
@@ -263,6 +267,8 @@ def score(trial: Trial, plan: Plan) -> TrialScore:
             submitted=any(AttemptOutcome.read(folder.outcome).submission for folder in attempts),
             verdicts=verdicts,
         )
+        if plan.policy != DEFAULT_POLICY:
+            made = rescored(made, verdicts, policy_named(plan.policy))
         if made.status == "pending":
             raise MachineryFault(made.reason, where=trial.name, todo="run the same command again")
         made.write(path)

@@ -1,26 +1,92 @@
-"""A whole trial in this process, stage by stage, without a scheduler."""
+"""A trial, as the one program that every driver runs: in worker processes, as Prefect tasks, with a live view.
+
+The driver gives ``do``, which runs a stage by its name and waits for it; this module knows their order and nothing of
+where they run. Stages that are done only read what is on record, so the program goes on where it stopped.
+"""
 
 from __future__ import annotations
 
+import asyncio
+from collections.abc import Awaitable, Sequence
+from typing import Any, Protocol
+
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from c4s.run import stages
+from c4s.run import overrun
+from c4s.run.limits import SceneTooLarge, Stage
 from c4s.run.plan import Trial
+from c4s.run.stages import ATTEMPTS
 from c4s.verify.registry import is_judged, verifiers_of
 
+Needed = Sequence[asyncio.Task[None]]
 
-def run_trial(trial: Trial, plan: Plan) -> TrialScore:
-    """Attempt (a second one only without a valid submission), evidence, integrity, judgements, verifiers, score.
 
-    Stages that are done are read. A ``MachineryFault`` passes through and leaves the trial pending.
+class Do(Protocol):
+    """Runs a stage of one trial with what it takes beside trial and plan."""
+
+    def __call__(self, stage: Stage, *arguments: Any) -> Awaitable[Any]:
+        """What the stage returns."""
+        ...
+
+
+async def run_trial(trial: Trial, plan: Plan, do: Do) -> TrialScore:
+    """Attempt and integrity, once more if invalid; then the verifiers side by side; then score and persist.
+
+    A stage that the scene drove over its limits is an outcome (``c4s.run.overrun``). A ``MachineryFault`` passes
+    through and leaves the trial pending, after what ran beside it has ended.
     """
-    for number in range(1, stages.ATTEMPTS + 1):
-        stages.attempt(trial, plan, number)
-        if stages.integrity(trial, plan, number):
-            stages.look(trial, plan)
-            if is_judged(trial.case.setting):
-                stages.judge(trial, plan)
-            for verifier in verifiers_of(trial.case.setting):
-                stages.verify(trial, plan, verifier.name)
+    for number in range(1, ATTEMPTS + 1):
+        await do("attempt", number)
+        if await _is_valid(trial, number, do):
+            await _verify(trial, plan, do)
             break
-    return stages.score(trial, plan)
+    score: TrialScore = await do("score")
+    await do("persist")
+    return score
+
+
+async def _is_valid(trial: Trial, number: int, do: Do) -> bool:
+    try:
+        return bool(await do("integrity", number))
+    except SceneTooLarge as reason:
+        overrun.write_invalid(trial, number, reason)
+        return False
+
+
+async def _verify(trial: Trial, plan: Plan, do: Do) -> None:
+    """Start each verifier of the setting as soon as what it needs is there. Pictures are taken whoever needs them."""
+    look = asyncio.create_task(_look(trial, plan, do))
+    made = {"captures": look}
+    if is_judged(trial.case.setting):
+        made["judgements"] = asyncio.create_task(_judge(do, [look]))
+    verdicts = [
+        asyncio.create_task(
+            _verdict(trial, plan, do, verifier.name, [made[name] for name in sorted(verifier.needs & made.keys())])
+        )
+        for verifier in verifiers_of(trial.case.setting)
+    ]
+    for ended in await asyncio.gather(*made.values(), *verdicts, return_exceptions=True):
+        if isinstance(ended, BaseException) and not isinstance(ended, SceneTooLarge):
+            raise ended
+
+
+async def _look(trial: Trial, plan: Plan, do: Do) -> None:
+    try:
+        await do("look")
+    except SceneTooLarge as reason:
+        overrun.write_not_looked(trial, plan, reason)
+
+
+async def _judge(do: Do, needed: Needed) -> None:
+    for made in needed:
+        await made
+    await do("judge")
+
+
+async def _verdict(trial: Trial, plan: Plan, do: Do, name: str, needed: Needed) -> None:
+    try:
+        for made in needed:
+            await made
+        await do("verify", name)
+    except SceneTooLarge as reason:
+        overrun.write_not_evaluated(trial, plan, name, reason)

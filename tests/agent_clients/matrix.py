@@ -12,6 +12,7 @@ Antigravity's own would, with the files and the environment that its preset make
 from __future__ import annotations
 
 import argparse
+import asyncio
 import os
 import subprocess
 import sys
@@ -35,10 +36,14 @@ from c4s.errors import BadInput, C4SError
 from c4s.files import json_lines
 from c4s.home import runs_root, suites_root
 from c4s.protocol.rules import DEFAULT_POLICY
-from c4s.records.plan import Configuration
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.plan import Configuration, Plan
+from c4s.records.score import TrialScore
 from c4s.records.suite import AgentCase, SuiteFolder
-from c4s.run import stages
-from c4s.run.plan import Plan, make_plan, open_run, trials
+from c4s.run.drive import in_slots, stage_functions
+from c4s.run.plan import Trial, make_plan, open_run, trials
+from c4s.run.pool import Pool
+from c4s.run.trial import run_trial
 
 CLIENTS = ("codex", "claude_code", "gemini", "opencode", "hermes", "command", "antigravity", "api")
 MODELS = {"codex": "gpt-5.6-sol", "claude_code": "claude-opus-4-5", "gemini": "gemini-2.5-pro"}
@@ -148,10 +153,10 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
         (trial,) = trials(run, suite, plan)
         started = time.monotonic()
         try:
-            outcome = stages.attempt(trial, 1)
+            score = asyncio.run(_run(trial, plan))
         except C4SError as error:
             row.note = error.line()
-            outcome = None
+            score = None
         seconds = time.monotonic() - started
         served, missing = list(endpoint.served), list(endpoint.missing)
     attempt = trial.folder.attempt(1).root
@@ -181,19 +186,18 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
         f"{max((one.pictures for one in served), default=0)} pictures seen, {seconds:.0f} s"
         + (f", own tools: {', '.join(own)}" if own and isinstance(agent, ExternalClient) else "")
     )
-    if outcome is None:
+    if score is None:
         return row
-    row.cells["saved"] = "yes" if outcome.submission else f"no ({outcome.ended_by}: {outcome.message})"
-    if outcome.submission and stages.integrity(trial, plan, 1):
-        stages.physics(trial, plan)
-        if case.setting == "text-to-scene":
-            for verifier in stages.SEMANTIC:
-                stages.semantic(trial, plan, verifier)
-        else:
-            stages.repair(trial, plan)
-        score = stages.score(trial, plan)
+    first = AttemptOutcome.read(trial.folder.attempt(1).outcome)
+    row.cells["saved"] = "yes" if first.submission else f"no ({first.ended_by}: {first.message})"
+    if score.retained_attempt is not None:
         row.cells["scored"] = f"{score.score:.2f}" if score.score is not None else score.status
     return row
+
+
+async def _run(trial: Trial, plan: Plan) -> TrialScore:
+    async with Pool(1) as pool:
+        return await run_trial(trial, plan, in_slots(pool, stage_functions(), trial, plan))
 
 
 def main() -> int:

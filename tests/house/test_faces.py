@@ -1,4 +1,4 @@
-"""A package has a face: what others may use of it stands in its ``__all__``, a name or a module; the rest is its own."""
+"""A package has a face: what others may use of it, names or modules, stands in its ``__all__``; the rest is its own."""
 
 from __future__ import annotations
 
@@ -57,17 +57,18 @@ def test_a_face_shows_what_is_there() -> None:
     for room in ROOMS:
         folder = ROOT / room.replace(".", "/")
         tree = ast.parse((folder / "__init__.py").read_text())
-        bound = {alias.asname or alias.name for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
+        bound = {
+            alias.asname or alias.name for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names
+        }
         bound |= {node.name for node in tree.body if isinstance(node, ast.FunctionDef | ast.ClassDef)}
         bound |= {str(getattr(n.targets[0], "id", "")) for n in tree.body if isinstance(n, ast.Assign)}
-        modules = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
+        modules = {path.stem for path in folder.glob("*.py")} | {
+            path.parent.name for path in folder.glob("*/__init__.py")
+        }
         assert face(room) <= bound | modules, room
 
 
 def test_an_entry_past_a_face_is_seen() -> None:
     file = source("catalog/sample.py", "from c4s.verify.repair.counts import count\n")
-    assert [*crossed(file.path, next(imported(file)))] == [
-        ("c4s.verify", "repair"),
-        ("c4s.verify.repair", "counts"),
-    ]
+    assert [*crossed(file.path, next(imported(file)))] == [("c4s.verify", "repair"), ("c4s.verify.repair", "counts")]
     assert "counts" not in face("c4s.verify.repair")

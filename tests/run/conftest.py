@@ -42,9 +42,16 @@ def environment(home: Path) -> dict[str, str]:
     return {**os.environ, "C4S_HOME": str(home), "COLUMNS": "140"}
 
 
-@pytest.fixture
-def c4s(home: Path) -> Command:
-    """Run the command line in the home, or in another one."""
+def apart(root: Path, home: Path) -> Path:
+    """Another home with the same packs and suites, where nothing has run."""
+    root.mkdir(parents=True)
+    for name in ("packs", "suites"):
+        (root / name).symlink_to(home / name)
+    return root
+
+
+def command_in(home: Path) -> Command:
+    """Runs the command line in a home."""
 
     def run(*arguments: str, timeout: float = 280, home: Path = home) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
@@ -57,3 +64,9 @@ def c4s(home: Path) -> Command:
         )
 
     return run
+
+
+@pytest.fixture
+def c4s(home: Path) -> Command:
+    """Run the command line in the home."""
+    return command_in(home)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -19,11 +20,16 @@ from c4s.judge.rule.judging import rule_version
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.version import code_version
-from c4s.verify.registry import DECIDE
-from tests.run.conftest import Command, environment
+from c4s.verify.registry import DECIDE, GATE
+from tests.run.conftest import Command, apart, environment
 from warehouse.database import rows
 
 CASES = ["text-flat-family"]
+OFFLINE = {
+    "DO_NOT_TRACK": "1",
+    "PREFECT_SERVER_ANALYTICS_ENABLED": "false",
+    "PREFECT_SERVER_EPHEMERAL_STARTUP_TIMEOUT_SECONDS": "120",
+}
 LADDER = ("noop", "vandal", "oracle", "planner", "random")
 
 
@@ -202,16 +208,37 @@ def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c
     assert not (home / "runs" / "absent").exists()
     assert refused.returncode == 2 and len(refused.stderr.strip().splitlines()) == 1, refused.stderr
     assert "codex" in refused.stderr and "npm install" in refused.stderr
-    flow = f"from flows.evaluate import evaluate; evaluate('small', [{str(agent)!r}], run_id='absent', cases={CASES!r})"
-    apart = tmp_path / "home"
-    apart.mkdir()
-    for name in ("packs", "suites"):
-        (apart / name).symlink_to(home / name)
-    failed = subprocess.run(
-        [sys.executable, "-c", flow], env=environment(apart), text=True, capture_output=True, timeout=200, check=False
+    flow = (
+        "import asyncio; from flows.evaluate import evaluate; "
+        f"asyncio.run(evaluate('small', [{str(agent)!r}], run_id='absent', cases={CASES!r}))"
     )
-    told = [line for line in failed.stderr.splitlines() if line.startswith("c4s.errors.MachineryFault: 1 of 1 trials")]
+    failed = subprocess.run(
+        [sys.executable, "-c", flow], env=environment(home), text=True, capture_output=True, timeout=200, check=False
+    )
+    told = [line for line in failed.stderr.splitlines() if line.startswith("c4s.errors.BadInput: ")]
     assert failed.returncode != 0 and told and "npm install" in told[0], failed.stderr
+    assert not (home / "runs" / "absent").exists()
+
+
+def test_the_flow_runs_each_stage_as_a_task_and_gives_the_same_scores(ran: Path, tmp_path: Path) -> None:
+    own = apart(tmp_path / "home", ran)
+    flow = "import asyncio; from flows.evaluate import evaluate; asyncio.run(evaluate('small', ['oracle'], slots=2))"
+    done = subprocess.run(
+        [sys.executable, "-c", flow],
+        env=environment(own) | {"PREFECT_HOME": str(tmp_path / "prefect"), **OFFLINE},
+        text=True,
+        capture_output=True,
+        timeout=280,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    wanted = {key: row["score"] for key, row in _scores(ran).items() if key[0] == "oracle"}
+    assert {key: row["score"] for key, row in _scores(own).items()} == wanted
+    for case in {case for _, case in wanted}:
+        seen = set(re.findall(rf"Task run '([\w-]+)-oracle/{case}/r1' - Finished in state Completed", done.stderr))
+        verdicts = {path.stem for path in (own / "runs/small/oracle" / case / "r1/verdicts").glob("*.json")}
+        assert {"attempt-1", "integrity-1", "look", "score", "persist", *(verdicts - {GATE})} <= seen
+        assert ("judge" in seen) == case.startswith("text-")
 
 
 def test_the_pages_show_what_happened(ran: Path) -> None:

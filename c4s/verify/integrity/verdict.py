@@ -23,6 +23,7 @@ from c4s.verify.actors.kinds import is_semantic, short_class
 
 ReasonCode: TypeAlias = Literal[
     "unloadable",
+    "resource_limit",
     "snapshot_schema",
     "minimum_actors",
     "unresolved_dependencies",
@@ -98,6 +99,11 @@ def _failed(code: ReasonCode, text: str, measurements: dict[str, Any], inputs: M
 def unloadable(reason: str, inputs: Mapping[str, str] | None = None) -> Verdict:
     """The verdict of a saved scene that a clean engine refuses to load."""
     return _failed("unloadable", reason, {}, inputs or {})
+
+
+def too_large(reason: str) -> Verdict:
+    """The verdict of a saved scene that a clean engine or the gate itself cannot handle within its limits."""
+    return _failed("resource_limit", reason, {}, {})
 
 
 def verify_integrity(

@@ -107,6 +107,8 @@ class JobBoard:
         """The bad input for which the engine did not start."""
         self.version = ""
         """What the engine calls its version, told when it is ready."""
+        self.over_limit = False
+        """Whether it was ended for what ``watch`` saw."""
         self.gone: str | None = None
         """How the engine ended; None while it runs."""
         self.running: EngineJob | None = None
@@ -207,6 +209,7 @@ class JobBoard:
                 watched = time.monotonic()
                 reason = self._watch()
                 if reason is not None:
+                    self.over_limit = True
                     raise EngineGone(reason)
             if self._wake_end in ready:
                 os.read(self._wake_end, _CHUNK)

@@ -19,7 +19,7 @@ from c4s.engine.bridge import FAILED, BridgeFault, SocketBridge
 from c4s.engine.confine import sandbox
 from c4s.engine.confine.confinement import Backend, Limits
 from c4s.engine.confine.watch import Watch
-from c4s.engine.faults import EngineCallError, EngineDied
+from c4s.engine.faults import EngineCallError, EngineDied, EngineOverLimit
 from c4s.engine.headless.host import kernels
 from c4s.engine.headless.host.jobs import JobBoard
 from c4s.engine.headless.host.server import BridgeServer
@@ -131,7 +131,7 @@ class EngineSession:
         if refusal is not None:
             raise BadInput(refusal["what"], where=refusal["where"], todo=refusal["todo"])
         if self._board.gone is not None:
-            raise EngineDied(self._board.gone, during="start", where=str(self.logs))
+            raise self._dead(self._board.gone, "start")
 
     @property
     def version(self) -> str:
@@ -155,15 +155,14 @@ class EngineSession:
         except BridgeFault as fault:
             if self._board.gone is None:
                 raise
-            raise EngineDied(self._board.gone, during=kind, where=str(self.logs)) from fault
+            raise self._dead(self._board.gone, kind) from fault
         if reply.get("engine_ended") or reply.get("state") == "dead":
-            raise EngineDied(
-                str(reply["error"]),
-                during=kind,
-                where=str(self.logs),
-                lines=reply.get("result", {}).get("python_logs", ()),
-            )
+            raise self._dead(str(reply["error"]), kind, reply.get("result", {}).get("python_logs", ()))
         return reply
+
+    def _dead(self, what: str, during: str, lines: Sequence[str] = ()) -> EngineDied:
+        kind = EngineOverLimit if self._board.over_limit else EngineDied
+        return kind(what, during=during, where=str(self.logs), lines=lines)
 
     def execute(self, script: str, timeout_s: float = 600.0) -> dict[str, Any]:
         """Run a script to its end and return the final reply with all its lines under ``result.python_logs``.

@@ -1,0 +1,42 @@
+"""What a plan may name: engine, judge, policy, configurations. A label is a promise, so none is taken on trust."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from c4s.agents.base import ModelClient, agent_of
+from c4s.agents.model import check_model
+from c4s.engine import engine_kinds
+from c4s.errors import BadInput
+from c4s.judge.registry import judge_named
+from c4s.records.plan import Configuration
+from c4s.score.policies import POLICIES
+
+
+def check_labels(engine: str, judge: str, policy: str) -> None:
+    """``BadInput``, with the choices, for an engine, judge or policy that is not there, needed by a case or not."""
+    if engine not in engine_kinds():
+        raise BadInput(f"unknown engine {engine!r}", todo=f"use one of {', '.join(engine_kinds())}")
+    judge_named(judge)
+    if policy not in POLICIES:
+        raise BadInput(f"unknown policy {policy!r}", todo=f"use one of {', '.join(POLICIES)}")
+
+
+def check_configurations(configurations: Sequence[Configuration]) -> None:
+    """``BadInput`` for a name that is given twice, an unknown client, and a model that its client could not reach."""
+    for name, times in Counter(chosen.name for chosen in configurations).items():
+        if times > 1:
+            raise BadInput(f"{times} configurations are called {name!r}", todo="give each agent a name of its own")
+    for chosen in configurations:
+        agent = agent_of(chosen)
+        if isinstance(agent, ModelClient):
+            check_model(chosen, agent.endpoint, agent.wire_of(chosen))
+
+
+def check_ready(configurations: Sequence[Configuration]) -> None:
+    """``BadInput`` or ``MachineryFault`` for a client that cannot be started on this machine, with what to do."""
+    for chosen in configurations:
+        agent = agent_of(chosen)
+        if isinstance(agent, ModelClient):
+            agent.ready(chosen)

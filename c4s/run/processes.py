@@ -1,0 +1,154 @@
+"""A worker process as its parent sees it: started, given a job, watched, and ended with all its children."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import pickle
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from c4s.errors import MachineryFault, OverLimit
+from c4s.run.worker import HEADER
+
+POLL_S = 0.25
+START_TIMEOUT_S = 120.0
+_END_S = 2.0
+_PAGE = os.sysconf("SC_PAGE_SIZE")
+_BOOTSTRAP = (
+    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); from c4s.run.worker import serve; "
+    "serve(int(sys.argv[2]), int(sys.argv[3]))"
+)
+
+
+class WorkerDied(MachineryFault):
+    """A worker process ended in the middle of its job."""
+
+
+@dataclass(eq=False)
+class Process:
+    """A worker process with the channel to it and a temporary folder of its own. One job at a time."""
+
+    process: subprocess.Popen[bytes]
+    reader: asyncio.StreamReader
+    writer: asyncio.StreamWriter
+    folder: Path
+
+    @classmethod
+    async def start(cls) -> Process:
+        """Start one and wait until it serves. It dies with the thread that runs this."""
+        near, far = socket.socketpair()
+        folder = Path(tempfile.mkdtemp(prefix="c4s-w-"))
+        with far:
+            process = subprocess.Popen(
+                [sys.executable, "-c", _BOOTSTRAP, json.dumps(sys.path), str(far.fileno()), str(os.getpid())],
+                stdin=subprocess.DEVNULL,
+                stdout=2,
+                pass_fds=(far.fileno(),),
+                env={**os.environ, "TMPDIR": str(folder)},
+            )
+        made = cls(process, *await asyncio.open_connection(sock=near), folder)
+        try:
+            async with asyncio.timeout(START_TIMEOUT_S):
+                await made.reader.readexactly(HEADER.size)
+        except (asyncio.IncompleteReadError, TimeoutError):
+            made.end()
+            raise MachineryFault("a worker process did not start", todo="read what it printed") from None
+        except BaseException:
+            made.end()
+            raise
+        return made
+
+    @property
+    def alive(self) -> bool:
+        """Whether the process runs."""
+        return self.process.poll() is None
+
+    async def run(self, function: Callable[..., Any], arguments: tuple[Any, ...], seconds: float, memory: int) -> Any:
+        """What the function returns, and the seconds that it took; what it raises is raised.
+
+        The process is ended where it goes over its time or memory (bytes): ``OverLimit``. ``WorkerDied`` where it ends
+        by itself.
+        """
+        job = pickle.dumps((pickle.dumps(function), pickle.dumps(arguments)))
+        try:
+            self.writer.write(HEADER.pack(len(job)) + job)
+            answer = await self._answer(seconds, memory)
+        except (asyncio.IncompleteReadError, ConnectionError):
+            raise WorkerDied(
+                f"a worker process died ({await self._how()})", todo="run the same command again"
+            ) from None
+        except BaseException:
+            self.end()
+            raise
+        returned, value, took = pickle.loads(answer)
+        if not returned:
+            raise value
+        return value, took
+
+    async def _answer(self, seconds: float, memory: int) -> bytes:
+        reading = asyncio.ensure_future(self._message())
+        deadline = time.monotonic() + seconds
+        try:
+            while not reading.done():
+                await asyncio.wait((reading,), timeout=max(0.0, min(POLL_S, deadline - time.monotonic())))
+                if reading.done():
+                    break
+                if time.monotonic() >= deadline:
+                    raise OverLimit(f"it took longer than {seconds:g} s")
+                if self._resident() > memory:
+                    raise OverLimit(f"it used more than {memory >> 20} MiB of memory")
+            return reading.result()
+        finally:
+            reading.cancel()
+
+    async def _message(self) -> bytes:
+        header = await self.reader.readexactly(HEADER.size)
+        return await self.reader.readexactly(HEADER.unpack(header)[0])
+
+    def _resident(self) -> int:
+        """Resident memory in bytes; none for a process that has just ended."""
+        try:
+            return int(Path("/proc", str(self.process.pid), "statm").read_text().split()[1]) * _PAGE
+        except (OSError, IndexError):
+            return 0
+
+    async def _how(self) -> str:
+        """How it ended; one that has only let go of its channel is ended."""
+        deadline = time.monotonic() + _END_S
+        while self.alive and time.monotonic() < deadline:
+            await asyncio.sleep(0.01)
+        self.end()
+        code = self.process.returncode
+        return signal.Signals(-code).name if code < 0 else f"exit code {code}"
+
+    def end(self) -> None:
+        """End the process and all below it, and remove its temporary folder."""
+        family = _family(self.process.pid) if self.alive else []
+        for member in family:
+            with suppress(ProcessLookupError):
+                os.kill(member, signal.SIGKILL)
+        self.process.wait()
+        self.writer.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def _family(process: int) -> list[int]:
+    """A process and all below it, parents first."""
+    found = [process]
+    for member in found:
+        with suppress(OSError):
+            for task in Path("/proc", str(member), "task").iterdir():
+                found += [int(child) for child in (task / "children").read_text().split()]
+    return found

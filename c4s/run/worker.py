@@ -1,0 +1,77 @@
+"""The inside of a worker process: one job at a time, from its parent and back to it.
+
+A message is its length (8 bytes) and a pickle. A job is a function and its arguments, each a pickle; the answer is
+whether it returned, what it returned or raised, and how long it took with the import of its code.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import pickle
+import signal
+import socket
+import struct
+import time
+import traceback
+from typing import Any
+
+from c4s.errors import MachineryFault, OverLimit
+
+HEADER = struct.Struct(">Q")
+PR_SET_PDEATHSIG = 1
+
+
+def serve(channel: int, parent: int) -> None:
+    """Work off jobs until the parent closes the channel. Die with the parent, and leave Ctrl-C to it."""
+    ctypes.CDLL(None, use_errno=True).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    if os.getppid() != parent:
+        os._exit(1)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    with socket.socket(fileno=channel) as connection, connection.makefile("rb") as jobs:
+        _send(connection, b"")
+        while header := jobs.read(HEADER.size):
+            _send(connection, _done(jobs.read(HEADER.unpack(header)[0])))
+
+
+def _send(connection: socket.socket, message: bytes) -> None:
+    connection.sendall(HEADER.pack(len(message)) + message)
+
+
+def _done(job: bytes) -> bytes:
+    """Do a job: ``(returned, value or exception, seconds)`` as a pickle."""
+    started = time.perf_counter()
+    returned, value = False, None
+    try:
+        code, given = pickle.loads(job)
+        function = pickle.loads(code)
+        imported = time.perf_counter()
+        arguments = pickle.loads(given)
+        started += time.perf_counter() - imported
+        returned, value = True, function(*arguments)
+    except MemoryError:
+        value = OverLimit("it asked for more memory than there is")
+    except BaseException as error:
+        value = _whole(error)
+    seconds = time.perf_counter() - started
+    try:
+        return pickle.dumps((returned, value, seconds))
+    except Exception as error:
+        return pickle.dumps(
+            (False, MachineryFault(f"what a stage returned cannot leave its process: {error}"), seconds)
+        )
+
+
+def _whole(error: BaseException) -> BaseException:
+    """The exception with where it was raised; one that cannot cross the border, or would end a process, as a fault."""
+    told = "".join(traceback.format_exception(error))
+    try:
+        copy: Any = pickle.loads(pickle.dumps(error))
+        if isinstance(error, Exception) and type(copy) is type(error):
+            error.add_note(f"in a worker process:\n{told}")
+            return error
+    except Exception:
+        pass
+    fault = MachineryFault(f"{type(error).__name__}: {error}")
+    fault.add_note(f"in a worker process:\n{told}")
+    return fault

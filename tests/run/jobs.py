@@ -1,0 +1,53 @@
+"""Jobs for worker processes that go wrong, in a module that takes no time to import."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import NoReturn
+
+from c4s.errors import BadInput
+
+
+def note_process(path: Path, then: str) -> None:
+    """Write down which process ran this; then go wrong."""
+    with path.open("a") as told:
+        told.write(f"{os.getpid()}\n")
+    held = []
+    while then == "loop":
+        pass
+    while then == "grow":
+        held.append(bytearray(b"1" * (16 << 20)))
+    if then == "die":
+        os.kill(os.getpid(), signal.SIGKILL)
+    if then == "leave":
+        sys.exit(7)
+    if then == "unlock":
+        raise ValueError("an error of no kind")
+
+
+def child_that_stays(path: Path) -> None:
+    """Start a child in a session of its own, as an engine is, and do not end."""
+    child = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"], start_new_session=True)
+    path.write_text(str(child.pid))
+    child.wait()
+
+
+def refuse() -> NoReturn:
+    raise BadInput("not this", where="here", todo="that")
+
+
+def engine_that_grows(folder: Path) -> None:
+    """An engine that takes more memory than it may have."""
+    from c4s.engine.confine.confinement import Limits
+    from c4s.engine.headless.host.session import EngineSession
+
+    with EngineSession.start(
+        packs=[], content=folder / "content", scratch=folder / "scratch", limits=Limits(memory=512 << 20)
+    ) as engine:
+        with (folder / "pids").open("a") as told:
+            told.write(f"{os.getpid()}\n")
+        engine.execute("import time\nheld = bytearray(b'1' * (600 << 20))\ntime.sleep(60)")
