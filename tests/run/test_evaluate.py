@@ -17,10 +17,11 @@ import pytest
 from c4s.files import digest_file
 from c4s.home import runs_root
 from c4s.judge.rule.judging import rule_version
+from c4s.protocol.rules import GATE
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.version import code_version
-from c4s.verify.registry import DECIDE, GATE
+from c4s.verify.registry import DECIDE
 from tests.run.conftest import Command, apart, environment
 from warehouse.database import rows
 

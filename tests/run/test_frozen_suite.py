@@ -17,6 +17,7 @@ from c4s.errors import BadInput
 from c4s.files import digest_bytes
 from c4s.packs.check import check_pack
 from c4s.packs.suite_check import suite_changes
+from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
@@ -36,7 +37,7 @@ def plan_of(home: Path) -> Plan:
         SuiteFolder(home / "suites/small"),
         [configuration("noop")],
         run_id="frozen",
-        policy="p",
+        policy=DEFAULT_POLICY,
         judge="rule",
         engine="headless",
     )
