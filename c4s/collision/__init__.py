@@ -11,7 +11,13 @@ __all__ = [
     "ContactRule",
     "SceneBodies",
     "contacts",
+    "depth",
     "gaps_below",
+    "lines",
+    "mesh_body",
+    "scene",
     "scene_bodies",
     "scene_contacts",
+    "shape_cache",
+    "shapes",
 ]

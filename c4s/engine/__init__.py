@@ -18,6 +18,10 @@ __all__ = [
     "EngineCallError",
     "EngineDied",
     "backend",
+    "bridge",
+    "confine",
+    "conformance",
+    "content",
     "engine_kinds",
     "open_engine",
 ]

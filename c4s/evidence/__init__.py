@@ -7,6 +7,9 @@ from c4s.evidence.pictures import take_pictures
 
 __all__ = [
     "CleanEngine",
+    "cameras",
+    "clean",
+    "collect",
     "export_and_look",
     "export_evidence",
     "export_level",

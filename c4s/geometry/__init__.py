@@ -1,0 +1,3 @@
+"""Transforms."""
+
+__all__ = ["transform"]

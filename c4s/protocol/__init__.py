@@ -1,0 +1,16 @@
+"""The benchmark's rules and constants, once each: numbers in, numbers out."""
+
+__all__ = [
+    "bundle",
+    "case",
+    "detailed",
+    "families",
+    "numbers",
+    "overview",
+    "physics",
+    "repair",
+    "requirements",
+    "rules",
+    "settings",
+    "words",
+]

@@ -1,0 +1,20 @@
+"""Every file format as a model with its one checker, and the paths of a run folder."""
+
+__all__ = [
+    "attempt",
+    "base",
+    "evidence",
+    "evidence_digests",
+    "folder",
+    "judgement",
+    "level",
+    "pack",
+    "plan",
+    "policy",
+    "score",
+    "snapshot",
+    "snapshot_faults",
+    "suite",
+    "verdict",
+    "version",
+]

@@ -15,4 +15,6 @@ __all__ = [
     "Sky",
     "Sun",
     "SurfaceMaterial",
+    "textures",
+    "types",
 ]

@@ -1,0 +1,3 @@
+"""Case scores, aggregation, policies, re-scoring."""
+
+__all__ = ["batch", "case", "policies", "rescore"]

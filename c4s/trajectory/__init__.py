@@ -3,4 +3,4 @@
 from c4s.trajectory.analysis import Analysis, Submission, analyse
 from c4s.trajectory.operations import FAMILIES, families_of
 
-__all__ = ["FAMILIES", "Analysis", "Submission", "analyse", "families_of"]
+__all__ = ["FAMILIES", "Analysis", "Submission", "analyse", "families_of", "lines"]

@@ -1,13 +1,13 @@
-"""A package has a face: what others may use of it, names or modules, stands in its ``__all__``; the rest is its own."""
+"""A package has a face: what others may use of it, names or modules, is in its ``__all__``; the rest is its own."""
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
 
-from tests.house.tree import ROOT, Source, packages, source, sources
+from tests.house.tree import ROOT, Source, source, sources
 
-ROOMS = {package.replace("/", ".") for package in packages() if package.startswith("c4s/")}
+ROOMS = {".".join(file.parent.relative_to(ROOT).parts) for file in ROOT.glob("c4s/*/**/__init__.py")}
 OWN = "c4s.engine.headless.unreal"
 """The ``unreal`` module's own parts follow Unreal's names."""
 

@@ -1,4 +1,4 @@
-"""What must never be (docs/design.md), read off the source tree. Files that break a rule today stand in ``broken``."""
+"""What must never be (docs/design.md), read off the source tree. The exceptions stand in ``allowed``."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from tests.house import broken
+from tests.house import allowed
 from tests.house.tree import Source, packages, source, sources
 
 RUN_FILES = (
@@ -90,7 +90,7 @@ class Rule:
 
     find: Callable[[Source], set[str]]
     but: tuple[str, ...]
-    broken: dict[str, set[str]]
+    allowed: dict[str, set[str]]
     sample: str
     """Python that breaks the rule."""
     told: set[str]
@@ -101,33 +101,33 @@ RULES = {
     "a file of a run folder is spelt in the records alone": Rule(
         run_files,
         ("c4s/records", "c4s/records/folder.py", "tests"),
-        broken.RUN_FILES,
+        allowed.RUN_FILES,
         '"""plan.json"""\nroot / "evidence"\nb = f"{root}/attempt-1/outcome.json"\nc = "submission"\nd = "verdicts/"\n',
         {"evidence", "outcome.json", "verdicts"},
     ),
     "a setting is spelt in the protocol and the registry alone": Rule(
         settings,
         ("c4s/protocol", "c4s/verify/registry.py", "cases", "tests"),
-        broken.SETTINGS,
+        allowed.SETTINGS,
         'def f(s):\n    """For text-to-scene."""\n    return s.startswith("image-to-scene/")\n',
         {"image-to-scene"},
     ),
     "a verifier is spelt in verify and the protocol alone": Rule(
         verifiers,
         ("c4s/verify", "c4s/protocol", "tests"),
-        broken.VERIFIERS,
+        allowed.VERIFIERS,
         'a = {"physics": 1, "physics of it": 2, "semantic": 3}\n',
         {"physics"},
     ),
     "a backend is imported in open_engine alone": Rule(
         backends,
-        ("c4s/engine/headless", "c4s/engine/unreal", "tests"),
-        broken.BACKENDS,
+        ("c4s/engine/base.py", "c4s/engine/headless", "c4s/engine/unreal", "tests"),
+        allowed.BACKENDS,
         "def open_engine():\n    import c4s.engine.unreal\ndef f():\n    from c4s.engine import headless\n"
         "run('-m', 'c4s.engine.headless.process.main')\n",
         {"c4s.engine.headless"},
     ),
-    "a file has at most 400 lines": Rule(long_files, (), broken.FILES, "pass\n" * 401, {"whole"}),
+    "a file has at most 400 lines": Rule(long_files, (), allowed.FILES, "pass\n" * 401, {"whole"}),
 }
 
 
@@ -146,7 +146,7 @@ def public_classes(files: Iterable[Source]) -> dict[str, set[str]]:
 def test_no_file_breaks_a_rule_but_those_that_are_listed(name: str) -> None:
     rule = RULES[name]
     found = {file.path: told for file in sources() if not file.within(*rule.but) for told in [rule.find(file)] if told}
-    assert found == rule.broken
+    assert found == rule.allowed
 
 
 @pytest.mark.parametrize("name", RULES)
@@ -155,7 +155,7 @@ def test_each_rule_sees_what_breaks_it(name: str) -> None:
 
 
 def test_no_two_public_classes_have_one_name_but_those_that_are_listed() -> None:
-    assert public_classes(sources()) == broken.CLASSES
+    assert public_classes(sources()) == {}
     twice = [source(f"c4s/{name}.py", "class Scene: ...\nclass _Own: ...") for name in "ab"]
     assert public_classes(twice) == {"Scene": {"c4s/a.py", "c4s/b.py"}}
 

@@ -8,7 +8,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Coroutine
 from pathlib import Path
 from typing import Any
@@ -47,9 +46,8 @@ def gone(process: int) -> bool:
 
 
 def wait_until_gone(processes: list[int]) -> None:
-    deadline = time.monotonic() + 60.0
+    """A process that never ends is ended by the test's own limit."""
     while not all(map(gone, processes)):
-        assert time.monotonic() < deadline, [process for process in processes if not gone(process)]
         os.sched_yield()
 
 

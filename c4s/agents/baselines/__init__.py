@@ -1,0 +1,3 @@
+"""The agents without a model."""
+
+__all__ = []

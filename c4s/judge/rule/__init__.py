@@ -1,0 +1,3 @@
+"""The offline rule judge."""
+
+__all__ = ["judging"]

@@ -25,3 +25,16 @@ def nearest_wire(path: str) -> Wire:
     if "/messages" in path:
         return BY_NAME["anthropic"]
     return BY_NAME["gemini" if "v1beta" in path or ":countTokens" in path else "openai-chat"]
+
+
+__all__ = [
+    "BY_NAME",
+    "AnthropicMessages",
+    "GeminiGenerate",
+    "OpenAIChat",
+    "OpenAIResponses",
+    "Wire",
+    "base",
+    "nearest_wire",
+    "wire_of",
+]

@@ -14,3 +14,6 @@ def skill_text() -> str:
     """The four parts as one text."""
     folder = files("c4s.toolbox.skill")
     return "\n".join((folder / part).read_text(encoding="utf-8") for part in PARTS)
+
+
+__all__ = ["files", "lru_cache", "skill_text"]

@@ -1,0 +1,3 @@
+"""Actors of a snapshot as the verifiers read them."""
+
+__all__ = ["difference", "entries", "kinds", "materials", "measured", "roles", "vectors"]

@@ -1,0 +1,3 @@
+"""The gate: whether a submission is measured at all."""
+
+__all__ = ["verdict", "verifier"]

@@ -1,0 +1,3 @@
+"""Support and penetration."""
+
+__all__ = ["batch", "support", "verdict", "verifier"]

@@ -12,7 +12,9 @@ __all__ = [
     "STRICT",
     "RepairResult",
     "Tolerances",
+    "batch",
     "repair",
     "repair_verdict",
+    "verifier",
     "verify_repair",
 ]

@@ -1,0 +1,3 @@
+"""Detailed and Overview Alignment, from judgements."""
+
+__all__ = ["verifier"]

@@ -1,0 +1,3 @@
+"""A level as one GLB file."""
+
+__all__ = ["export"]

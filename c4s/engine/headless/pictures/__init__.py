@@ -1,0 +1,3 @@
+"""Pictures of the level that is open."""
+
+__all__ = ["keys", "lights", "take"]

@@ -1,0 +1,3 @@
+"""The process beside agent code."""
+
+__all__ = ["boot"]

@@ -1,0 +1,3 @@
+"""The level that is open: actors, assets, documents."""
+
+__all__ = ["documents", "state", "world"]

@@ -1,0 +1,42 @@
+"""The exceptions from the house rules, each with what it may hold and why."""
+
+from __future__ import annotations
+
+RUN_FILES: dict[str, set[str]] = {"bench/attacks.py": {"trajectory.jsonl"}}
+"""An attack tries to write there from inside of an engine, as agent code would spell it."""
+
+SETTINGS: dict[str, set[str]] = {}
+
+VERIFIERS: dict[str, set[str]] = {
+    "bench/orchestration.py": {"integrity"},
+    "bench/scored_run.py": {"repair"},
+    "c4s/bundle/writing.py": {"overview", "physics"},
+    "c4s/records/policy.py": {"overview"},
+    "c4s/run/limits.py": {"integrity"},
+    "c4s/run/trial.py": {"integrity"},
+    "c4s/score/batch.py": {"detailed", "overview", "physics"},
+    "flows/trial.py": {"integrity"},
+}
+"""Not verifiers: the stage ``integrity``; a target's operation; keys of the published bundle, of a policy file and of
+the published rows."""
+
+BACKENDS: dict[str, set[str]] = {
+    "bench/attacks.py": {"c4s.engine.headless.host.session"},
+    "bench/pictures.py": {
+        "c4s.engine.headless.pictures",
+        "c4s.engine.headless.process.boot",
+        "c4s.engine.headless.world.state",
+    },
+    "bench/queries.py": {"c4s.engine.headless.process.boot", "c4s.engine.headless.world"},
+    "bench/session.py": {"c4s.engine.headless.host.session"},
+}
+"""Benchmarks that measure the inside of one engine."""
+
+FILES: dict[str, set[str]] = {
+    "cases/starter/outdoor_texts.py": {"whole"},
+    "tests/agent_clients/scripted_endpoint.py": {"whole"},
+    "tests/catalog/test_collision_bodies.py": {"whole"},
+    "tests/engine/test_engine_agent_scripts.py": {"whole"},
+    "tests/score/test_scoring_edges.py": {"whole"},
+}
+"""Data, one endpoint that speaks four wire formats, and tables of cases: one subject each."""
