@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Final
 
 from c4s.errors import BadInput
 from c4s.judge.rule.judging import RULE, judge_by_rule, rule_version
-from c4s.records.evidence import Evidence
+from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.judgement import Judgements
 
 
@@ -45,7 +46,12 @@ def judge_named(name: str) -> Judge:
     return JUDGES[name]
 
 
+READS: Final[frozenset[EvidenceName]] = frozenset({"candidate_snapshot", "captures", "requirements"})
+"""All that a judge is given: of what is withheld, the requirement bundle alone."""
+
+
 def make_judgements(name: str, evidence: Evidence) -> Judgements:
     """What a judge says of a submission, with the digests of what it read."""
-    made = judge_named(name).judge(evidence)
-    return made.model_copy(update={"inputs": dict(evidence.digests)})
+    given = evidence.only(READS)
+    made = judge_named(name).judge(given)
+    return made.model_copy(update={"inputs": dict(given.digests)})

@@ -5,8 +5,8 @@ Who reads a file through here leaves its SHA-256 in ``digests``, so a verdict or
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -57,6 +57,10 @@ class Evidence:
     """For the integrity gate alone."""
     digests: dict[str, str] = field(default_factory=dict)
     """SHA-256 (64 hex) of each file that was read, by its name."""
+
+    def only(self, names: Collection[EvidenceName]) -> Evidence:
+        """The same evidence with these files alone, of which nothing was read yet."""
+        return replace(self, files={name: path for name, path in self.files.items() if name in names}, digests={})
 
     def has(self, name: EvidenceName) -> bool:
         """Whether the file is there."""

@@ -51,13 +51,15 @@ def headlines_of(setting: Setting) -> list[str]:
 
 def measure(name: str, evidence: Evidence) -> dict[EvidenceName, Mapping[str, Any]]:
     """The evidence that a verifier measures in the exported scene before it judges, by file; not what is there."""
-    made = verifier_named(name).measure
-    return {} if made is None else made(evidence)
+    verifier = verifier_named(name)
+    return {} if verifier.measure is None else verifier.measure(evidence.only(verifier.needs))
 
 
 def make_verdict(name: str, evidence: Evidence) -> Verdict:
     """A verifier's verdict, with the digests of what it read and the version of the code that made it."""
-    verdict = verifier_named(name).verify(evidence)
+    verifier = verifier_named(name)
+    given = evidence.only(verifier.needs)
+    verdict = verifier.verify(given)
     for read, sha256 in verdict.inputs.items():
-        evidence.note(read, sha256)
-    return verdict.model_copy(update={"inputs": dict(evidence.digests), "made_by": code_version(*DECIDE)})
+        given.note(read, sha256)
+    return verdict.model_copy(update={"inputs": dict(given.digests), "made_by": code_version(*DECIDE)})

@@ -54,7 +54,7 @@ class Verifier:
     """As pages show it."""
     settings: tuple[Setting, ...]
     needs: frozenset[EvidenceName]
-    """Evidence that must be there before it can run."""
+    """The evidence that it is given, and nothing else; of these, what other stages make must be there first."""
     verify: Callable[[Evidence], Verdict]
     measure: Callable[[Evidence], dict[EvidenceName, Mapping[str, Any]]] | None = None
     """Makes those of the files that it needs which are measured in the scene and are not there yet."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 from hypothesis import given
@@ -15,10 +16,12 @@ from pydantic import ValidationError
 
 import c4s
 from c4s.errors import BadInput
-from c4s.judge.registry import judge_named
+from c4s.files import digest_file
+from c4s.judge.registry import JUDGES, Judge, judge_named, make_judgements
+from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.judgement import ClaimJudgement
 from c4s.records.verdict import Verdict
-from c4s.verify.registry import VERIFIERS, headlines_of, verifier_named, verifiers_of
+from c4s.verify.registry import VERIFIERS, headlines_of, make_verdict, verifier_named, verifiers_of
 
 SCORES = st.one_of(st.none(), st.floats(), st.integers(-3, 3))
 NO_NUMBER = ("not_applicable", "not_evaluated", "error", "valid", "invalid")
@@ -99,3 +102,40 @@ def test_a_changed_word_list_or_rule_makes_another_judge_and_another_verdict(tmp
     support.write_text(support.read_text() + "\n")
     again = versions()
     assert again[0] == changed[0] and again[1] != changed[1]
+
+
+def test_a_judge_and_a_verifier_are_given_what_they_may_read_and_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[EvidenceName] = []
+
+    def peek(evidence: Evidence) -> Any:
+        asked.extend(name for name in get_args(EvidenceName) if name in evidence.files)
+        evidence.json("truth_snapshot")
+
+    files = {name: tmp_path / f"{name}.json" for name in get_args(EvidenceName)}
+    for path in files.values():
+        path.write_text("{}")
+    evidence = Evidence(setting="text-to-scene", prompt="", files=files)
+    monkeypatch.setitem(JUDGES, "rule", Judge("rule", peek, str))
+    with pytest.raises(BadInput, match="no truth snapshot"):
+        make_judgements("rule", evidence)
+    assert set(asked) == {"candidate_snapshot", "captures", "requirements"}
+    for verifier in VERIFIERS.values():
+        asked.clear()
+        monkeypatch.setitem(VERIFIERS, verifier.name, replace(verifier, verify=peek))
+        if "truth_snapshot" not in verifier.needs:
+            with pytest.raises(BadInput, match="no truth snapshot"):
+                make_verdict(verifier.name, evidence)
+            assert set(asked) == verifier.needs
+
+
+def test_evidence_that_changed_since_it_was_made_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "snapshot.json"
+    path.write_text("{}")
+    noted = {"candidate_snapshot": digest_file(path)}
+    evidence = Evidence(setting="text-to-scene", prompt="", files={"candidate_snapshot": path}, noted=noted)
+    assert evidence.json("candidate_snapshot") == {} and evidence.digests == noted
+    path.write_text("{} ")
+    with pytest.raises(BadInput, match="has changed"):
+        evidence.json("candidate_snapshot")

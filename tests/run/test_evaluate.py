@@ -155,6 +155,8 @@ def test_every_number_is_traced_to_files(ran: Path) -> None:
     case = ran / "suites/small/withheld"
     folders = {"candidate_snapshot": "evidence/snapshot.json", "dependencies": "evidence/dependencies.json"}
     folders |= {"judgements": "judgements/rule.json", "captures": "evidence/captures/captures.json"}
+    folders |= {name: f"evidence/{name}.json" for name in ("contacts", "support")}
+    folders |= {"evidence_listing": "evidence/digests/export.json"}
     withheld = {"input_snapshot": "input.snapshot.json", "truth_snapshot": "truth.snapshot.json"}
     withheld |= {"requirements": "requirements.bundle.json"}
     traced: dict[str, set[str]] = {}
@@ -179,11 +181,11 @@ def test_every_number_is_traced_to_files(ran: Path) -> None:
             check(trial, row["case_id"], json.loads(said.read_text()), "rule judge")
             assert json.loads(said.read_text())["judge_version"] == rule_version()
     assert traced == {
-        "integrity": {"candidate_snapshot", "dependencies"},
+        "integrity": {"candidate_snapshot", "dependencies", "evidence_listing"},
         "repair": {"candidate_snapshot", "input_snapshot", "truth_snapshot"},
         "detailed": {"requirements", "judgements"},
         "overview": {"judgements"},
-        "physics": {"candidate_snapshot", "input_snapshot"},
+        "physics": {"candidate_snapshot", "input_snapshot", "contacts", "support"},
         "rule judge": {"candidate_snapshot", "captures", "requirements"},
     }
 
