@@ -12,8 +12,10 @@ import pickle
 import signal
 import socket
 import struct
+import tempfile
 import time
 import traceback
+from pathlib import Path
 from typing import Any
 
 from c4s.errors import MachineryFault, OverLimit
@@ -39,10 +41,14 @@ def _send(connection: socket.socket, message: bytes) -> None:
 
 
 def _done(job: bytes) -> bytes:
-    """Do a job: ``(returned, value or exception, seconds)`` as a pickle."""
+    """Do a job: ``(returned, value or exception, seconds)`` as a pickle.
+
+    A temporary folder that somebody cleaned away is there again for the next job.
+    """
     started = time.perf_counter()
     returned, value = False, None
     try:
+        Path(tempfile.gettempdir()).mkdir(exist_ok=True)
         code, given = pickle.loads(job)
         function = pickle.loads(code)
         imported = time.perf_counter()

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from typing import NoReturn
 
@@ -51,3 +53,16 @@ def engine_that_grows(folder: Path) -> None:
         with (folder / "pids").open("a") as told:
             told.write(f"{os.getpid()}\n")
         engine.execute("import time\nheld = bytearray(b'1' * (600 << 20))\ntime.sleep(60)")
+
+
+def sweep_temporary() -> str:
+    """Remove this process's temporary folder, as a cleaner of old files does; returns its path."""
+    folder = tempfile.gettempdir()
+    shutil.rmtree(folder)
+    return folder
+
+
+def make_temporary() -> str:
+    """Use the temporary folder; returns its path."""
+    with tempfile.TemporaryDirectory() as made:
+        return str(Path(made).parent)

@@ -19,7 +19,7 @@ from c4s.run.limits import LIMITS, Limit, SceneTooLarge
 from c4s.run.pool import Pool
 from c4s.run.processes import WorkerDied, _family
 from tests.run.conftest import apart, environment
-from tests.run.jobs import child_that_stays, engine_that_grows, note_process, refuse
+from tests.run.jobs import child_that_stays, engine_that_grows, make_temporary, note_process, refuse, sweep_temporary
 from warehouse.database import rows
 
 ROOT = Path(__file__).parents[2]
@@ -195,3 +195,12 @@ def test_a_run_that_is_killed_leaves_no_process(home: Path, tmp_path: Path) -> N
     wait_until_gone(family[1:])
     done = subprocess.run(command, env=environment(here), capture_output=True, text=True, timeout=280, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_a_worker_whose_temporary_folder_was_cleaned_away_goes_on() -> None:
+    async def work(pool: Pool) -> None:
+        swept = (await pool.run(LONG, sweep_temporary))[0]
+        assert not Path(swept).exists()
+        assert (await pool.run(LONG, make_temporary))[0] == swept
+
+    in_pool(work)
