@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -95,8 +95,12 @@ def attempt(trial: Trial, plan: Plan, number: int) -> AttemptOutcome:
 
 
 def integrity(trial: Trial, plan: Plan, number: int) -> bool:
-    """Export evidence of an attempt's submission and gate it. True when the submission is valid."""
-    from c4s.evidence.collect import export_evidence
+    """Export evidence of an attempt's submission and gate it. True when the submission is valid.
+
+    The engine that exported a valid scene takes its pictures too, before it ends: it holds the scene already. Where it
+    was cut off, ``look`` takes them.
+    """
+    from c4s.evidence import open_clean
     from c4s.verify.integrity.verdict import unloadable
 
     folder = trial.folder.attempt(number)
@@ -104,32 +108,42 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
         return Verdict.read(folder.integrity).status == "valid"
     outcome = AttemptOutcome.read(folder.outcome)
     if outcome.submission is None:
-        Verdict(verifier=GATE, status="invalid", policy=plan.policy, reason="no submission was saved").write(
-            folder.integrity
-        )
+        missing = Verdict(verifier=GATE, status="invalid", policy=plan.policy, reason="no submission was saved")
+        missing.write(folder.integrity)
         return False
-    with timed(trial, f"integrity-{number}"):
-        given = inputs(trial)
-        check_submission(folder, outcome)
-        try:
-            export_evidence(
-                engine=plan.engine,
-                packs=given.packs,
-                submission_content=folder.submission,
-                package=outcome.submission,
-                out=trial.folder.evidence.root,
-            )
-        except BadInput as error:
-            verdict = unloadable(error.line())
-        else:
-            verdict = make_verdict(GATE, evidence(trial, plan, given, manifest=_manifest(given, folder)))
-            listing = {LISTING: digest_file(trial.folder.evidence.digests(EXPORTED))}
-            verdict = verdict.model_copy(update={"inputs": verdict.inputs | listing})
-        if verdict.status == "error":
-            raise MachineryFault(verdict.reason, where=trial.name, todo="run the same command again")
-        verdict.write(trial.folder.verdict(GATE))
-        verdict.write(folder.integrity)
+    given = inputs(trial)
+    check_submission(folder, outcome)
+    with ExitStack() as engine:
+        with timed(trial, f"integrity-{number}"):
+            try:
+                clean = engine.enter_context(
+                    open_clean(
+                        engine=plan.engine,
+                        packs=given.packs,
+                        submission_content=folder.submission,
+                        package=outcome.submission,
+                    )
+                )
+                clean.export(trial.folder.evidence.root)
+            except BadInput as error:
+                verdict = unloadable(error.line())
+            else:
+                verdict = _gated(trial, plan, given, folder)
+            verdict.write(trial.folder.verdict(GATE))
+            verdict.write(folder.integrity)
+        if verdict.status == "valid":
+            with timed(trial, "look"):
+                clean.look(trial.folder.evidence.root, _cameras(trial, given))
     return verdict.status == "valid"
+
+
+def _gated(trial: Trial, plan: Plan, given: TrialInputs, folder: AttemptFolder) -> Verdict:
+    """The gate's verdict on what was exported, with the digest of the list of it."""
+    verdict = make_verdict(GATE, evidence(trial, plan, given, manifest=_manifest(given, folder)))
+    if verdict.status == "error":
+        raise MachineryFault(verdict.reason, where=trial.name, todo="run the same command again")
+    listing = {LISTING: digest_file(trial.folder.evidence.digests(EXPORTED))}
+    return verdict.model_copy(update={"inputs": verdict.inputs | listing})
 
 
 def _manifest(given: TrialInputs, attempt_folder: AttemptFolder) -> ManifestDigests:
@@ -171,7 +185,7 @@ def evidence(trial: Trial, plan: Plan, given: TrialInputs, manifest: ManifestDig
 
 
 def look(trial: Trial, plan: Plan) -> None:
-    """Take the pictures of the retained submission: what a judge is shown, and what pages show."""
+    """Take the pictures of the retained submission, where they are not there: what a judge and pages show."""
     from c4s.evidence import collect
 
     if trial.folder.evidence.captures_index.is_file():
