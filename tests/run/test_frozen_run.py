@@ -14,12 +14,12 @@ from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.level import Level
 from c4s.records.plan import Plan
+from c4s.records.score import TrialScore
 from c4s.records.suite import SuiteFolder
 from c4s.run import stages
 from c4s.run.check import check_evidence
 from c4s.run.configurations import configuration
 from c4s.run.plan import Trial, make_plan, open_run, trials
-from c4s.run.trial import run_trial
 from c4s.score.policies import policy_named
 from c4s.score.rescore import rescore
 from tests.run.conftest import Command
@@ -208,5 +208,7 @@ def test_the_trial_is_completed_once_all_is_as_it_was(gated: Path, c4s: Command,
     with changed(trial.folder.evidence.snapshot, flipped):
         done = c4s("run", "small", "-a", "noop", "--case", REPAIR, "--run-id", RUN, home=gated)
     assert done.returncode == 2 and "snapshot.json" in done.stderr and not trial.folder.score.exists()
-    assert run_trial(trial, frozen_plan(gated)).status == "measured"
+    done = c4s("run", "small", "-a", "noop", "--case", REPAIR, "--run-id", RUN, home=gated)
+    assert done.returncode == 0, done.stderr
+    assert TrialScore.read(trial.folder.score).status == "measured"
     assert AttemptOutcome.read(trial.folder.attempt(1).outcome).submission

@@ -14,6 +14,7 @@ from c4s.errors import BadInput, MachineryFault
 from c4s.files import read_json, write_json
 from c4s.judge.registry import DEFAULT_JUDGE, JUDGES
 from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.evidence_digests import SEEN, note_digests
 from c4s.records.plan import Configuration, Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run import stages
@@ -140,9 +141,10 @@ def test_a_file_made_under_another_label_is_a_fault_and_no_score(
 
 
 def test_it_ends_the_command_as_a_machinery_fault_and_stores_nothing(own: Path, trial: tuple[Trial, Plan]) -> None:
-    captures = trial[0].folder.evidence.captures_index
-    before = captures.read_bytes()
+    evidence = trial[0].folder.evidence
+    captures, before = evidence.captures_index, evidence.captures_index.read_bytes()
     captures.write_text(json.dumps(json.loads(before) | {"engine": "unreal"}))
+    note_digests(evidence, SEEN, evidence.captures.iterdir())
     trial[0].folder.score.unlink()
     for part in (own / "warehouse").rglob("*.parquet"):
         part.unlink()
@@ -150,6 +152,7 @@ def test_it_ends_the_command_as_a_machinery_fault_and_stores_nothing(own: Path, 
     assert done.returncode == 3 and "made under engine 'unreal'" in done.stderr, done.stderr
     assert not trial[0].folder.score.exists()
     captures.write_bytes(before)
+    note_digests(evidence, SEEN, evidence.captures.iterdir())
     assert command_in(own)(*RUN).returncode == 0 and trial[0].folder.score.is_file()
 
 
