@@ -27,7 +27,7 @@ from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
 from c4s.toolbox.gateway import Gateway
-from c4s.toolbox.run import Run
+from c4s.toolbox.gateway_run import Run
 from c4s.toolbox.workbench import Workbench
 
 ACTORS = 6700

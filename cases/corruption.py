@@ -19,14 +19,14 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field
 
-from c4s.editor.identity import tag_values, told
+from c4s.editor.identity import ID_TAG, ORIGIN_TAG, tag_values, told
 from c4s.errors import BadInput
 from c4s.geometry.transform import normalize_axis
 from c4s.records.base import Record
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform, Vector
 
-STABLE_ID_TAG = "simcodearena.stable_actor_id="
-ORIGIN_TAG = "simcodearena.actor_origin=source"
+STABLE_ID_TAG = f"{ID_TAG}="
+SOURCE_TAG = f"{ORIGIN_TAG}=source"
 IDENTITY_NAMESPACE = uuid.uuid5(uuid.NAMESPACE_URL, "https://simworld.ai/SimCodeArena/stable-actor-id/v1")
 """Namespace of the published ``uuid5-source-v1`` identity scheme."""
 STATIC_MESH_ACTOR = "/Script/Engine.StaticMeshActor"
@@ -121,7 +121,7 @@ def with_identities(level: Level, scene_id: str) -> Level:
     for actor in level.actors:
         if id_of(actor) is None:
             tag = STABLE_ID_TAG + stable_id(scene_id, actor.name, actor.class_path)
-            actor = actor.model_copy(update={"tags": [*actor.tags, tag, ORIGIN_TAG]})
+            actor = actor.model_copy(update={"tags": [*actor.tags, tag, SOURCE_TAG]})
         actors.append(actor)
     return level.model_copy(update={"actors": actors})
 
@@ -202,7 +202,7 @@ def _spawned(actors: Sequence[LevelActor], operation: SpawnActor) -> LevelActor:
         ]
     else:
         raise BadInput("a Blueprint is spawned like an existing actor only", where=operation.object_name)
-    tags = [STABLE_ID_TAG + operation.stable_id, ORIGIN_TAG] if operation.identity_tag else []
+    tags = [STABLE_ID_TAG + operation.stable_id, SOURCE_TAG] if operation.identity_tag else []
     return LevelActor(
         name=operation.object_name,
         label=operation.label,

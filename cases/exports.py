@@ -15,8 +15,9 @@ from c4s.engine import DEFAULT_ENGINE, open_engine
 from c4s.engine.bridge import FAILED
 from c4s.errors import MachineryFault
 from c4s.evidence import export_and_look, overview_cameras, take_pictures
-from c4s.evidence.cameras import SIZE_PX, VIEWS
+from c4s.evidence.cameras import SIZE_PX
 from c4s.files import write_json
+from c4s.protocol.rules import OVERVIEW_VIEWS
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
 from cases.model import CaseView
@@ -75,7 +76,7 @@ def scene(
         inputs,
         pictures,
         starts,
-        [captures / f"overview-{number}.png" for number in range(1, VIEWS + 1)],
+        [captures / f"overview-{number}.png" for number in range(1, OVERVIEW_VIEWS + 1)],
     )
 
 

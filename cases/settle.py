@@ -9,7 +9,7 @@ from c4s.packs.suite_check import tree_changes
 from c4s.records.suite import SuiteFolder
 from c4s.trees import refuse
 
-TODO = "give --replace to build it anew, or choose another name"
+REMEDY = "give --replace to build it anew, or choose another name"
 
 
 def to_build(root: Path, *, same: bool, replace: bool) -> bool:
@@ -28,9 +28,9 @@ def to_build(root: Path, *, same: bool, replace: bool) -> bool:
         raise BadInput("this folder holds something that is no suite", where=str(root), todo="choose another name")
     if not same:
         if not replace:
-            raise BadInput("another suite of this name lies here", where=str(root), todo=TODO)
+            raise BadInput("another suite of this name lies here", where=str(root), todo=REMEDY)
         return True
     changed = tree_changes(SuiteFolder(root))
     if not replace:
-        refuse(changed, todo=f"restore the file, or {TODO}")
+        refuse(changed, todo=f"restore the file, or {REMEDY}")
     return bool(changed)

@@ -10,12 +10,12 @@ from c4s.packs.check import pack_changes
 from c4s.records.pack import MANIFEST, Pack
 from c4s.trees import refuse
 
-TODO = "give --replace to build it anew; suites that were built with it must then be built again"
+REMEDY = "give --replace to build it anew; suites that were built with it must then be built again"
 
 
 def check_kept(place: Path) -> None:
     """Raise ``BadInput`` for the first file of a pack that was changed since it was built."""
-    refuse(pack_changes(place), todo=f"restore the file, or {TODO}")
+    refuse(pack_changes(place), todo=f"restore the file, or {REMEDY}")
 
 
 def settle(made: Path, place: Path, *, replace: bool) -> None:
@@ -30,7 +30,7 @@ def settle(made: Path, place: Path, *, replace: bool) -> None:
         found, wanted = Pack.read(place / MANIFEST).sha256(), Pack.read(made / MANIFEST).sha256()
         if found != wanted:
             told = f"another pack of this name lies here (digest {found[:12]}, the new one {wanted[:12]})"
-            raise BadInput(told, where=str(place), todo=TODO)
+            raise BadInput(told, where=str(place), todo=REMEDY)
         check_kept(place)
         return
     put_folder(made, place)

@@ -9,11 +9,12 @@ from prefect import flow
 from c4s.engine import DEFAULT_ENGINE
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.judge.registry import DEFAULT_JUDGE
+from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.suite import SuiteFolder
 from c4s.run.check import check_kept
 from c4s.run.choices import check_ready
-from c4s.run.configurations import BASELINES, configuration
+from c4s.run.configurations import configuration
 from c4s.run.drive import refuse_pending, run_trials
 from c4s.run.plan import make_plan, open_run, trials
 from c4s.run.pool import Pool

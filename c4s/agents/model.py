@@ -10,9 +10,9 @@ from pathlib import Path
 from c4s.errors import BadInput, MachineryFault
 from c4s.meter.endpoints import ModelEndpoint, key_of, model_endpoint, spending_limit
 from c4s.meter.meter import Meter
+from c4s.meter.metered import MeterRun
 from c4s.meter.prices import PriceTable
 from c4s.meter.record import UPSTREAM_FAULTS
-from c4s.meter.run import MeterRun
 from c4s.meter.spending import Ledger
 from c4s.records.plan import Configuration
 

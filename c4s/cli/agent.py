@@ -20,6 +20,7 @@ from c4s.errors import BadInput, C4SError
 from c4s.files import read_json
 from c4s.home import home
 from c4s.judge.registry import DEFAULT_JUDGE, JUDGES
+from c4s.protocol.baselines import ORACLE
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.folder import AttemptFolder, RunFolder
@@ -170,7 +171,7 @@ def replay(
 
     recorded = AttemptOutcome.read(AttemptFolder(attempt).outcome)
     trial = _trial_of(attempt)
-    if trial.configuration.client == "oracle":
+    if trial.configuration.client == ORACLE:
         raise BadInput("the oracle reads the truth, which a replay is not given", where=str(attempt))
     given = inputs(trial)
     with tempfile.TemporaryDirectory(prefix="c4s-replay-") as folder:

@@ -7,7 +7,7 @@ import time
 from c4s.cli.board import print_leaderboard
 from c4s.cli.evaluation import evaluate_here
 from c4s.cli.suite import Replace, build_starter_visibly
-from c4s.run.configurations import BASELINES
+from c4s.protocol.baselines import BASELINES
 
 
 def demo(replace: Replace = False) -> None:

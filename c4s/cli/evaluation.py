@@ -14,12 +14,13 @@ from c4s.engine import DEFAULT_ENGINE
 from c4s.errors import BadInput
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.judge.registry import DEFAULT_JUDGE
+from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.check import check_kept
 from c4s.run.choices import check_ready
-from c4s.run.configurations import BASELINES, configuration
+from c4s.run.configurations import configuration
 from c4s.run.drive import Pending, refuse_pending, run_trials, stage_functions
 from c4s.run.plan import Trial, make_plan, open_run, trial_id, trials
 from c4s.run.pool import Pool

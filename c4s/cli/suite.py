@@ -148,7 +148,7 @@ def import_scene_file(
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Bring a human-made scene in as a source scene: a pack of its meshes and a level with an actor a placed thing."""
-    from cases.importers.run import import_scene
+    from cases.importers.importing import import_scene
 
     with bars() as progress:
         task = progress.add_task("importing", total=None)

@@ -20,9 +20,11 @@ ALGORITHM = {
 }
 """How ids are generated, in the published words."""
 
+ID_TAG = "simcodearena.stable_actor_id"
+ORIGIN_TAG = "simcodearena.actor_origin"
 _KEYS = {
-    "stable_actor_id": ("simcodearena.stable_actor_id", "stable_actor_id"),
-    "actor_origin": ("simcodearena.actor_origin", "actor_origin"),
+    "stable_actor_id": (ID_TAG, "stable_actor_id"),
+    "actor_origin": (ORIGIN_TAG, "actor_origin"),
     "logical_object_id": ("simcodearena.logical_object_id", "logical_object_id"),
     "actor_role": ("simcodearena.actor_role", "actor_role"),
     "asset_category": (

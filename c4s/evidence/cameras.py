@@ -15,10 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.geometry.transform import WORLD_CM
+from c4s.protocol.rules import OVERVIEW_VIEWS
 
 Array: TypeAlias = NDArray[np.float64]
 
-VIEWS = 4
+
 HORIZONTAL_FOV_DEG = 60.0
 CLEARANCE_CM = 100.0
 SIZE_PX = {"width": 960, "height": 540}
@@ -58,8 +59,8 @@ def overview_cameras(snapshot: Mapping[str, Any]) -> list[dict[str, Any]]:
     distance = radius / math.tan(math.radians(HORIZONTAL_FOV_DEG) / 2) * 0.86
     target = [float(centre[0]), float(centre[1]), float(low[2] + 0.35 * (high[2] - low[2]))]
     cameras = []
-    for index in range(VIEWS):
-        azimuth = math.radians(45 + 360 / VIEWS * index)
+    for index in range(OVERVIEW_VIEWS):
+        azimuth = math.radians(45 + 360 / OVERVIEW_VIEWS * index)
         elevation = math.radians(24 if index % 2 == 0 else 42)
         eye = centre + distance * np.array(
             [math.cos(azimuth) * math.cos(elevation), math.sin(azimuth) * math.cos(elevation), 0.0]

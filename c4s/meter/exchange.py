@@ -14,9 +14,9 @@ import httpx
 from starlette.types import Receive, Scope, Send
 
 from c4s.meter.events import BodyReader, EventReader
+from c4s.meter.metered import MeterRun
 from c4s.meter.prices import Cost, cost_of
 from c4s.meter.record import NOT_BILLED, Ending, RequestRecord
-from c4s.meter.run import MeterRun
 from c4s.meter.usage import UNKNOWN, ZERO, MalformedUsage
 from c4s.meter.wire import BY_NAME, nearest_wire
 from c4s.meter.wire.base import Reading, Wire

@@ -22,7 +22,7 @@ from starlette.types import Receive, Scope, Send
 
 from c4s.errors import MachineryFault
 from c4s.meter.exchange import Exchange, Timeouts
-from c4s.meter.run import MeterRun
+from c4s.meter.metered import MeterRun
 from c4s.meter.wire import wire_of
 
 START_TIMEOUT_S = 20.0

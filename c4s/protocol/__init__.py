@@ -1,6 +1,7 @@
 """The benchmark's rules and constants, once each: numbers in, numbers out."""
 
 __all__ = [
+    "baselines",
     "bundle",
     "case",
     "detailed",

@@ -25,6 +25,7 @@ from c4s.errors import AgentFault, BadInput, MachineryFault
 from c4s.files import append_json_line, json_lines, write_json
 from c4s.meter.record import sums
 from c4s.meter.spending import SpendingLimitReached
+from c4s.protocol.baselines import ORACLE
 from c4s.records.attempt import AttemptOutcome, EndedBy
 from c4s.records.folder import SAVES, AttemptFolder
 from c4s.records.level import Level
@@ -35,7 +36,7 @@ from c4s.run.check import freeze_submission
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import RunStopped
 from c4s.toolbox.gateway import Gateway
-from c4s.toolbox.run import Run
+from c4s.toolbox.gateway_run import Run
 from c4s.toolbox.workbench import Workbench
 
 GRACE_S = 30.0
@@ -74,7 +75,7 @@ def run_attempt(
     paths = AttemptFolder(folder)
     if paths.done:
         return AttemptOutcome.read(paths.outcome)
-    if (withheld is not None) != (configuration.client == "oracle"):
+    if (withheld is not None) != (configuration.client == ORACLE):
         raise BadInput("the withheld folder is for the oracle, and only for it", where=configuration.name)
     agent = agent_of(configuration)
     if isinstance(agent, ModelClient):

@@ -14,7 +14,7 @@ from c4s.trees import Change, Listing, changes, digests, listing_digest, read_li
 
 LISTING = "evidence_listing"
 """Name of the digest of the exported evidence's list of digests among what the gate read."""
-_TODO = "restore the file, or run this trial again under another --run-id"
+_REMEDY = "restore the file, or run this trial again under another --run-id"
 
 
 def freeze_submission(attempt: AttemptFolder) -> str:
@@ -36,15 +36,15 @@ def check_submission(attempt: AttemptFolder, outcome: AttemptOutcome) -> None:
     except BadInput:
         noted = {}
     if noted and listing_digest(noted) == outcome.submission_sha256:
-        refuse(changes(attempt.submission, noted, found), todo=_TODO)
-    refuse([Change(attempt.submission, "unsound", "these are not the files that the attempt saved")], todo=_TODO)
+        refuse(changes(attempt.submission, noted, found), todo=_REMEDY)
+    refuse([Change(attempt.submission, "unsound", "these are not the files that the attempt saved")], todo=_REMEDY)
 
 
 def noted_digests(folder: EvidenceFolder) -> Listing:
     """The digests that the files of the evidence had when they were made, of all stages so far."""
     noted: Listing = {}
     for path in folder.listings():
-        noted |= read_written_json(path, what="list of digests", todo=_TODO)
+        noted |= read_written_json(path, what="list of digests", todo=_REMEDY)
     return noted
 
 
@@ -57,7 +57,7 @@ def judged_digests(trial: TrialFolder) -> Listing:
     if gate.is_file():
         judged, listing = Verdict.read(gate).inputs.get(LISTING), folder.digests(EXPORTED)
         if judged is not None and (not listing.is_file() or digest_file(listing) != judged):
-            refuse([Change(listing, "changed" if listing.is_file() else "missing")], todo=_TODO)
+            refuse([Change(listing, "changed" if listing.is_file() else "missing")], todo=_REMEDY)
     return noted_digests(folder)
 
 
@@ -68,7 +68,7 @@ def check_evidence(trial: TrialFolder) -> None:
     """
     folder, noted = trial.evidence, judged_digests(trial)
     if _differing(folder, noted, digests(folder.root)):
-        refuse(_differing(folder, noted, digests(folder.root, full=True)), todo=_TODO)
+        refuse(_differing(folder, noted, digests(folder.root, full=True)), todo=_REMEDY)
 
 
 def _differing(folder: EvidenceFolder, noted: Listing, found: Listing) -> list[Change]:

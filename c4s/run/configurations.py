@@ -7,11 +7,8 @@ from pathlib import Path
 import yaml
 
 from c4s.errors import BadInput
+from c4s.protocol.baselines import BASELINES, VALIDATING
 from c4s.records.plan import Configuration
-
-BASELINES = ("noop", "random", "planner", "vandal", "oracle")
-VALIDATING = frozenset({"oracle"})
-"""Clients that read the truth: they validate the evaluator and are never ranked."""
 
 
 def configuration(name: str) -> Configuration:

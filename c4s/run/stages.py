@@ -16,6 +16,7 @@ from typing import Any
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import append_json_line, digest_file, read_json, write_json
 from c4s.packs.suite_check import check_case
+from c4s.protocol.baselines import ORACLE
 from c4s.protocol.rules import DEFAULT_POLICY, GATE
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
@@ -88,7 +89,7 @@ def attempt(trial: Trial, plan: Plan, number: int) -> AttemptOutcome:
             number,
             folder.root,
             given.packs,
-            given.withheld_folder.root if trial.configuration.client == "oracle" else None,
+            given.withheld_folder.root if trial.configuration.client == ORACLE else None,
             RunFolder(trial.run).spending,
             plan.engine,
         )

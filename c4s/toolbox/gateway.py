@@ -28,8 +28,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from c4s.errors import MachineryFault
 from c4s.files import parse_json
+from c4s.toolbox.gateway_run import CallAnswer, Run
 from c4s.toolbox.registry import ALL_TOOLS, TOOLS
-from c4s.toolbox.run import CallAnswer, Run
 from c4s.toolbox.skill import skill_text
 
 START_TIMEOUT_S = 20.0

@@ -24,7 +24,7 @@ from catalog.ingest.surface import SourcePart
 from catalog.ingest.units import check_units, words
 from catalog.ingest.vocabulary import is_compound, kind_of, readable, search_words, spoken
 from catalog.ingest.writer import PackWriter, identifier
-from catalog.settle import TODO
+from catalog.settle import REMEDY
 from catalog.starter import STARTER
 
 PLAIN_FOLDERS = {
@@ -125,7 +125,7 @@ def ingest(
         if not changed:
             return {**known["report"], "folder": str(root / pack_id), "cached": True}
         if not replace:
-            refuse(changed, todo=f"restore the file, or {TODO}")
+            refuse(changed, todo=f"restore the file, or {REMEDY}")
     report = _built(
         found.files,
         found.skipped,

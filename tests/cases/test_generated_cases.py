@@ -11,7 +11,7 @@ from c4s.records.level import Level
 from cases.checks import check_definition, check_repair
 from cases.corruption import apply
 from cases.generate import SoundThing, generated, sound_things
-from cases.importers.run import import_scene
+from cases.importers.importing import import_scene
 from cases.model import RepairCase
 
 TABLE = "actor,asset,x,y,z,roll,pitch,yaw\n" + "".join(

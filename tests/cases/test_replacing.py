@@ -19,7 +19,7 @@ from c4s.errors import BadInput
 from c4s.folders import put_folder
 from c4s.packs.suite_check import suite_changes
 from c4s.records.suite import SuiteFolder
-from cases.importers.run import import_scene
+from cases.importers.importing import import_scene
 from cases.importers.scene import imported_scene
 from cases.suite import build_suite
 from catalog.build import ensure_pack

@@ -12,7 +12,7 @@ import trimesh
 from c4s.errors import BadInput
 from c4s.packs.store import PackStore
 from c4s.records.level import Level, LevelActor
-from cases.importers.run import import_scene
+from cases.importers.importing import import_scene
 from tests.catalog.gltf_maker import Gltf
 
 BOX = "<visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual>"

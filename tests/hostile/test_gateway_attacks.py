@@ -11,7 +11,7 @@ from prey import Prey
 
 from c4s.files import json_lines
 from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped
-from c4s.toolbox.run import Run
+from c4s.toolbox.gateway_run import Run
 from tests.mcp_hello import HEADERS, INITIALIZE
 
 
@@ -146,7 +146,7 @@ def test_no_call_is_free_by_a_reused_id(prey: Prey, other) -> None:
 
 def test_the_record_of_refused_calls_is_bounded(prey: Prey, other, monkeypatch: pytest.MonkeyPatch) -> None:
     run, endpoint = other
-    monkeypatch.setattr("c4s.toolbox.run.UNCOUNTED_CALLS", 20)
+    monkeypatch.setattr("c4s.toolbox.gateway_run.UNCOUNTED_CALLS", 20)
     with GatewayClient(endpoint) as client:
         for number in range(20):
             client.answer("x" * 100_000, {"text": "y" * 100_000}, call_id="z" * 100_000 + str(number % 10))

@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from c4s.evidence.cameras import CLEARANCE_CM, VIEWS, overview_cameras
+from c4s.evidence.cameras import CLEARANCE_CM, overview_cameras
+from c4s.protocol.rules import OVERVIEW_VIEWS
 
 ORDINARY = st.tuples(
     st.tuples(*[st.floats(-3000, 3000)] * 3), st.tuples(st.floats(2, 3000), st.floats(2, 3000), st.floats(2, 9000))
@@ -54,7 +55,7 @@ def test_a_camera_is_lifted_step_by_step_until_no_box_holds_it(boxes: Any) -> No
 @given(st.lists(FINITE, max_size=20))
 def test_every_finite_scene_has_four_finite_cameras(boxes: Any) -> None:
     cameras = overview_cameras(scene(boxes))
-    assert len(cameras) == VIEWS
+    assert len(cameras) == OVERVIEW_VIEWS
     assert all(math.isfinite(v) for camera in cameras for v in (*camera["location_cm"], *camera["target_cm"]))
 
 

@@ -15,8 +15,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from c4s.meter.endpoints import ModelEndpoint
 from c4s.meter.exchange import Timeouts
 from c4s.meter.meter import Meter
+from c4s.meter.metered import MeterRun
 from c4s.meter.prices import Price, PriceTable
-from c4s.meter.run import MeterRun
 from c4s.meter.wire import BY_NAME
 
 MODEL = "model-1"

@@ -14,8 +14,8 @@ from canned import CannedUpstream, Reply
 from scripted_endpoint import ScriptedEndpoint, Use
 
 from c4s.meter.meter import Meter
+from c4s.meter.metered import MeterRun
 from c4s.meter.record import RequestRecord, sums
-from c4s.meter.run import MeterRun
 
 CHAT, MESSAGES = "/v1/chat/completions", "/v1/messages"
 START = b'data: {"type": "message_start", "message": {"model": "m", "usage": {"input_tokens": 9}}}\n\n'

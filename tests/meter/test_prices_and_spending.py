@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from c4s.errors import BadInput
 from c4s.meter.endpoints import LIMIT_VARIABLE, model_endpoint, spending_limit
 from c4s.meter.meter import Meter
+from c4s.meter.metered import MeterRun
 from c4s.meter.prices import PriceTable, cost_of
 from c4s.meter.record import sums
-from c4s.meter.run import MeterRun
 from c4s.meter.spending import Ledger
 from c4s.meter.usage import UNKNOWN, ZERO, Usage
 

@@ -11,7 +11,7 @@ import pytest
 from canned import CannedUpstream, Reply
 
 from c4s.meter.meter import Meter
-from c4s.meter.run import MeterRun
+from c4s.meter.metered import MeterRun
 
 FIELDS = (
     "input_tokens",

@@ -16,7 +16,7 @@ from c4s.files import json_lines
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
 from c4s.toolbox.gateway import Endpoint, Gateway
-from c4s.toolbox.run import Run
+from c4s.toolbox.gateway_run import Run
 from c4s.toolbox.workbench import Workbench
 
 

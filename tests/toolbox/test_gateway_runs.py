@@ -15,7 +15,7 @@ from made_case import make_case
 from c4s.errors import MachineryFault
 from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped
 from c4s.toolbox.gateway import Endpoint
-from c4s.toolbox.run import Run
+from c4s.toolbox.gateway_run import Run
 from c4s.toolbox.skill import skill_text
 from tests.mcp_hello import HEADERS, INITIALIZE, VERSION
 

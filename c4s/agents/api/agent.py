@@ -25,7 +25,7 @@ from c4s.errors import AgentFault, MachineryFault
 from c4s.files import append_json_line, digest_bytes
 from c4s.records.plan import Configuration
 from c4s.toolbox.client import GatewayClient
-from c4s.toolbox.run import POLLING
+from c4s.toolbox.gateway_run import POLLING
 
 VERSION = "api 1"
 FILL, REFILL = 0.85, 0.6
