@@ -39,7 +39,7 @@ REFUSED = {
     "write beside the truth": "open(TRUTH + '.new', 'w').write('x')",
     "delete the truth": "os.unlink(TRUTH)",
     "move the truth here": "os.rename(TRUTH, 'stolen')",
-    "overwrite the toolbox": "open(os.path.join(os.path.dirname(c4s.__file__), 'toolbox', 'client.py'), 'a').write('x')",
+    "overwrite the toolbox": "open(os.path.join(os.path.dirname(c4s.__file__), 'toolbox/client.py'), 'a').write('x')",
     "overwrite the editor scripts": "open(os.path.join(os.path.dirname(c4s.__file__), 'editor', 'snapshot.py'), 'a')",
     "plant a module beside numpy": "open(os.path.join(os.path.dirname(numpy.__file__), 'evil.py'), 'w')",
     "plant a program beside the interpreter": "open(os.path.join(os.path.dirname(sys.executable), 'evil'), 'w')",
