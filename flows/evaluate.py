@@ -8,7 +8,7 @@ from prefect import flow
 
 from c4s.engine import DEFAULT_ENGINE
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
-from c4s.judge.registry import DEFAULT_JUDGE
+from c4s.judge.names import DEFAULT_JUDGE
 from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.suite import SuiteFolder

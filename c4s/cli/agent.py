@@ -2,38 +2,27 @@
 
 from __future__ import annotations
 
-import asyncio
 import os
 import tempfile
 import webbrowser
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
 from c4s.agents.base import CLIENTS, ModelClient, agent_of
-from c4s.cli.evaluation import built_suite
-from c4s.cli.live import follow
 from c4s.cli.output import console, print_json, print_table
+from c4s.cli.suites import built_suite
 from c4s.engine import DEFAULT_ENGINE, engine_kinds
 from c4s.errors import BadInput, C4SError
 from c4s.files import read_json
-from c4s.home import home
-from c4s.judge.registry import DEFAULT_JUDGE, JUDGES
+from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
 from c4s.protocol.baselines import ORACLE
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.attempt import AttemptOutcome
-from c4s.records.folder import AttemptFolder, RunFolder
-from c4s.records.plan import Configuration, Plan
-from c4s.records.score import TrialScore
-from c4s.records.suite import SuiteFolder
-from c4s.run.choices import check_ready
+from c4s.records.folder import AttemptFolder
+from c4s.records.plan import Configuration
 from c4s.run.configurations import configuration
-from c4s.run.drive import in_slots, stage_functions
-from c4s.run.limits import Stage
-from c4s.run.plan import Trial, make_plan, open_run, trials
-from c4s.run.pool import Pool
-from c4s.run.trial import run_trial
 
 app = typer.Typer(
     help="Agent clients: which there are, one trial with live output, a recorded attempt again.", no_args_is_help=True
@@ -62,26 +51,13 @@ def list_clients(json_output: Annotated[bool, typer.Option("--json")] = False) -
     )
 
 
-def _new_folder(root: Path, stem: str) -> Path:
-    """The first free ``<stem>-<n>``, made."""
-    root.mkdir(parents=True, exist_ok=True)
-    number = 1
-    while True:
-        try:
-            (root / f"{stem}-{number}").mkdir()
-        except FileExistsError:
-            number += 1
-            continue
-        return root / f"{stem}-{number}"
-
-
 @app.command("try")
 def try_agent(
     name: Annotated[str, typer.Argument(help="configuration: a baseline, or a YAML file")],
     case: Annotated[str, typer.Option("--case", "-c", help="case id")],
     suite: Annotated[str, typer.Option(help="id of a built suite")] = "starter",
     policy: Annotated[str, typer.Option(help="id of a score policy that ships")] = DEFAULT_POLICY,
-    judge: Annotated[str, typer.Option(help=", ".join(JUDGES))] = DEFAULT_JUDGE,
+    judge: Annotated[str, typer.Option(help=", ".join(JUDGE_NAMES))] = DEFAULT_JUDGE,
     engine: Annotated[str, typer.Option(help=", ".join(engine_kinds()))] = DEFAULT_ENGINE,
     open_page: Annotated[
         bool, typer.Option("--open/--no-open", help="open the case page at the end, where there is a desktop")
@@ -92,72 +68,22 @@ def try_agent(
 
     A try has a folder of its own under ``tries/`` and is on no leaderboard.
     """
-    chosen, suite_folder = configuration(name), built_suite(suite)
-    plan = make_plan(
-        SuiteFolder(suite_folder), [chosen], run_id="try", policy=policy, judge=judge, engine=engine, cases=[case]
-    )
-    check_ready(plan.configurations)
-    root = _new_folder(home() / "tries", f"{chosen.name}-{case}")
-    plan = open_run(root / "run", plan)
-    trial = next(iter(trials(root / "run", suite_folder, plan)))
+    suite_folder = built_suite(suite)
+    from c4s.cli.trying import Try, print_score
+
+    tried = Try.prepare(configuration(name), suite_folder, case, policy=policy, judge=judge, engine=engine)
     if not json_output:
-        console.print(f"{chosen.name} on {case}, in {root}", style="dim", soft_wrap=True, highlight=False)
-    score = asyncio.run(_watched(trial, plan, quiet=json_output))
-    page = _publish(root, suite_folder, plan, case)
+        console.print(f"{tried.trial.name}, in {tried.root}", style="dim", soft_wrap=True, highlight=False)
+    score = tried.run(quiet=json_output)
+    page = tried.publish()
     if json_output:
-        print_json(score.plain() | {"folder": str(root), "page": page.as_uri()})
+        print_json(score.plain() | {"folder": str(tried.root), "page": page.as_uri()})
     else:
-        _print_score(trial, score)
+        print_score(tried.trial, score)
+        print(f"c4s agent replay {tried.trial.folder.attempts()[-1].root}")
         print(page.as_uri())
     if open_page and not json_output and (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         webbrowser.open(page.as_uri())
-
-
-async def _watched(trial: Trial, plan: Plan, *, quiet: bool) -> TrialScore:
-    """The trial in worker processes; unless quiet, each attempt is followed while it runs."""
-    inside = stage_functions()
-
-    async def run(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
-        if quiet or stage != "attempt":
-            return await inside(stage, trial, plan, *arguments)
-        with follow(console, trial.folder.attempt(*arguments).root):
-            outcome = await inside(stage, trial, plan, *arguments)
-        console.print(_ending(outcome), soft_wrap=True, highlight=False)
-        return outcome
-
-    async with Pool() as pool:
-        return await run_trial(trial, plan, in_slots(pool, run, trial, plan))
-
-
-def _ending(outcome: AttemptOutcome) -> str:
-    tokens = "" if outcome.input_tokens is None else f", {outcome.input_tokens} in and {outcome.output_tokens} out"
-    cost = "" if outcome.cost_usd is None else f", ${outcome.cost_usd:.4f}"
-    saved = f"saved {outcome.submission}" if outcome.submission else "nothing was saved"
-    message = f": {outcome.message}" if outcome.message else ""
-    return (
-        f"attempt {outcome.attempt}: {outcome.ended_by}{message}; {outcome.tool_calls} calls in "
-        f"{outcome.wall_s:.1f} s{tokens}{cost}; {saved}"
-    )
-
-
-def _publish(root: Path, suite: Path, plan: Plan, case: str) -> Path:
-    from reports.site import build_site
-    from reports.text import slug
-    from warehouse.database import rebuild
-    from warehouse.ingest import rebuild_from_run
-
-    rebuild_from_run(root / "run", suite, root / "warehouse")
-    rebuild(root / "warehouse")
-    build_site(root / "warehouse", root / "site")
-    return root / "site" / "cases" / f"{slug(plan.suite_id)}--{slug(case)}.html"
-
-
-def _print_score(trial: Trial, score: TrialScore) -> None:
-    parts: list[tuple[str, Any]] = [("score", score.score), ("status", score.status)]
-    parts += [(name, value) for name, value in score.components.items() if value is not None]
-    if score.reason:
-        parts.append(("reason", score.reason))
-    print_table(("", trial.name), parts)
 
 
 @app.command("replay")
@@ -166,11 +92,12 @@ def replay(
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Send the calls of a recorded attempt again and compare what is saved, byte by byte. Exit 1 when it differs."""
+    from c4s.cli.trying import trial_of
     from c4s.run.attempt import run_attempt
     from c4s.run.stages import inputs
 
     recorded = AttemptOutcome.read(AttemptFolder(attempt).outcome)
-    trial = _trial_of(attempt)
+    trial = trial_of(attempt)
     if trial.configuration.client == ORACLE:
         raise BadInput("the oracle reads the truth, which a replay is not given", where=str(attempt))
     given = inputs(trial)
@@ -204,14 +131,3 @@ def replay(
         print(f"{again.message}; the submission is {'equal, byte by byte' if equal else 'another one'}")
     if not equal:
         raise typer.Exit(1)
-
-
-def _trial_of(attempt: Path) -> Trial:
-    """The trial that an attempt's folder belongs to: ``<run>/<agent>/<case>/r<k>/attempt-<n>``."""
-    folder = attempt.absolute()
-    run = folder.parents[3] if len(folder.parents) > 3 else folder
-    if not RunFolder(run).plan.is_file():
-        raise BadInput("not an attempt of a run", where=str(attempt), todo="give <run>/<agent>/<case>/r<k>/attempt-<n>")
-    plan = Plan.read(RunFolder(run).plan)
-    suite = built_suite(plan.suite_id)
-    return next(trial for trial in trials(run, suite, plan) if trial.folder.root == folder.parent)

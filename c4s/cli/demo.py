@@ -5,13 +5,14 @@ from __future__ import annotations
 import time
 
 from c4s.cli.board import print_leaderboard
-from c4s.cli.evaluation import evaluate_here
 from c4s.cli.suite import Replace, build_starter_visibly
 from c4s.protocol.baselines import BASELINES
 
 
 def demo(replace: Replace = False) -> None:
     """Build the starter suite, run the five baselines on it, print the leaderboard and the page's address."""
+    from c4s.cli.evaluation import evaluate_here
+
     started = time.perf_counter()
     build_starter_visibly(replace=replace)
     made = evaluate_here("starter", BASELINES)

@@ -7,13 +7,12 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
 from c4s.cli.progress import watch
+from c4s.cli.suites import built_suite
 from c4s.engine import DEFAULT_ENGINE
-from c4s.errors import BadInput
-from c4s.home import runs_root, site_root, suites_root, warehouse_root
-from c4s.judge.registry import DEFAULT_JUDGE
+from c4s.home import runs_root, site_root, warehouse_root
+from c4s.judge.names import DEFAULT_JUDGE
 from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.plan import Plan
@@ -93,16 +92,3 @@ def evaluate_here(
 async def _run(missing: Sequence[Trial], plan: Plan, slots: int | None) -> list[Pending]:
     async with Pool(slots) as pool:
         return await run_trials(missing, plan, pool, stage_functions(partial(ingest_trial, warehouse=warehouse_root())))
-
-
-def built_suite(name: str) -> Path:
-    """Folder of a built suite; ``BadInput`` with those that are built for any other name."""
-    folder = suites_root() / name
-    if not (folder / "suite.json").is_file():
-        built = sorted(path.parent.name for path in suites_root().glob("*/suite.json"))
-        raise BadInput(
-            f"unknown suite {name!r}",
-            where=str(suites_root()),
-            todo=f"built here: {', '.join(built)}" if built else "build one with `c4s suite build starter`",
-        )
-    return folder

@@ -7,10 +7,10 @@ from typing import Annotated
 import typer
 
 from c4s.cli.board import leaderboard, print_leaderboard
-from c4s.cli.evaluation import evaluate_here
 from c4s.cli.output import print_json
+from c4s.cli.suites import built_suite
 from c4s.engine import DEFAULT_ENGINE, engine_kinds
-from c4s.judge.registry import DEFAULT_JUDGE, JUDGES
+from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
 from c4s.protocol.rules import DEFAULT_POLICY
 
 
@@ -24,7 +24,7 @@ def run(
     run_id: Annotated[str | None, typer.Option(help="folder name of the run (default: the suite's id)")] = None,
     repeats: Annotated[int, typer.Option(min=1, help="repeats of each case")] = 1,
     policy: Annotated[str, typer.Option(help="id of a score policy that ships")] = DEFAULT_POLICY,
-    judge: Annotated[str, typer.Option(help=", ".join(JUDGES))] = DEFAULT_JUDGE,
+    judge: Annotated[str, typer.Option(help=", ".join(JUDGE_NAMES))] = DEFAULT_JUDGE,
     engine: Annotated[str, typer.Option(help=", ".join(engine_kinds()))] = DEFAULT_ENGINE,
     slots: Annotated[int | None, typer.Option(min=1, help="engines at once (default: one a core)")] = None,
     json_output: Annotated[bool, typer.Option("--json")] = False,
@@ -33,6 +33,9 @@ def run(
 
     The same command again goes on where a run stopped and skips what is done.
     """
+    built_suite(suite)
+    from c4s.cli.evaluation import evaluate_here
+
     made = evaluate_here(
         suite,
         agent or (),

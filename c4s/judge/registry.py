@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from c4s.errors import BadInput
-from c4s.judge.rule.judging import RULE, judge_by_rule, rule_version
+from c4s.judge.names import RULE
+from c4s.judge.rule.judging import judge_by_rule, rule_version
 from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.judgement import Judgements
 
@@ -35,8 +36,6 @@ def _rule(evidence: Evidence) -> Judgements:
 
 
 JUDGES = {judge.name: judge for judge in (Judge(RULE, _rule, rule_version),)}
-DEFAULT_JUDGE = RULE
-"""Needs no network."""
 
 
 def judge_named(name: str) -> Judge:

@@ -149,6 +149,11 @@ class SuiteFolder:
     def __init__(self, root: Path) -> None:
         self.root = root
 
+    @property
+    def record(self) -> Path:
+        """The frozen list of cases."""
+        return self.root / "suite.json"
+
     def suite(self) -> Suite:
         """The suite record; ``BadInput`` when there is none."""
         if not (self.root / "suite.json").is_file():

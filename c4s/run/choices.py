@@ -6,10 +6,9 @@ from collections import Counter
 from collections.abc import Sequence
 
 from c4s.agents.base import ModelClient, agent_of
-from c4s.agents.model import check_model
 from c4s.engine import engine_kinds
 from c4s.errors import BadInput
-from c4s.judge.registry import judge_named
+from c4s.judge.names import JUDGE_NAMES
 from c4s.records.plan import Configuration
 from c4s.score.policies import POLICIES
 
@@ -18,7 +17,8 @@ def check_labels(engine: str, judge: str, policy: str) -> None:
     """``BadInput``, with the choices, for an engine, judge or policy that is not there, needed by a case or not."""
     if engine not in engine_kinds():
         raise BadInput(f"unknown engine {engine!r}", todo=f"use one of {', '.join(engine_kinds())}")
-    judge_named(judge)
+    if judge not in JUDGE_NAMES:
+        raise BadInput(f"unknown judge {judge!r}", todo=f"use one of {', '.join(JUDGE_NAMES)}")
     if policy not in POLICIES:
         raise BadInput(f"unknown policy {policy!r}", todo=f"use one of {', '.join(POLICIES)}")
 
@@ -31,6 +31,8 @@ def check_configurations(configurations: Sequence[Configuration]) -> None:
     for chosen in configurations:
         agent = agent_of(chosen)
         if isinstance(agent, ModelClient):
+            from c4s.agents.model import check_model
+
             check_model(chosen, agent.endpoint, agent.wire_of(chosen))
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+
 from c4s.evidence.clean import CAPTURES_VERSION
 from c4s.files import write_json
 from c4s.protocol.rules import GATE
@@ -27,6 +29,7 @@ def write_invalid(trial: Trial, number: int, reason: SceneTooLarge) -> None:
 def write_not_looked(trial: Trial, plan: Plan, reason: SceneTooLarge) -> None:
     """Captures without a view, marked with why none was taken."""
     evidence, kept = trial.folder.evidence, retained(trial)
+    shutil.rmtree(evidence.captures, ignore_errors=True)
     package = AttemptOutcome.read(trial.folder.attempt(kept or 1).outcome).submission
     write_json(
         evidence.captures_index,

@@ -174,7 +174,7 @@ def test_imported_tasks_and_their_packs(built: Path, tmp_path: Path) -> None:
     shutil.copytree(built / "cache", home / "cache")
     task.parent.mkdir(parents=True)
     task.write_text(TASK)
-    command = ("suite", "import", "code4scene", str(task.parent), "--out", "yard")
+    command = ("suite", "import", "code4scene", str(task.parent), "--id", "yard")
     assert c4s(home, *command).returncode == 0
     before = times(home / "suites") | times(home / "packs")
     again = c4s(home, *command)

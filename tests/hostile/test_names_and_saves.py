@@ -37,7 +37,7 @@ def test_labels_never_reach_the_judge(prey: Prey) -> None:
 
     def things() -> list[str]:
         found = inventory(prey.engine.call("snapshot.export_snapshot"), facts)
-        return [repr((thing.actor, thing.asset, thing.facts, thing.materials)) for thing in found]
+        return [repr((thing.actor, thing.kind.asset, thing.kind.facts, thing.materials)) for thing in found]
 
     before = things()
     state = prey.python(f"""
@@ -77,7 +77,7 @@ print("made", made.static_mesh_component.static_mesh.get_path_name())
 """)
     assert "/Game/Mine/grand_piano" in state["output"], state
     snapshot = prey.engine.call("snapshot.export_snapshot")
-    forged = next(thing for thing in inventory(snapshot, catalog) if "grand_piano" in thing.asset)
+    forged = next(thing for thing in inventory(snapshot, catalog) if "grand_piano" in thing.kind.asset)
     assert any("M_marble" in path for path in forged.materials)
     assert not forged.is_a([("piano",)]) and not forged.says(("grand", "piano"))
     assert not is_made_of(forged, "marble", material_index(catalog))

@@ -12,7 +12,8 @@ import pytest
 
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import read_json, write_json
-from c4s.judge.registry import DEFAULT_JUDGE, JUDGES
+from c4s.judge.names import DEFAULT_JUDGE
+from c4s.judge.registry import JUDGES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.evidence_digests import SEEN, note_digests
 from c4s.records.plan import Configuration, Plan

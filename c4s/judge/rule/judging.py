@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from c4s.judge.names import RULE
 from c4s.judge.rule.judge import RuleJudge
 from c4s.judge.rule.overview import DimensionPart, dimensions, structural_integrity
 from c4s.protocol.bundle import Requirements, read_requirements
@@ -14,9 +15,6 @@ from c4s.records.judgement import ClaimJudgement, Judgements, OverviewDimension,
 from c4s.records.version import code_version
 from c4s.semantics.kinds import Facts
 from c4s.semantics.views import Views, read_views
-
-RULE = "rule"
-
 
 DECIDE = ("judge", "semantics", "protocol", "geometry")
 """Folders of ``c4s`` whose sources decide what the rule judge says."""

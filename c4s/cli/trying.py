@@ -1,0 +1,126 @@
+"""One trial to look at: run with a live view in a folder of its own, on no leaderboard."""
+
+from __future__ import annotations
+
+import asyncio
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from c4s.cli.live import follow
+from c4s.cli.output import console, print_table
+from c4s.cli.suites import built_suite
+from c4s.errors import BadInput
+from c4s.home import home
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.folder import RunFolder
+from c4s.records.plan import Configuration, Plan
+from c4s.records.score import TrialScore
+from c4s.records.suite import SuiteFolder
+from c4s.run.choices import check_ready
+from c4s.run.drive import in_slots, stage_functions
+from c4s.run.limits import Stage
+from c4s.run.plan import Trial, make_plan, open_run, trials
+from c4s.run.pool import Pool
+from c4s.run.trial import run_trial
+
+
+@dataclass(frozen=True)
+class Try:
+    """A trial with a folder of its own under ``tries/``."""
+
+    root: Path
+    suite: Path
+    plan: Plan
+    trial: Trial
+
+    @classmethod
+    def prepare(cls, chosen: Configuration, suite: Path, case: str, *, policy: str, judge: str, engine: str) -> Try:
+        """Check all that is asked for, and make the folder. ``BadInput`` before anything is made."""
+        plan = make_plan(
+            SuiteFolder(suite), [chosen], run_id="try", policy=policy, judge=judge, engine=engine, cases=[case]
+        )
+        check_ready(plan.configurations)
+        root = _new_folder(home() / "tries", f"{chosen.name}-{case}")
+        plan = open_run(root / "run", plan)
+        return cls(root, suite, plan, next(iter(trials(root / "run", suite, plan))))
+
+    def run(self, *, quiet: bool) -> TrialScore:
+        """Run the trial; unless quiet, every call is shown as it ends."""
+        return asyncio.run(_watched(self.trial, self.plan, quiet=quiet))
+
+    def publish(self) -> Path:
+        """Pages of this trial alone; returns its case page."""
+        return _publish(self.root, self.suite, self.plan, self.trial.case.case_id)
+
+
+def _new_folder(root: Path, stem: str) -> Path:
+    """The first free ``<stem>-<n>``, made."""
+    root.mkdir(parents=True, exist_ok=True)
+    number = 1
+    while True:
+        try:
+            (root / f"{stem}-{number}").mkdir()
+        except FileExistsError:
+            number += 1
+            continue
+        return root / f"{stem}-{number}"
+
+
+async def _watched(trial: Trial, plan: Plan, *, quiet: bool) -> TrialScore:
+    """The trial in worker processes; unless quiet, each attempt is followed while it runs."""
+    inside = stage_functions()
+
+    async def run(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
+        if quiet or stage != "attempt":
+            return await inside(stage, trial, plan, *arguments)
+        with follow(console, trial.folder.attempt(*arguments).root):
+            outcome = await inside(stage, trial, plan, *arguments)
+        console.print(_ending(outcome), soft_wrap=True, highlight=False)
+        return outcome
+
+    async with Pool() as pool:
+        return await run_trial(trial, plan, in_slots(pool, run, trial, plan))
+
+
+def _ending(outcome: AttemptOutcome) -> str:
+    tokens = "" if outcome.input_tokens is None else f", {outcome.input_tokens} in and {outcome.output_tokens} out"
+    cost = "" if outcome.cost_usd is None else f", ${outcome.cost_usd:.4f}"
+    saved = f"saved {outcome.submission}" if outcome.submission else "nothing was saved"
+    message = f": {outcome.message}" if outcome.message else ""
+    return (
+        f"attempt {outcome.attempt}: {outcome.ended_by}{message}; {outcome.tool_calls} calls in "
+        f"{outcome.wall_s:.1f} s{tokens}{cost}; {saved}"
+    )
+
+
+def _publish(root: Path, suite: Path, plan: Plan, case: str) -> Path:
+    from reports.site import build_site
+    from reports.text import slug
+    from warehouse.database import rebuild
+    from warehouse.ingest import rebuild_from_run
+
+    rebuild_from_run(root / "run", suite, root / "warehouse")
+    rebuild(root / "warehouse")
+    build_site(root / "warehouse", root / "site")
+    return root / "site" / "cases" / f"{slug(plan.suite_id)}--{slug(case)}.html"
+
+
+def print_score(trial: Trial, score: TrialScore) -> None:
+    """The score with its parts, as a table."""
+    parts: list[tuple[str, Any]] = [("score", score.score), ("status", score.status)]
+    parts += [(name, value) for name, value in score.components.items() if value is not None]
+    if score.reason:
+        parts.append(("reason", score.reason))
+    print_table(("", trial.name), parts)
+
+
+def trial_of(attempt: Path) -> Trial:
+    """The trial that an attempt's folder belongs to: ``<run>/<agent>/<case>/r<k>/attempt-<n>``."""
+    folder = attempt.absolute()
+    run = folder.parents[3] if len(folder.parents) > 3 else folder
+    if not RunFolder(run).plan.is_file():
+        raise BadInput("not an attempt of a run", where=str(attempt), todo="give <run>/<agent>/<case>/r<k>/attempt-<n>")
+    plan = Plan.read(RunFolder(run).plan)
+    suite = built_suite(plan.suite_id)
+    return next(trial for trial in trials(run, suite, plan) if trial.folder.root == folder.parent)
