@@ -13,6 +13,7 @@ from typing import Any
 from c4s.bundle.reading import EvidenceBundle
 from c4s.errors import BadInput
 from c4s.protocol.detailed import detailed_from_report
+from c4s.protocol.numbers import unit_number
 from c4s.protocol.overview import overview_score
 from c4s.protocol.physics import physics_from_report
 from c4s.protocol.rules import GATE, INTEGRITY_POLICY, OVERVIEW_RULE_POLICY, PHYSICS_POLICY, SEMANTIC_CASE_POLICY
@@ -142,6 +143,8 @@ def _semantic(verifier: str, policy: str, made: Mapping[str, Any]) -> Verdict:
         return Verdict(
             verifier=verifier, status="not_evaluated", policy=policy, reason=f"recorded status {made['status']}"
         )
+    if unit_number(made["score"]) is None:
+        raise BadInput(f"what is recorded for {verifier} makes {made['score']}, which is no score in [0, 1]")
     return Verdict(
         verifier=verifier,
         status="measured",

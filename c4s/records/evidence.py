@@ -60,7 +60,12 @@ class Evidence:
 
     def only(self, names: Collection[EvidenceName]) -> Evidence:
         """The same evidence with these files alone, of which nothing was read yet."""
-        return replace(self, files={name: path for name, path in self.files.items() if name in names}, digests={})
+        return replace(
+            self,
+            files={name: path for name, path in self.files.items() if name in names},
+            noted={name: sha256 for name, sha256 in self.noted.items() if name in names},
+            digests={},
+        )
 
     def has(self, name: EvidenceName) -> bool:
         """Whether the file is there."""

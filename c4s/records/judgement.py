@@ -6,9 +6,10 @@ without a judge. A claim is a requirement of the bundle, by the id of its node.
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from collections import Counter
+from typing import Any, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from c4s.records.base import Record
 
@@ -34,6 +35,12 @@ class ClaimJudgement(Record):
     request_sha256: str | None = None
     """Digest of the request to a model; null where none was made."""
     answer_sha256: str | None = None
+
+    @model_validator(mode="after")
+    def _unknown_is_zero(self) -> Self:
+        if self.answer == "UNKNOWN" and self.score:
+            raise ValueError("an unknown answer has the score 0")
+        return self
 
 
 class OverviewPart(Record):
@@ -82,3 +89,10 @@ class Judgements(Record):
     overview: OverviewJudgement | None = None
     overview_reason: str = ""
     """Why there is no overview judgement."""
+
+    @model_validator(mode="after")
+    def _one_answer_a_claim(self) -> Self:
+        twice = [claim for claim, times in Counter(made.claim for made in self.claims).items() if times > 1]
+        if twice:
+            raise ValueError(f"claim {twice[0]!r} is answered more than once")
+        return self

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from c4s.protocol.settings import Setting
 from c4s.records.base import Record
@@ -28,7 +28,7 @@ class TrialScore(Record):
     configuration: str
     repeat: int
     status: CaseStatus
-    score: float | None
+    score: float | None = Field(ge=0.0, le=1.0, allow_inf_nan=False, strict=True)
     reason: str = ""
     components: dict[str, float | None] = Field(default_factory=dict)
     """What the score is made of: the numbers that the setting's verifiers add (``c4s.verify.registry``), by name."""
@@ -36,3 +36,11 @@ class TrialScore(Record):
     judge: str
     engine: str
     retained_attempt: int | None = None
+
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        if (self.score is None) != (self.status == "pending"):
+            raise ValueError(f"a trial that is {self.status} {'has no' if self.score is None else 'has a'} score")
+        if self.status.startswith("zero_") and self.score != 0.0:
+            raise ValueError(f"a trial that is {self.status} has the score 0, not {self.score}")
+        return self

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
@@ -24,7 +25,7 @@ class Verdict(Record):
     verifier: str
     """Name of the verifier, as in ``c4s.verify.registry``."""
     status: Status
-    score: float | None = None
+    score: float | None = Field(default=None, strict=True)
     policy: str
     """Id of the policy under which it was made."""
     measurements: dict[str, Any] = Field(default_factory=dict)
@@ -39,11 +40,20 @@ class Verdict(Record):
     reason: str = ""
     """Why there is no number, or why it is invalid."""
 
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """A copy with other fields, as whole as the verdict."""
+        made = super().model_copy(update=update, deep=deep)
+        made._check()
+        return made
+
     @model_validator(mode="after")
     def _whole(self) -> Self:
+        self._check()
+        return self
+
+    def _check(self) -> None:
         if self.status != "measured":
             if self.score is not None:
                 raise ValueError(f"a verdict that is {self.status} has no score")
         elif self.score is None or not math.isfinite(self.score) or not 0.0 <= self.score <= 1.0:
             raise ValueError(f"a measured score is a finite number in [0, 1], not {self.score}")
-        return self

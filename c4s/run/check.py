@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import get_args
+
 from c4s.errors import BadInput
 from c4s.files import digest_file, read_written_json, write_json
 from c4s.protocol.rules import GATE
 from c4s.records.attempt import AttemptOutcome
-from c4s.records.evidence_digests import EXPORTED
+from c4s.records.evidence_digests import EXPORTED, Maker
 from c4s.records.folder import AttemptFolder, EvidenceFolder, TrialFolder
 from c4s.records.verdict import Verdict
 from c4s.run.plan import Trial
@@ -44,7 +46,10 @@ def noted_digests(folder: EvidenceFolder) -> Listing:
     """The digests that the files of the evidence had when they were made, of all stages so far."""
     noted: Listing = {}
     for path in folder.listings():
-        noted |= read_written_json(path, what="list of digests", todo=_REMEDY)
+        made = read_written_json(path, what="list of digests", todo=_REMEDY)
+        if path.stem not in get_args(Maker) or noted.keys() & made.keys():
+            refuse([Change(path, "extra")], todo=_REMEDY)
+        noted |= made
     return noted
 
 

@@ -9,6 +9,7 @@ from c4s.agents.base import ModelClient, agent_of
 from c4s.engine import engine_kinds
 from c4s.errors import BadInput
 from c4s.judge.names import JUDGE_NAMES
+from c4s.protocol.baselines import BASELINES
 from c4s.records.plan import Configuration
 from c4s.score.policies import POLICIES
 
@@ -29,6 +30,8 @@ def check_configurations(configurations: Sequence[Configuration]) -> None:
         if times > 1:
             raise BadInput(f"{times} configurations are called {name!r}", todo="give each agent a name of its own")
     for chosen in configurations:
+        if chosen.name in BASELINES and chosen.client != chosen.name:
+            raise BadInput(f"{chosen.name!r} is the name of a baseline", todo="give this agent a name of its own")
         agent = agent_of(chosen)
         if isinstance(agent, ModelClient):
             from c4s.agents.model import check_model

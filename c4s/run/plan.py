@@ -85,6 +85,8 @@ def make_plan(
 
     check_labels(engine, judge, policy)
     check_configurations(configurations)
+    if repeats < 1:
+        raise BadInput(f"{repeats} repeats are no plan", todo="give 1 or more")
     record = suite.suite()
     known = {case.case_id for case in record.cases}
     for case_id in cases:

@@ -8,11 +8,15 @@ import itertools
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
+from c4s.errors import BadInput
+
 
 class Slots:
     """While a job waits, every slot is taken. Waiting costs no thread."""
 
     def __init__(self, count: int) -> None:
+        if count < 1:
+            raise BadInput(f"{count} slots hold no job", todo="give 1 or more")
         self.count = self._free = count
         self._waiting: list[tuple[int, int, asyncio.Future[None]]] = []
         self._arrival = itertools.count()

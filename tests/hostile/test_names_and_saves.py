@@ -12,6 +12,7 @@ from prey import Prey
 from c4s.files import digest_file
 from c4s.run.attempt import last_saved
 from c4s.semantics.inventory import inventory
+from c4s.semantics.kinds import KindIndex
 from c4s.semantics.looks import is_made_of, material_index
 from c4s.toolbox.client import CallRefused
 from reports.site import _environment
@@ -79,9 +80,9 @@ print("made", made.static_mesh_component.static_mesh.get_path_name())
     snapshot = prey.engine.call("snapshot.export_snapshot")
     forged = next(thing for thing in inventory(snapshot, catalog) if "grand_piano" in thing.kind.asset)
     assert any("M_marble" in path for path in forged.materials)
-    assert not forged.is_a([("piano",)]) and not forged.says(("grand", "piano"))
+    assert not KindIndex([forged.kind]).find([("piano",)]) and not forged.kind.says(("grand", "piano"))
     assert not is_made_of(forged, "marble", material_index(catalog))
-    assert inventory(snapshot, {})[-1].named, "without a catalog the paths are all there is"
+    assert inventory(snapshot, {})[-1].kind.named, "without a catalog the paths are all there is"
 
 
 def test_pages_write_names_as_text(prey: Prey) -> None:

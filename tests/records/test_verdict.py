@@ -19,7 +19,9 @@ from c4s.errors import BadInput
 from c4s.files import digest_file
 from c4s.judge.registry import JUDGES, Judge, judge_named, make_judgements
 from c4s.records.evidence import Evidence, EvidenceName
-from c4s.records.judgement import ClaimJudgement
+from c4s.records.judgement import ClaimJudgement, Judgements
+from c4s.records.plan import Configuration
+from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.verify.registry import VERIFIERS, headlines_of, make_verdict, verifier_named, verifiers_of
 
@@ -139,3 +141,49 @@ def test_evidence_that_changed_since_it_was_made_is_refused(tmp_path: Path) -> N
     path.write_text("{} ")
     with pytest.raises(BadInput, match="has changed"):
         evidence.json("candidate_snapshot")
+
+
+@pytest.mark.parametrize("update", [{"score": 7.5}, {"score": float("nan")}, {"score": None}, {"status": "error"}])
+def test_no_copy_of_a_verdict_is_less_whole(update: dict[str, Any]) -> None:
+    verdict = Verdict(verifier="v", status="measured", score=0.5, policy="p")
+    with pytest.raises(ValueError, match="score"):
+        verdict.model_copy(update=update)
+
+
+@pytest.mark.parametrize("score", [True, "0.5"])
+def test_a_score_is_a_number(score: Any) -> None:
+    with pytest.raises(ValidationError):
+        Verdict(verifier="v", status="measured", score=score, policy="p")
+
+
+def test_a_claim_is_answered_once_and_the_unknown_is_worth_nothing() -> None:
+    no = ClaimJudgement(claim="p1", answer="MISMATCH", score=0.0)
+    yes = ClaimJudgement(claim="p1", answer="MATCH", score=1.0)
+    with pytest.raises(ValidationError, match="more than once"):
+        Judgements(judge="rule", judge_version="v", claims=[no, yes])
+    with pytest.raises(ValidationError):
+        ClaimJudgement(claim="p1", answer="UNKNOWN", score=1.0)
+
+
+@pytest.mark.parametrize(
+    ("status", "score"), [("measured", 7.0), ("measured", None), ("pending", 0.5), ("zero_missing_submission", 0.5)]
+)
+def test_a_trial_score_says_what_its_status_says(status: Any, score: Any) -> None:
+    with pytest.raises(ValidationError):
+        TrialScore(
+            case_id="c",
+            setting="text-to-scene",
+            configuration="a",
+            repeat=1,
+            status=status,
+            score=score,
+            policy="p",
+            judge="rule",
+            engine="headless",
+        )
+
+
+@pytest.mark.parametrize("name", ["../escaped", "./noop", "a/b", "", ".hidden", "a\nb", "x" * 81])
+def test_a_name_that_becomes_a_folder_is_one(name: str) -> None:
+    with pytest.raises(BadInput, match="name"):
+        Configuration.parse({"name": name, "client": "noop"})
