@@ -4,7 +4,8 @@ Content is the relative names of plain files and their bytes. Modes, times and e
 reads them, and not every copy keeps them. A link or a special file is refused: it could lead out of the folder.
 
 A digest that was computed once is kept under ``C4S_HOME/cache`` with the file's size, times and inode, and taken again
-while these are the same. A full check reads every byte.
+while these are the same. A full check reads every byte: also one that a process changed through a mapping of the file,
+which shows in the file's times only once the system has written it back.
 """
 
 from __future__ import annotations

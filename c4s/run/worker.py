@@ -22,11 +22,17 @@ from c4s.errors import MachineryFault, OverLimit
 
 HEADER = struct.Struct(">Q")
 PR_SET_PDEATHSIG = 1
+PR_SET_CHILD_SUBREAPER = 36
 
 
 def serve(channel: int, parent: int) -> None:
-    """Work off jobs until the parent closes the channel. Die with the parent, and leave Ctrl-C to it."""
-    ctypes.CDLL(None, use_errno=True).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    """Work off jobs until the parent closes the channel. Die with the parent, and leave Ctrl-C to it.
+
+    What a job starts stays this process's, also where its own parent has ended, so that all of it can be ended.
+    """
+    libc = ctypes.CDLL(None, use_errno=True)
+    libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    libc.prctl(PR_SET_CHILD_SUBREAPER, 1)
     if os.getppid() != parent:
         os._exit(1)
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -16,7 +16,7 @@ from tests.house.tree import Source, packages, source, sources
 RUN_FILES = (
     *("outcome.json", "trajectory.jsonl", "usage.jsonl", "snapshot.json", "dependencies.json", "captures.json"),
     *("digests.json", "score.json", "stages.jsonl", "manifest.json", "integrity.json", "plan.json"),
-    *("spending.jsonl", "saves.jsonl"),
+    *("spending.jsonl", "saves.jsonl", "contacts.json", "support.json", "submission.digests.json"),
 )
 RUN_FOLDERS = ("submission", "evidence", "verdicts")
 BACKENDS = ("c4s.engine.headless", "c4s.engine.unreal")

@@ -66,3 +66,13 @@ def make_temporary() -> str:
     """Use the temporary folder; returns its path."""
     with tempfile.TemporaryDirectory() as made:
         return str(Path(made).parent)
+
+
+def child_without_parent(path: Path) -> None:
+    """Leave a process behind whose parent has ended, and do not end."""
+    told = subprocess.run(
+        ["setsid", "sh", "-c", "sleep 600 >/dev/null 2>&1 & echo $!"], capture_output=True, check=True
+    )
+    path.write_text(told.stdout.decode())
+    while True:
+        pass

@@ -19,7 +19,15 @@ from c4s.run.limits import LIMITS, Limit, SceneTooLarge
 from c4s.run.pool import Pool
 from c4s.run.processes import WorkerDied, _family
 from tests.run.conftest import apart, environment
-from tests.run.jobs import child_that_stays, engine_that_grows, make_temporary, note_process, refuse, sweep_temporary
+from tests.run.jobs import (
+    child_that_stays,
+    child_without_parent,
+    engine_that_grows,
+    make_temporary,
+    note_process,
+    refuse,
+    sweep_temporary,
+)
 from warehouse.database import rows
 
 ROOT = Path(__file__).parents[2]
@@ -63,10 +71,11 @@ def test_a_worker_that_dies_costs_its_own_job_only(tmp_path: Path) -> None:
     in_pool(work)
 
 
-def test_a_stage_over_its_time_is_ended_with_its_children(tmp_path: Path) -> None:
+@pytest.mark.parametrize("job", [child_that_stays, child_without_parent])
+def test_a_stage_over_its_time_is_ended_with_its_children(tmp_path: Path, job: Callable[[Path], None]) -> None:
     async def work(pool: Pool) -> None:
         with pytest.raises(OverLimit, match="longer than 3 s") as raised:
-            await pool.run(SOON, child_that_stays, tmp_path / "child")
+            await pool.run(SOON, job, tmp_path / "child")
         assert raised.value.exit_code == 3 and not isinstance(raised.value, SceneTooLarge)
         assert (await pool.run(LONG, pow, 3, 2))[0] == 9
 
