@@ -242,13 +242,15 @@ def verify(trial: Trial, plan: Plan, name: str) -> Verdict:
     if path.is_file():
         return Verdict.read(path)
     with timed(trial, name):
-        given = evidence(trial, plan, inputs(trial))
-        made = measure(name, given)
+        given = inputs(trial)
+        exported = evidence(trial, plan, given)
+        made = measure(name, exported)
         for measured, record in made.items():
-            write_json(given.path(measured), record, indent=None)
+            write_json(exported.path(measured), record, indent=None)
         if made:
-            note_digests(trial.folder.evidence, MEASURED, [given.path(measured) for measured in made])
-        verdict = make_verdict(name, evidence(trial, plan, inputs(trial)))
+            note_digests(trial.folder.evidence, MEASURED, [exported.path(measured) for measured in made])
+            exported = evidence(trial, plan, given)
+        verdict = make_verdict(name, exported)
         verdict.write(path)
     return verdict
 

@@ -77,13 +77,16 @@ def _done(job: bytes) -> bytes:
 def _whole(error: BaseException) -> BaseException:
     """The exception with where it was raised; one that cannot cross the border, or would end a process, as a fault."""
     told = "".join(traceback.format_exception(error))
+    crosses = isinstance(error, Exception) and _crosses(error)
+    whole = error if crosses else MachineryFault(f"{type(error).__name__}: {error}")
+    whole.add_note(f"in a worker process:\n{told}")
+    return whole
+
+
+def _crosses(error: Exception) -> bool:
+    """Whether the exception is one of its own class on the other side. Its class may do anything when it is copied."""
     try:
         copy: Any = pickle.loads(pickle.dumps(error))
-        if isinstance(error, Exception) and type(copy) is type(error):
-            error.add_note(f"in a worker process:\n{told}")
-            return error
     except Exception:
-        pass
-    fault = MachineryFault(f"{type(error).__name__}: {error}")
-    fault.add_note(f"in a worker process:\n{told}")
-    return fault
+        return False
+    return type(copy) is type(error)

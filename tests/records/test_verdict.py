@@ -17,6 +17,7 @@ from pydantic import ValidationError
 import c4s
 from c4s.errors import BadInput
 from c4s.files import digest_file
+from c4s.judge.names import JUDGE_NAMES
 from c4s.judge.registry import JUDGES, Judge, judge_named, make_judgements
 from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.judgement import ClaimJudgement, Judgements
@@ -187,3 +188,7 @@ def test_a_trial_score_says_what_its_status_says(status: Any, score: Any) -> Non
 def test_a_name_that_becomes_a_folder_is_one(name: str) -> None:
     with pytest.raises(BadInput, match="name"):
         Configuration.parse({"name": name, "client": "noop"})
+
+
+def test_every_judge_that_can_be_named_is_there() -> None:
+    assert tuple(JUDGES) == JUDGE_NAMES and all(judge.name == name for name, judge in JUDGES.items())

@@ -17,7 +17,7 @@ from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.records.suite import SuiteFolder
 from c4s.run import stages
-from c4s.run.check import check_evidence
+from c4s.run.check import check_evidence, noted_digests
 from c4s.run.configurations import configuration
 from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.score.policies import policy_named
@@ -186,6 +186,16 @@ def test_changed_evidence_gets_no_verdict(
             check_evidence(trial.folder)
     assert str(path) in told_of(refused.value, path, request, gated)
     assert trial.folder.verdicts.keys() == {"integrity"}
+
+
+def test_pictures_that_were_not_taken_are_taken_by_the_stage_of_their_own(gated: Path, trial: Trial) -> None:
+    evidence = trial.folder.evidence
+    before = noted_digests(evidence)
+    shutil.rmtree(evidence.captures)
+    evidence.digests("look").unlink()
+    stages.look(trial, frozen_plan(gated))
+    check_evidence(trial.folder)
+    assert noted_digests(evidence) == before and any(name.endswith(".png") for name in before)
 
 
 def test_sound_evidence_of_another_scene_is_told(gated: Path, trial: Trial, tmp_path: Path) -> None:
