@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
+import io
 import json
 import os
+import shutil
+import stat
 import tempfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -12,8 +16,25 @@ from typing import Any
 
 import orjson
 
+from c4s.bounds import BOUNDS, Bound, long_number_in, values_in
 from c4s.errors import BadInput
 from c4s.garbage import put_off
+
+_KINDS = {
+    stat.S_IFDIR: "a folder",
+    stat.S_IFIFO: "a pipe",
+    stat.S_IFSOCK: "a socket",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+}
+FULL_BYTES = 32 << 20
+"""A disk with less room than this is full: nothing that an attempt or a stage leaves is sure to fit."""
+
+
+def check_disk(folder: Path) -> None:
+    """``OSError`` (``ENOSPC``) where the disk of a folder is full: what was not saved there is nobody's doing."""
+    if shutil.disk_usage(folder).free < FULL_BYTES:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(folder))
 
 
 def write_bytes(path: Path, data: bytes) -> None:
@@ -62,44 +83,151 @@ def digest_bytes(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
+def open_plain(path: Path, what: str = "file") -> io.BufferedReader:
+    """Open a plain file for reading. ``BadInput`` for anything else, at once: a pipe or a device is not waited for."""
+    try:
+        handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    except FileNotFoundError:
+        raise BadInput(f"no such {what}", where=str(path)) from None
+    except (OSError, ValueError) as error:
+        told = no_place(error) if isinstance(error, OSError) else str(error)
+        raise BadInput(f"cannot read this {what}: {told}", where=str(path)) from None
+    mode = os.fstat(handle).st_mode
+    if not stat.S_ISREG(mode):
+        os.close(handle)
+        raise BadInput(f"this {what} is {_KINDS.get(stat.S_IFMT(mode), 'no plain file')}", where=str(path))
+    return os.fdopen(handle, "rb")
+
+
+def read_plain(path: Path, what: str = "file", bound: Bound = BOUNDS["document_bytes"]) -> bytes:
+    """The bytes of a plain file; ``BadInput`` for anything else (``open_plain``), and for one larger than ``bound``."""
+    with open_plain(path, what) as source:
+        bound.hold(os.fstat(source.fileno()).st_size, where=str(path))
+        data = source.read(bound.most + 1)
+    bound.hold(len(data), where=str(path))
+    return data
+
+
+def read_plain_text(path: Path, what: str = "file") -> str:
+    """The text of a plain file in UTF-8, with or without a byte order mark; ``BadInput`` for anything else."""
+    try:
+        return read_plain(path, what).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise BadInput(f"this {what} is not UTF-8 text: {error.reason}", where=str(path)) from None
+
+
 def digest_file(path: Path) -> str:
-    """SHA-256 (64 hex) of a file's content."""
-    with path.open("rb") as source:
+    """SHA-256 (64 hex) of a plain file's content; ``BadInput`` for anything else."""
+    with open_plain(path) as source:
         return hashlib.file_digest(source, "sha256").hexdigest()
 
 
-def parse_json(data: bytes) -> Any:
-    """Parse JSON. The tokens NaN and Infinity, which some exporters write, are accepted; else ``ValueError``."""
+def parse_bounded(data: bytes, bytes_bound: Bound, values_bound: Bound, *, plain: bool = False) -> Any:
+    """Parse JSON that is measured before memory is taken for what it holds. ``ValueError`` tells what is too much.
+
+    ``plain``: NaN and Infinity are refused.
+    """
+    fault = bytes_bound.fault(len(data)) or values_bound.fault(values_in(data))
+    if fault is not None:
+        raise ValueError(fault)
+    if long_number_in(data):
+        raise ValueError("a number has too many digits")
+    try:
+        with put_off():
+            return orjson.loads(data) if plain else parse_json(data)
+    except RecursionError:
+        raise ValueError("it is nested too deeply") from None
+
+
+def parse_json(data: bytes, *, finite: bool = False) -> Any:
+    """Parse JSON; ``ValueError`` for what is none.
+
+
+    The tokens NaN and Infinity, which some exporters write, are accepted, unless all has to be ``finite``.
+    Half a surrogate pair, which is no text and cannot be written again, is refused.
+    """
     with put_off():
         try:
             return orjson.loads(data)
         except orjson.JSONDecodeError:
-            return json.loads(data)
+            try:
+                value = json.loads(data)
+                json.dumps(value, ensure_ascii=False).encode()
+                if finite:
+                    canonical_json(value)
+            except UnicodeEncodeError:
+                raise ValueError("a text in it is half a surrogate pair") from None
+            except UnicodeDecodeError:
+                raise ValueError("it is not UTF-8 text") from None
+            except RecursionError:
+                raise ValueError("it is nested too deep") from None
+            except json.JSONDecodeError:
+                raise
+            except ValueError:
+                raise ValueError("a number in it is too long, or is not finite") from None
+            return value
 
 
-def read_json(path: Path, *, what: str = "file") -> Any:
-    """Read a JSON file. Raises ``BadInput`` when it is missing, truncated or not JSON."""
-    return _read_json(path, what)[0]
+def no_place(error: OSError) -> str:
+    """Why a file or folder cannot be used, in the system's words without its number."""
+    return (error.strerror or str(error)).lower()
+
+
+def read_yaml(path: Path, *, what: str = "file") -> Any:
+    """Read a YAML file of plain data, as JSON has it. ``BadInput`` when it is missing, or is none."""
+    from c4s.plain_yaml import parse_yaml
+
+    text = read_plain_text(path, what)
+    try:
+        return parse_yaml(text)
+    except (ValueError, RecursionError) as error:
+        told = "it is nested too deep" if isinstance(error, RecursionError) else " ".join(str(error).split())
+        raise BadInput(f"this {what} is not valid YAML: {told}", where=str(path)) from None
+
+
+def read_json_lines(path: Path, *, what: str = "file", cut: bool = False) -> list[dict[str, Any]]:
+    """Read a file of JSON objects, one a line, blank lines skipped. ``BadInput`` names the line that is none.
+
+    ``cut``: what follows the last line's end was cut off by a killed process; it is left out where it is not whole.
+    """
+    found = []
+    lines = read_plain(path, what).split(b"\n")
+    for number, line in enumerate(lines, start=1):
+        if not line.strip():
+            continue
+        try:
+            value = parse_json(line)
+        except ValueError as error:
+            if cut and number == len(lines):
+                break
+            raise BadInput(f"line {number} of this {what} is not JSON: {error}", where=str(path)) from None
+        if not isinstance(value, dict):
+            raise BadInput(f"line {number} of this {what} is no JSON object", where=str(path))
+        found.append(value)
+    return found
+
+
+def read_json(path: Path, *, what: str = "file", bound: Bound = BOUNDS["document_bytes"], finite: bool = False) -> Any:
+    """Read a JSON file. Raises ``BadInput`` when it is missing, truncated, not JSON, or larger than ``bound``.
+
+    ``finite``: see ``parse_json``.
+    """
+    return _read_json(path, what, bound, finite)[0]
 
 
 def read_written_json(path: Path, *, what: str = "file", todo: str = "") -> Any:
     """Read a file that ``write_json`` wrote; ``BadInput`` also when its bytes are not those that it writes."""
-    value, data = _read_json(path, what)
+    value, data = _read_json(path, what, BOUNDS["document_bytes"], True)
     if json_text(value).encode() != data:
         raise BadInput("the file has changed since it was written", where=str(path), todo=todo)
     return value
 
 
-def _read_json(path: Path, what: str) -> tuple[Any, bytes]:
+def _read_json(path: Path, what: str, bound: Bound, finite: bool) -> tuple[Any, bytes]:
+    data = read_plain(path, what, bound)
     try:
-        data = path.read_bytes()
-    except FileNotFoundError:
-        raise BadInput(f"no such {what}", where=str(path)) from None
-    except OSError as error:
-        raise BadInput(f"cannot read this {what}: {error}", where=str(path)) from None
-    try:
-        return parse_json(data), data
-    except (ValueError, RecursionError) as error:
+        return parse_json(data, finite=finite), data
+    except ValueError as error:
         raise BadInput(f"this {what} is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from string import Template
 
 from c4s.engine import DEFAULT_ENGINE, open_engine
+from c4s.engine.answers import ask
 from c4s.engine.bridge import FAILED
 from c4s.errors import MachineryFault
 from c4s.evidence import export_and_look, overview_cameras, take_pictures
@@ -104,7 +105,7 @@ def _inputs(
             reply = engine.execute(_OPEN.substitute(package=level.package))
             if reply["status"] in FAILED:
                 raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=case_id)
-            write_json(files[case_id], engine.call("snapshot.export_snapshot"))
+            write_json(files[case_id], ask(engine, "snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
             take_pictures(engine, [{**camera(view), **SIZE_PX} for view in views[case_id]], folder, keep=True)
             pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from c4s.errors import BadInput
+from c4s.folders import check_own
 from c4s.packs.suite_check import tree_changes
-from c4s.records.suite import SuiteFolder
+from c4s.records.suite import SUITE, SuiteFolder
 from c4s.trees import refuse
 
 REMEDY = "give --replace to build it anew, or choose another name"
@@ -22,10 +23,9 @@ def to_build(root: Path, *, same: bool, replace: bool) -> bool:
 
     Raises ``BadInput`` where what lies there is not to be replaced, and for a folder that holds no suite.
     """
+    check_own(root, SUITE)
     if not root.exists():
         return True
-    if not (root / "suite.json").is_file():
-        raise BadInput("this folder holds something that is no suite", where=str(root), todo="choose another name")
     if not same:
         if not replace:
             raise BadInput("another suite of this name lies here", where=str(root), todo=REMEDY)

@@ -21,7 +21,7 @@ from c4s.folders import beside, put_folder
 from c4s.packs.check import check_pack
 from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
-from c4s.records.suite import AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
+from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from cases import exports
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Recipe, apply, with_identities
@@ -112,7 +112,7 @@ def build_suite(
             list(pool.map(builder.scene, definition.scenes))
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         write_json(folder.root / STAMP, {"definition": wanted})
-        put_folder(folder.root, root)
+        put_folder(folder.root, root, marker=SUITE)
     return suite
 
 

@@ -20,6 +20,7 @@ from c4s.files import digest, digest_file, write_bytes
 from c4s.geometry.transform import affine, look_at, rotation_matrix
 from c4s.home import cache_root
 from c4s.packs.meshes import Mesh
+from c4s.packs.pictures import open_picture
 from c4s.packs.store import PackStore
 from c4s.records.pack import MANIFEST, STAMP, Asset, Material, Pack
 from c4s.render import Camera, Instance, Lights, Renderer, Sky, Sun, SurfaceMaterial
@@ -55,7 +56,9 @@ class PreviewSurfaces:
     def _surface(self, material: Material) -> SurfaceMaterial:
         def picture(name: str | None, mode: str = "RGB") -> NDArray[np.uint8] | None:
             file = self.store.pack_file(material, name)
-            return None if file is None else np.asarray(Image.open(file).convert(mode), dtype=np.uint8)
+            return (
+                None if file is None else np.asarray(open_picture(file, where=str(file)).convert(mode), dtype=np.uint8)
+            )
 
         return SurfaceMaterial(
             material.base_color,

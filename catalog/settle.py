@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from c4s.errors import BadInput
-from c4s.folders import put_folder
+from c4s.folders import check_own, put_folder
 from c4s.packs.check import pack_changes
 from c4s.records.pack import MANIFEST, Pack
 from c4s.trees import refuse
@@ -24,8 +24,7 @@ def settle(made: Path, place: Path, *, replace: bool) -> None:
     Raises ``BadInput`` where another one, or one that was changed, lies there and ``replace`` is not given, and always
     where something lies there that is no pack.
     """
-    if place.exists() and not (place / MANIFEST).is_file():
-        raise BadInput("this folder holds something that is no pack", where=str(place), todo="choose another --out")
+    check_own(place, MANIFEST)
     if place.exists() and not replace:
         found, wanted = Pack.read(place / MANIFEST).sha256(), Pack.read(made / MANIFEST).sha256()
         if found != wanted:
@@ -33,4 +32,4 @@ def settle(made: Path, place: Path, *, replace: bool) -> None:
             raise BadInput(told, where=str(place), todo=REMEDY)
         check_kept(place)
         return
-    put_folder(made, place)
+    put_folder(made, place, marker=MANIFEST)

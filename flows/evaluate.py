@@ -9,18 +9,24 @@ from prefect import flow
 from c4s.engine import DEFAULT_ENGINE
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.judge.names import DEFAULT_JUDGE
+from c4s.names import place_in
 from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.suite import SuiteFolder
-from c4s.run.check import check_kept
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
-from c4s.run.drive import refuse_pending, run_trials
+from c4s.run.drive import refuse_pending, run_trials, settle_all
+from c4s.run.headroom import print_line
+from c4s.run.lease import holding
 from c4s.run.plan import make_plan, open_run, trials
 from c4s.run.pool import Pool
+from flows.server import tie
 from flows.trial import as_tasks
 from tasks.publish import publish
-from warehouse.ingest import ingest_schedule, is_stored
+from warehouse.done import held_by
+from warehouse.ingest import ingest_schedule
+
+tie()
 
 
 @flow(name="evaluate", validate_parameters=False)
@@ -37,7 +43,8 @@ async def evaluate(
 ) -> str:
     """Run, verify, store and publish a suite. Returns the address of the leaderboard page.
 
-    Run it again with the same arguments to complete a run that was stopped; finished trials are skipped.
+    Run it again with the same arguments to complete a run that was stopped; what is done is reused. ``BadInput`` where
+    somebody else works on the run.
 
     Args:
         suite: id of a built suite.
@@ -50,7 +57,7 @@ async def evaluate(
         engine: name of an engine.
         slots: engine processes at once (default: one a core).
     """
-    folder, run = suites_root() / suite, runs_root() / (run_id or suite)
+    folder, run = place_in(suites_root(), suite, "suite"), place_in(runs_root(), run_id or suite, "run")
     plan = make_plan(
         SuiteFolder(folder),
         [configuration(name) for name in agents],
@@ -62,15 +69,17 @@ async def evaluate(
         cases=cases,
     )
     warehouse = warehouse_root()
-    missing = [trial for trial in trials(run, folder, plan) if not is_stored(trial, plan, warehouse)]
-    for trial in missing:
-        check_kept(trial)
-    if missing:
-        check_ready(plan.configurations)
-    plan = open_run(run, plan)
-    ingest_schedule(run, folder, plan, warehouse)
-    async with Pool(slots) as pool:
-        pending = await run_trials(missing, plan, pool, as_tasks(warehouse))
-    page = publish(warehouse, site_root())
+    with holding(run) as held:
+        missing = [trial for trial in trials(run, folder, plan) if held_by(trial, plan, warehouse) is None]
+        if missing:
+            check_ready(plan.configurations)
+        plan = open_run(run, plan)
+        ready, pending = settle_all(missing, plan, print_line)
+        if not ready:
+            refuse_pending(pending, len(missing))
+        ingest_schedule(run, folder, plan, warehouse)
+        async with Pool(slots) as pool:
+            pending += await run_trials(ready, plan, pool, as_tasks(warehouse), held)
+        page = publish(warehouse, site_root())
     refuse_pending(pending, len(missing))
     return page.as_uri()

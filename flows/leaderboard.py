@@ -5,7 +5,10 @@ from __future__ import annotations
 from prefect import flow
 
 from c4s.home import site_root, warehouse_root
+from flows.server import tie
 from tasks.publish import publish
+
+tie()
 
 
 @flow(name="leaderboard")

@@ -13,6 +13,7 @@ from c4s.run.drive import Run
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from tasks.attempt import attempt
+from tasks.control import control
 from tasks.integrity import integrity
 from tasks.judge import judge
 from tasks.look import look
@@ -26,6 +27,7 @@ TASKS: Final[dict[Stage, Callable[..., Awaitable[Any]]]] = {
     "look": look,
     "judge": judge,
     "verify": verify,
+    "control": control,
     "score": score,
     "persist": persist,
 }

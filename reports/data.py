@@ -11,15 +11,16 @@ from typing import Any
 from warehouse.database import rows
 
 Row = dict[str, Any]
-Field = tuple[str, str, str, str]
-"""What results must share to be compared: suite, policy, judge, engine."""
+Field = tuple[str, str, str, str, str]
+"""What results must share to be compared: suite, the digest of its build, policy, judge, engine."""
 
 
 @dataclass(frozen=True)
 class Board:
-    """One leaderboard: results that share suite, policy, judge and engine."""
+    """One leaderboard: results that share the build of a suite, policy, judge and engine."""
 
     suite: str
+    suite_digest: str
     policy: str
     judge: str
     engine: str
@@ -30,12 +31,12 @@ class Board:
 
 
 def boards(warehouse: Path) -> list[Board]:
-    """All leaderboards of the warehouse."""
+    """The leaderboards of the latest build of each suite."""
     standings: dict[Field, list[Row]] = defaultdict(list)
     for row in rows(warehouse, "SELECT * FROM leaderboard"):
         standings[_field(row)].append(row)
     trials: dict[Field, list[Row]] = defaultdict(list)
-    for row in rows(warehouse, "SELECT * FROM case_scores ORDER BY setting, case_id, repeat"):
+    for row in rows(warehouse, "SELECT * FROM case_scores WHERE latest ORDER BY setting, case_id, repeat"):
         trials[_field(row)].append(row)
     zeros = rows(warehouse, "SELECT * FROM zero_reasons")
     return [
@@ -43,14 +44,14 @@ def boards(warehouse: Path) -> list[Board]:
             *field,
             standings=found,
             cases=_by_case(trials[field]),
-            zeros=[row for row in zeros if row["suite"] == field[0]],
+            zeros=[row for row in zeros if (row["suite"], row["build"]) == (field[0], field[1][: len(row["build"])])],
         )
         for field, found in standings.items()
     ]
 
 
 def _field(row: Row) -> Field:
-    return row["suite"], row["policy"], row["judge"], row["engine"]
+    return row["suite"], row["suite_digest"], row["policy"], row["judge"], row["engine"]
 
 
 def _by_case(trials: list[Row]) -> list[Row]:
@@ -61,40 +62,40 @@ def _by_case(trials: list[Row]) -> list[Row]:
     return list(cases.values())
 
 
-def prompt(warehouse: Path, suite: str, case_id: str) -> str:
+def prompt(warehouse: Path, board: Board, case_id: str) -> str:
     """A case's prompt."""
-    found = rows(
-        warehouse, f"SELECT prompt FROM schedule WHERE suite = {_text(suite)} AND case_id = {_text(case_id)} LIMIT 1"
-    )
+    found = rows(warehouse, f"SELECT prompt FROM schedule WHERE {_of(board)} AND case_id = {_text(case_id)} LIMIT 1")
     return str(found[0]["prompt"])
 
 
-def pictures(warehouse: Path, suite: str) -> list[Row]:
-    """Every picture of a suite."""
+def pictures(warehouse: Path, board: Board) -> list[Row]:
+    """Every picture of a suite: those of a trial have its id, those of a case none."""
     return rows(
         warehouse,
-        "SELECT case_id, configuration, repeat, role, view, width, height, jpeg FROM pictures "
-        f"WHERE suite = {_text(suite)} ORDER BY case_id, role, configuration, repeat, view",
+        "SELECT trial_id, case_id, role, view, width, height, jpeg FROM pictures "
+        f"WHERE {_of(board)} ORDER BY case_id, role, trial_id, view",
     )
 
 
-def findings(warehouse: Path, suite: str) -> dict[tuple[str, str, int], list[Row]]:
-    """Findings by (case, configuration, repeat)."""
-    found: dict[tuple[str, str, int], list[Row]] = defaultdict(list)
-    query = f"SELECT * FROM judged WHERE suite = {_text(suite)} ORDER BY verifier, outcome, subject"
-    for row in rows(warehouse, query):
-        found[(row["case_id"], row["configuration"], row["repeat"])].append(row)
+def findings(warehouse: Path, board: Board) -> dict[str, list[Row]]:
+    """Findings by trial."""
+    found: dict[str, list[Row]] = defaultdict(list)
+    for row in rows(warehouse, f"SELECT * FROM findings WHERE {_of(board)} ORDER BY verifier, outcome, subject"):
+        found[row["trial_id"]].append(row)
     return found
 
 
-def verdicts(warehouse: Path, suite: str) -> dict[tuple[str, str, int], list[Row]]:
-    """Verdicts by (case, configuration, repeat), their documents parsed."""
-    found: dict[tuple[str, str, int], list[Row]] = defaultdict(list)
-    for row in rows(warehouse, f"SELECT * FROM verdicts WHERE suite = {_text(suite)} ORDER BY verifier"):
-        found[(row["case_id"], row["configuration"], row["repeat"])].append(
-            {**row, "document": json.loads(row["document"])}
-        )
+def verdicts(warehouse: Path, board: Board) -> dict[str, list[Row]]:
+    """Verdicts by trial, their documents parsed."""
+    found: dict[str, list[Row]] = defaultdict(list)
+    for row in rows(warehouse, f"SELECT * FROM verdicts WHERE {_of(board)} ORDER BY verifier"):
+        found[row["trial_id"]].append({**row, "document": json.loads(row["document"])})
     return found
+
+
+def _of(board: Board) -> str:
+    """The condition of a row of the board's suite."""
+    return f"suite = {_text(board.suite)} AND suite_digest = {_text(board.suite_digest)}"
 
 
 def _text(value: str) -> str:

@@ -7,8 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
 
 from c4s.files import digest_bytes, write_bytes, write_text
+from c4s.folders import beside, check_own, put_folder
+from c4s.names import shown
 from c4s.protocol.settings import SETTING_TITLES, is_construction
 from c4s.verify.registry import VERIFIERS, headlines_of
 from reports import data
@@ -16,12 +19,20 @@ from reports.text import number, percent, slug
 
 HERE = Path(__file__).parent
 FINDINGS_SHOWN = 60
+MARKER = ".c4s-site"
+"""In every folder of pages, so that no other folder is taken for one and replaced."""
+
+
+def _visible(value: Any) -> Any:
+    """What a page shows of a value: of a text nothing that turns its direction or cannot be seen."""
+    return shown(value, keep="\n\t") if isinstance(value, str) and not isinstance(value, Markup) else value
 
 
 def _environment() -> Environment:
     environment = Environment(
         loader=PackageLoader("reports"),
         autoescape=True,
+        finalize=_visible,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -33,39 +44,48 @@ def _environment() -> Environment:
     return environment
 
 
+def check_place(site: Path) -> None:
+    """``BadInput`` where something else lies than pages of c4s."""
+    check_own(site, MARKER)
+
+
 def build_site(warehouse: Path, site: Path) -> Path:
-    """Render all pages from the warehouse; returns the leaderboard page. Old pages are replaced."""
-    environment = _environment()
-    fresh = site.with_name(f".{site.name}.new")
-    shutil.rmtree(fresh, ignore_errors=True)
+    """Render all pages from the warehouse; returns the leaderboard page. Old pages are replaced.
+
+    ``BadInput`` where the folder holds something else than pages of c4s.
+    """
+    check_place(site)
+    with beside(site) as scratch:
+        _write_site(_environment(), warehouse, scratch / site.name)
+        put_folder(scratch / site.name, site, marker=MARKER)
+    return site / "index.html"
+
+
+def _write_site(environment: Environment, warehouse: Path, fresh: Path) -> None:
     (fresh / "static").mkdir(parents=True)
+    write_text(fresh / MARKER, "Pages made by c4s: `c4s report` replaces this folder.\n")
     for path in (HERE / "static").iterdir():
         shutil.copy(path, fresh / "static" / path.name)
     boards = data.boards(warehouse)
     _page(environment, "leaderboard.html.j2", fresh / "index.html", root="", boards=boards)
     for suite in sorted({board.suite for board in boards}):
-        _suite_pages(environment, warehouse, fresh, suite, [board for board in boards if board.suite == suite])
-    old = site.with_name(f".{site.name}.old")
-    shutil.rmtree(old, ignore_errors=True)
-    if site.exists():
-        site.rename(old)
-    fresh.rename(site)
-    shutil.rmtree(old, ignore_errors=True)
-    return site / "index.html"
+        _suite_pages(environment, warehouse, fresh, [board for board in boards if board.suite == suite])
 
 
-def _suite_pages(environment: Environment, warehouse: Path, site: Path, suite: str, boards: list[data.Board]) -> None:
-    pictures = _save_pictures(warehouse, site, suite)
-    findings, verdicts = data.findings(warehouse, suite), data.verdicts(warehouse, suite)
+def _suite_pages(environment: Environment, warehouse: Path, site: Path, boards: list[data.Board]) -> None:
+    """The pages of a suite's latest build, which all ``boards`` are of."""
+    suite = boards[0].suite
+    pictures = _save_pictures(warehouse, site, boards[0])
+    findings, verdicts = data.findings(warehouse, boards[0]), data.verdicts(warehouse, boards[0])
     for board in boards:
         for case in board.cases:
             shown = [
                 {
                     "configuration": name,
                     "trial": trial,
-                    "pictures": pictures.get((case["case_id"], name, trial["repeat"], "submission"), []),
-                    "findings": findings.get((case["case_id"], name, trial["repeat"]), []),
-                    "verdicts": verdicts.get((case["case_id"], name, trial["repeat"]), []),
+                    "pictures": pictures.get((trial["trial_id"], case["case_id"], "submission"), []),
+                    "findings": findings.get(trial["trial_id"], []),
+                    "verdicts": verdicts.get(trial["trial_id"], []),
                 }
                 for name, trials in case["scores"].items()
                 for trial in trials
@@ -79,18 +99,14 @@ def _suite_pages(environment: Environment, warehouse: Path, site: Path, suite: s
                 case=case,
                 shown=shown,
                 limit=FINDINGS_SHOWN,
-                prompt=data.prompt(warehouse, suite, case["case_id"]),
-                start=pictures.get((case["case_id"], "_case", 0, "start"), []),
-                truth=pictures.get((case["case_id"], "_case", 0, "truth"), []),
+                prompt=data.prompt(warehouse, board, case["case_id"]),
+                start=pictures.get(("", case["case_id"], "start"), []),
+                truth=pictures.get(("", case["case_id"], "truth"), []),
             )
         for standing in board.standings:
             name = standing["configuration"]
             trials = [
-                (
-                    case,
-                    trial,
-                    next(iter(pictures.get((case["case_id"], name, trial["repeat"], "submission"), [])), None),
-                )
+                (case, trial, next(iter(pictures.get((trial["trial_id"], case["case_id"], "submission"), [])), None))
                 for case in board.cases
                 for trial in case["scores"].get(name, [])
             ]
@@ -105,14 +121,14 @@ def _suite_pages(environment: Environment, warehouse: Path, site: Path, suite: s
             )
 
 
-def _save_pictures(warehouse: Path, site: Path, suite: str) -> dict[tuple[str, str, int, str], list[dict[str, Any]]]:
-    """Write each picture once, named by its digest; by (case, configuration, repeat, role)."""
-    saved: dict[tuple[str, str, int, str], list[dict[str, Any]]] = {}
-    for row in data.pictures(warehouse, suite):
+def _save_pictures(warehouse: Path, site: Path, board: data.Board) -> dict[tuple[str, str, str], list[dict[str, Any]]]:
+    """Write each picture once, named by its digest; by (trial, case, role); a case's own have no trial."""
+    saved: dict[tuple[str, str, str], list[dict[str, Any]]] = {}
+    for row in data.pictures(warehouse, board):
         name = f"pictures/{digest_bytes(row['jpeg'])[:20]}.jpg"
         if not (site / name).is_file():
             write_bytes(site / name, row["jpeg"])
-        saved.setdefault((row["case_id"], row["configuration"], row["repeat"], row["role"]), []).append(
+        saved.setdefault((row["trial_id"], row["case_id"], row["role"]), []).append(
             {"file": name, "view": row["view"], "width": row["width"], "height": row["height"]}
         )
     return saved

@@ -34,6 +34,7 @@ def attempt_rows(trial: Trial, score: TrialScore, key: dict[str, Any]) -> Iterat
                 recorded=outcome.attempt == recorded,
                 client_version=outcome.client_version,
                 engine_version=outcome.engine_version,
+                sandbox=outcome.sandbox,
                 submission=outcome.submission,
                 valid=Verdict.read(gate).status == "valid" if gate.is_file() else None,
                 tool_calls=outcome.tool_calls,

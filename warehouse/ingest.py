@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 from PIL import Image
 
-from c4s.files import canonical_json, digest_file, json_lines, read_json
+from c4s.errors import BadInput
+from c4s.files import canonical_json, digest, digest_file, read_json, read_json_lines
+from c4s.records.base import Record
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
@@ -18,13 +21,15 @@ from c4s.records.verdict import Verdict
 from c4s.run.check import check_evidence
 from c4s.run.configurations import is_ranked
 from c4s.run.plan import Trial, trial_id, trials
+from c4s.run.torn import check_scored
 from c4s.verify.registry import verifier_named
 from warehouse.behaviour import attempt_rows, submission_rows, tool_use_rows
 from warehouse.components import component_rows
-from warehouse.parquet import part_path, write_part
-from warehouse.records import HEADLINES, AttemptRow, FindingRow, OutcomeRow, PictureRow, ScheduleRow, VerdictRow
+from warehouse.parquet import is_whole, part_path, write_part
+from warehouse.records import HEADLINES, TABLES, AttemptRow, FindingRow, OutcomeRow, PictureRow, ScheduleRow, VerdictRow
 
 PICTURE_WIDTH = 960
+TRIAL_TABLES = tuple(table for table in TABLES if table != "schedule")
 CASE_PARTITION = "_case"
 """Partition of pictures that belong to a case, not to a configuration."""
 
@@ -32,6 +37,7 @@ CASE_PARTITION = "_case"
 def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None:
     """Write one row a planned trial, and the pictures of each case."""
     folder = SuiteFolder(suite)
+    planned_at = datetime.fromtimestamp(RunFolder(run).plan.stat().st_mtime, UTC).isoformat(timespec="milliseconds")
     for case in plan.cases:
         agent, withheld = folder.agent_case(case.case_id), folder.withheld_case(case.case_id)
         for trial in trials(run, suite, plan.model_copy(update={"cases": [case]})):
@@ -41,7 +47,9 @@ def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None
                 run_id=plan.run_id,
                 suite=plan.suite_id,
                 suite_digest=plan.suite_digest,
+                planned_at=planned_at,
                 configuration=chosen.name,
+                configuration_digest=chosen.sha256(),
                 client=chosen.client,
                 model=chosen.model,
                 case_id=case.case_id,
@@ -59,12 +67,12 @@ def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None
                 engine=plan.engine,
                 ranked=is_ranked(chosen),
             )
-            if not part_path(warehouse, "schedule", plan.suite_id, chosen.name, row.trial_id).is_file():
+            if not is_whole(part_path(warehouse, "schedule", plan.suite_id, chosen.name, row.trial_id)):
                 write_part(
                     warehouse, "schedule", [row], suite=plan.suite_id, configuration=chosen.name, key=row.trial_id
                 )
-        key = f"{case.case_id}-{case.withheld_digest[:12]}"
-        if not part_path(warehouse, "pictures", plan.suite_id, CASE_PARTITION, key).is_file():
+        key = f"{case.case_id}-{digest([plan.suite_digest, case.withheld_digest])[:12]}"
+        if not is_whole(part_path(warehouse, "pictures", plan.suite_id, CASE_PARTITION, key)):
             write_part(
                 warehouse,
                 "pictures",
@@ -83,7 +91,9 @@ def _case_pictures(folder: SuiteFolder, plan: Plan, case_id: str) -> Iterator[Pi
                 trial_id="",
                 run_id=plan.run_id,
                 suite=plan.suite_id,
+                suite_digest=plan.suite_digest,
                 configuration=CASE_PARTITION,
+                configuration_digest="",
                 case_id=case_id,
                 repeat=0,
                 role=role,
@@ -105,35 +115,30 @@ def _jpeg(path: Path) -> tuple[int, int, bytes]:
         return picture.width, picture.height, buffer.getvalue()
 
 
-def is_stored(trial: Trial, plan: Plan, warehouse: Path) -> bool:
-    """Whether the trial's outcome row is there."""
-    return part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial)).is_file()
-
-
 def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
-    """Write all rows of a scored trial; the outcome row comes last, so that it stands for the whole."""
+    """Write all rows of a scored trial, or none; the outcome row comes last, so that it stands for the whole."""
     key = _key(trial, plan)
     place: dict[str, str] = {"suite": plan.suite_id, "configuration": trial.configuration.name, "key": key["trial_id"]}
     verdicts = trial.folder.verdicts
     score = TrialScore.read(trial.folder.score)
     attempts = list(attempt_rows(trial, score, key))
-    write_part(warehouse, "attempts", [row for row, _ in attempts], **place)
-    write_part(warehouse, "tool_use", tool_use_rows(attempts, key), **place)
-    write_part(warehouse, "python_submissions", submission_rows(attempts, key), **place)
-    write_part(warehouse, "verdicts", [_verdict_row(path, key) for path in verdicts.values()], **place)
-    write_part(warehouse, "components", list(component_rows(map(Verdict.read, verdicts.values()), score, key)), **place)
-    write_part(
-        warehouse,
-        "findings",
-        [
+    read = [Verdict.read(path) for path in verdicts.values()]
+    parts: dict[str, Sequence[Record]] = {
+        "attempts": [row for row, _ in attempts],
+        "tool_use": tool_use_rows(attempts, key),
+        "python_submissions": submission_rows(attempts, key),
+        "verdicts": [_verdict_row(path, key) for path in verdicts.values()],
+        "components": list(component_rows(read, score, key)),
+        "findings": [
             FindingRow(**key, verifier=name, subject=found.subject, outcome=found.outcome, detail=found.detail)
-            for name, path in verdicts.items()
-            for found in verifier_named(name).findings(Verdict.read(path))
+            for name, verdict in zip(verdicts, read, strict=True)
+            for found in verifier_named(name).findings(verdict)
         ],
-        **place,
-    )
-    write_part(warehouse, "pictures", list(_submission_pictures(trial, key)), **place)
-    write_part(warehouse, "outcomes", [_outcome(trial, plan, score, [row for row, _ in attempts], key)], **place)
+        "pictures": list(_submission_pictures(trial, key)),
+        "outcomes": [_outcome(trial, plan, score, [row for row, _ in attempts], key)],
+    }
+    for table, rows in parts.items():
+        write_part(warehouse, table, rows, **place)
 
 
 def _key(trial: Trial, plan: Plan) -> dict[str, Any]:
@@ -141,7 +146,9 @@ def _key(trial: Trial, plan: Plan) -> dict[str, Any]:
         "trial_id": trial_id(plan, trial),
         "run_id": plan.run_id,
         "suite": plan.suite_id,
+        "suite_digest": plan.suite_digest,
         "configuration": trial.configuration.name,
+        "configuration_digest": trial.configuration.sha256(),
         "case_id": trial.case.case_id,
         "repeat": trial.repeat,
     }
@@ -174,7 +181,8 @@ def _outcome(
     trial: Trial, plan: Plan, score: TrialScore, attempts: Sequence[AttemptRow], key: dict[str, Any]
 ) -> OutcomeRow:
     recorded = next((row for row in attempts if row.recorded), None)
-    stages = list(json_lines(trial.folder.stages.read_text().splitlines()))
+    times = trial.folder.stages
+    stages = read_json_lines(times, what="list of stages") if times.is_file() else []
     overhead = sum(stage["seconds"] for stage in stages if stage["stage"] == "orchestration")
     evaluation = sum(
         stage["seconds"]
@@ -202,16 +210,34 @@ def _outcome(
         policy=plan.policy,
         judge=plan.judge,
         engine=plan.engine,
-        suite_digest=plan.suite_digest,
+        sandbox=recorded.sandbox if recorded else None,
         score_sha256=digest_file(trial.folder.score),
     )
 
 
-def rebuild_from_run(run: Path, suite: Path, warehouse: Path) -> int:
-    """Ingest every scored trial of a run again; returns how many."""
+def rebuild_from_run(
+    run: Path, suite: Path, warehouse: Path, *, wanted: Callable[[Trial, Plan], bool] = lambda trial, plan: True
+) -> list[BadInput]:
+    """Ingest the scored trials of a run again, or those that are wanted; why others were left out.
+
+    A trial is left out whose score or verdicts are not as they were written, and all of them where the suite is not
+    the one of the plan.
+    """
     plan = Plan.read(RunFolder(run).plan)
-    ingest_schedule(run, suite, plan, warehouse)
-    scored = [trial for trial in trials(run, suite, plan) if trial.folder.score.is_file()]
+    scored = [trial for trial in trials(run, suite, plan) if trial.folder.score.exists() and wanted(trial, plan)]
+    if not scored:
+        return []
+    try:
+        if SuiteFolder(suite).suite().sha256() != plan.suite_digest:
+            raise BadInput("this is not the suite of the run", where=str(suite), todo="build the suite that it was")
+        ingest_schedule(run, suite, plan, warehouse)
+    except BadInput as error:
+        return [BadInput(f"{len(scored)} trials of run {plan.run_id!r} are left out: {error.line()}")]
+    left_out = []
     for trial in scored:
-        ingest_trial(trial, plan, warehouse)
-    return len(scored)
+        try:
+            check_scored(trial.folder)
+            ingest_trial(trial, plan, warehouse)
+        except BadInput as error:
+            left_out.append(BadInput(f"{trial.name} of run {plan.run_id!r} is left out: {error.line()}"))
+    return left_out

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import os
+import struct
 import types
 import typing
 from collections.abc import Sequence
@@ -17,6 +19,9 @@ from c4s.records.base import Record
 from warehouse.records import TABLES
 
 _ARROW = {str: pa.string(), int: pa.int64(), float: pa.float64(), bool: pa.bool_(), bytes: pa.binary()}
+_MAGIC = b"PAR1"
+_TAIL = struct.Struct("<I4s")
+"""The end of a Parquet file: the length of its footer in bytes, and the magic word."""
 PARTITIONS = ("suite", "configuration")
 
 
@@ -44,6 +49,18 @@ def arrow_schema(table: str, *, partitions: bool = True) -> pa.Schema:
 def part_path(root: Path, table: str, suite: str, configuration: str, key: str) -> Path:
     """Where a trial's rows of a table lie."""
     return root / table / f"suite={suite}" / f"configuration={configuration}" / f"{key}.parquet"
+
+
+def is_whole(path: Path) -> bool:
+    """Whether a part is there from its first byte to its last: a file that was cut off is not."""
+    try:
+        with path.open("rb") as part:
+            first = part.read(len(_MAGIC))
+            part.seek(-_TAIL.size, os.SEEK_END)
+            footer, last = _TAIL.unpack(part.read())
+            return (first, last) == (_MAGIC, _MAGIC) and footer + _TAIL.size + len(_MAGIC) <= part.tell()
+    except (OSError, struct.error):
+        return False
 
 
 def write_part(root: Path, table: str, rows: Sequence[Record], *, suite: str, configuration: str, key: str) -> Path:

@@ -21,7 +21,12 @@ class TrialKey(Record):
     """16 hex digits by content: suite, case, configuration, repeat, policy, judge, engine."""
     run_id: str
     suite: str
+    suite_digest: str
+    """Of the suite's record: another build of a suite is another suite."""
     configuration: str
+    """Its name. Two contents may have one: ``configuration_digest`` tells them apart, the questions show its start."""
+    configuration_digest: str
+    """SHA-256 of the configuration's canonical JSON."""
     case_id: str
     repeat: int
 
@@ -51,7 +56,8 @@ class ScoredTrial(TrialKey):
     policy: str
     judge: str
     engine: str
-    suite_digest: str
+    sandbox: str | None = None
+    """What confined the engine of the recorded run."""
     score_sha256: str
 
 
@@ -75,6 +81,8 @@ class AttemptRow(TrialKey):
     client_version: str
     """As the client told; empty where it did not."""
     engine_version: str
+    sandbox: str
+    """What confined the engine: ``bubblewrap``, ``landlock``, ``none``; empty where it was not recorded."""
     submission: str | None
     valid: bool | None
     tool_calls: int
@@ -171,7 +179,10 @@ class ScheduleRow(Record):
     run_id: str
     suite: str
     suite_digest: str
+    planned_at: str
+    """When the plan was frozen (UTC): the time of its file. It tells which build of a suite is the latest."""
     configuration: str
+    configuration_digest: str
     client: str
     model: str | None
     case_id: str

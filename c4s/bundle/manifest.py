@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
+from c4s.names import path_fault
 from c4s.protocol.settings import Setting, is_construction
 from c4s.records.base import Record
 
@@ -15,8 +16,7 @@ MANIFEST = "bundle.json"
 
 def _inside(path: str) -> str:
     slashed = path.replace("\\", "/")
-    parts = PurePosixPath(slashed).parts
-    if not path.strip() or slashed.startswith(("/", "~")) or ".." in parts or ":" in (*parts, "")[0] or "\0" in path:
+    if path_fault(slashed) or ":" in slashed.partition("/")[0]:
         raise ValueError("paths are relative to the bundle, without '..'")
     return path
 

@@ -9,12 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from c4s.bounds import BOUNDS
 from c4s.bundle.manifest import MANIFEST, Manifest
 from c4s.errors import BadInput
-from c4s.files import digest_file, parse_json
-
-MAXIMUM_BYTES = 1 << 30
-"""A file of a bundle may hold at most this much JSON, unpacked."""
+from c4s.files import digest_file, no_place, open_plain, parse_bounded, read_plain
+from c4s.names import file_in
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,15 +28,15 @@ class EvidenceBundle:
         where = str(self.root / path)
         try:
             if path.endswith(".gz"):
-                with gzip.open(self.root / path) as packed:
-                    data = packed.read(MAXIMUM_BYTES + 1)
+                with open_plain(self.root / path) as file, gzip.open(file) as packed:
+                    data = packed.read(BOUNDS["unpacked_bytes"].most + 1)
+                BOUNDS["unpacked_bytes"].hold(len(data), where=where)
             else:
-                data = (self.root / path).read_bytes()
-            if len(data) > MAXIMUM_BYTES:
-                raise BadInput(f"more than {MAXIMUM_BYTES >> 20} MiB of JSON", where=where)
-            return parse_json(data)
-        except (ValueError, RecursionError, EOFError, OSError, zlib.error) as error:
-            raise BadInput(f"cannot read this file of the bundle: {error}", where=where) from None
+                data = read_plain(self.root / path, bound=BOUNDS["unpacked_bytes"])
+            return parse_bounded(data, BOUNDS["unpacked_bytes"], BOUNDS["unpacked_values"])
+        except (ValueError, EOFError, OSError, zlib.error) as error:
+            told = no_place(error) if isinstance(error, OSError) else str(error)
+            raise BadInput(f"cannot read this file of the bundle: {told}", where=where) from None
 
 
 def read_bundle(root: Path) -> EvidenceBundle:
@@ -51,7 +50,7 @@ def read_bundle(root: Path) -> EvidenceBundle:
     if unlisted:
         raise BadInput(f"{unlisted[0]!r} has no digest under 'files'", where=where)
     for path, expected in manifest.files.items():
-        if not (root / path).is_file():
+        if not file_in(root, path).is_file():
             raise BadInput("a file of the bundle is missing", where=str(root / path), todo="copy the whole folder")
         if digest_file(root / path) != expected:
             raise BadInput(

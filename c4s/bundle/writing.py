@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 from c4s.bundle.manifest import INTEGRITY_LEAVES, MANIFEST, Manifest
 from c4s.errors import BadInput
 from c4s.files import digest_file, write_json
+from c4s.folders import beside, check_new, put_folder
 from c4s.protocol.rules import GATE, OVERVIEW_VIEWS
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
@@ -61,15 +63,24 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
 
     Args:
         folder: a trial with its score.
-        out: must not exist or be empty. ``bundle.json`` is written last.
+        out: must not exist or be empty; it is there when the bundle is whole.
         withheld: the case's withheld folder; a repair needs its input and truth snapshots.
 
     Raises ``BadInput`` for a trial without a score or with evidence missing.
     """
     score = TrialScore.read(folder.score)
-    if out.exists() and any(out.iterdir()):
-        raise BadInput("the folder is not empty", where=str(out))
-    writer = _Writer(out)
+    check_new(out)
+    out = Path(os.path.realpath(out))
+    with beside(out) as scratch:
+        made = scratch / out.name
+        manifest = _packed(folder, score, _Writer(made), withheld, str(out))
+        write_json(made / MANIFEST, manifest.model_dump(mode="json", exclude_none=True))
+        put_folder(made, out, marker=MANIFEST)
+    return manifest
+
+
+def _packed(folder: TrialFolder, score: TrialScore, writer: _Writer, withheld: Path | None, where: str) -> Manifest:
+    """Write the files of a bundle; its manifest, which is not written yet."""
     value: dict[str, Any] = {
         "schema_version": "code4scene.bundle.v1",
         "task": {"id": score.case_id, "setting": score.setting},
@@ -92,9 +103,7 @@ def pack_trial(folder: TrialFolder, out: Path, *, withheld: Path | None = None) 
         value["candidate_integrity"] = _integrity(integrity)
         if integrity.status == "valid":
             value |= _evidence(writer, folder, score, withheld)
-    manifest = Manifest.parse(value | {"files": writer.files}, where=str(out))
-    write_json(out / MANIFEST, manifest.model_dump(mode="json", exclude_none=True))
-    return manifest
+    return Manifest.parse(value | {"files": writer.files}, where=where)
 
 
 def _integrity(verdict: Verdict) -> dict[str, Any]:

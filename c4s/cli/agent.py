@@ -11,9 +11,9 @@ from typing import Annotated
 import typer
 
 from c4s.agents.base import CLIENTS, ModelClient, agent_of
-from c4s.cli.output import console, print_json, print_table
+from c4s.cli.output import print_json, print_table, say
 from c4s.cli.suites import built_suite
-from c4s.engine import DEFAULT_ENGINE, engine_kinds
+from c4s.engine import DEFAULT_ENGINE, backend, engine_kinds
 from c4s.errors import BadInput, C4SError
 from c4s.files import read_json
 from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
@@ -73,17 +73,26 @@ def try_agent(
 
     tried = Try.prepare(configuration(name), suite_folder, case, policy=policy, judge=judge, engine=engine)
     if not json_output:
-        console.print(f"{tried.trial.name}, in {tried.root}", style="dim", soft_wrap=True, highlight=False)
+        say(f"{tried.trial.name}, in {tried.root}", style="dim")
     score = tried.run(quiet=json_output)
     page = tried.publish()
     if json_output:
         print_json(score.plain() | {"folder": str(tried.root), "page": page.as_uri()})
     else:
         print_score(tried.trial, score)
-        print(f"c4s agent replay {tried.trial.folder.attempts()[-1].root}")
-        print(page.as_uri())
+        say(f"c4s agent replay {tried.trial.folder.attempts()[-1].root}")
+        say(page.as_uri())
     if open_page and not json_output and (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         webbrowser.open(page.as_uri())
+
+
+def _engine_of(attempt: AttemptFolder) -> str:
+    """The kind of engine that an attempt ran on; ``BadInput`` where its manifest names none that is here."""
+    manifest = read_json(attempt.manifest, what="attempt manifest")
+    if not isinstance(manifest, dict) or not isinstance(manifest.get("engine"), str):
+        raise BadInput("this attempt manifest names no engine", where=str(attempt.manifest))
+    backend(manifest["engine"])
+    return str(manifest["engine"])
 
 
 @app.command("replay")
@@ -94,10 +103,13 @@ def replay(
     """Send the calls of a recorded attempt again and compare what is saved, byte by byte. Exit 1 when it differs."""
     from c4s.cli.trying import trial_of
     from c4s.run.attempt import run_attempt
-    from c4s.run.stages import inputs
+    from c4s.run.inputs import inputs
+    from c4s.trajectory.lines import read_lines
 
-    recorded = AttemptOutcome.read(AttemptFolder(attempt).outcome)
     trial = trial_of(attempt)
+    recorded = AttemptOutcome.read(AttemptFolder(attempt).outcome)
+    read_lines(AttemptFolder(attempt).trajectory)
+    engine = _engine_of(AttemptFolder(attempt))
     if trial.configuration.client == ORACLE:
         raise BadInput("the oracle reads the truth, which a replay is not given", where=str(attempt))
     given = inputs(trial)
@@ -114,7 +126,7 @@ def replay(
             Path(folder) / "attempt",
             given.packs,
             None,
-            engine=str(read_json(AttemptFolder(attempt).manifest, what="attempt manifest")["engine"]),
+            engine=engine,
         )
     equal = (again.submission, again.submission_sha256) == (recorded.submission, recorded.submission_sha256)
     if json_output:
@@ -128,6 +140,6 @@ def replay(
             }
         )
     else:
-        print(f"{again.message}; the submission is {'equal, byte by byte' if equal else 'another one'}")
+        say(f"{again.message}; the submission is {'equal, byte by byte' if equal else 'another one'}")
     if not equal:
         raise typer.Exit(1)

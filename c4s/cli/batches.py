@@ -10,7 +10,9 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
+from c4s.files import no_place
 
 Row = dict[str, Any]
 
@@ -23,9 +25,13 @@ def _lines(path: Path) -> Iterator[bytes]:
         opened: Any = gzip.open if raw.read(2) == b"\x1f\x8b" else open
     try:
         with opened(path, "rb") as lines:
-            yield from (line for line in lines if line.strip())
+            while line := lines.readline(BOUNDS["row_bytes"].most + 1):
+                BOUNDS["row_bytes"].hold(len(line), where=str(path))
+                if line.strip():
+                    yield line
     except (EOFError, OSError, zlib.error) as error:
-        raise BadInput(f"cannot read this file to its end: {error}", where=str(path), todo="is it complete?") from None
+        told = no_place(error) if isinstance(error, OSError) else str(error)
+        raise BadInput(f"cannot read this file to its end: {told}", where=str(path), todo="is it complete?") from None
 
 
 def read_rows(path: Path) -> Iterator[Row | BadInput]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.cli.output import console, print_table
-from c4s.home import warehouse_root
+from c4s.cli.output import print_table, say
+from c4s.home import suites_root, warehouse_root
+from c4s.records.suite import SuiteFolder
 
 COLUMNS = {
     "rank": "rank",
@@ -21,13 +22,14 @@ COLUMNS = {
 
 
 def leaderboard(suite: str) -> list[dict[str, Any]]:
-    """The leaderboard's rows of one suite."""
+    """The leaderboard's rows of one suite, as it is built here."""
     from warehouse.database import rows
 
+    digest = SuiteFolder(suites_root() / suite).suite().sha256()
     return [
         {**row, "trials": f"{row['resolved']}/{row['planned']}"}
-        for row in rows(warehouse_root(), "SELECT * FROM leaderboard")
-        if row["suite"] == suite
+        for row in rows(warehouse_root(), "SELECT * EXCLUDE (latest) FROM leaderboards")
+        if (row["suite"], row["suite_digest"]) == (suite, digest)
     ]
 
 
@@ -38,7 +40,7 @@ def print_leaderboard(suite: str) -> None:
         list(COLUMNS.values()), [[row[name] for name in COLUMNS] for row in found], title=f"Leaderboard: suite {suite}"
     )
     judges, engines = {row["judge"] for row in found}, {row["engine"] for row in found}
-    console.print(
+    say(
         "T2S: text to scene. I2S: image to scene, with its two domains and its Repair F1. "
         f"Judge: {', '.join(sorted(judges))} (offline; not ranked with results by a model judge). "
         f"Engine: {', '.join(sorted(engines))} (not ranked with Unreal). "

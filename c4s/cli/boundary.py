@@ -1,7 +1,12 @@
-"""The command line's boundary: an error becomes one line on standard error and an exit code."""
+"""The command line's boundary: an error becomes one line on standard error and an exit code.
+
+It is the same with ``--json``: standard output then holds one JSON value, or nothing where there is an error.
+"""
 
 from __future__ import annotations
 
+import errno
+import os
 import sys
 from collections.abc import Callable
 from typing import NoReturn
@@ -9,37 +14,85 @@ from typing import NoReturn
 import typer
 from typer.exceptions import TyperException
 
+from c4s.cli.output import tell
 from c4s.errors import C4SError
+from c4s.files import no_place
 
-OK, NO, BAD_INPUT, MACHINERY = 0, 1, 2, 3
+OK, NO, BAD_INPUT, MACHINERY, STOPPED = 0, 1, 2, 3, 130
+MOST_CHARACTERS = 1_500
+"""Longest line: what is wrong may quote a file."""
+PLACES = {
+    *(errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.EEXIST, errno.ENOTEMPTY, errno.EACCES, errno.EPERM),
+    *(errno.EROFS, errno.ELOOP, errno.ENAMETOOLONG, errno.EINVAL, errno.EXDEV, errno.ENXIO),
+}
+"""The system's errors about a place that was named, not about the machine: bad input."""
 
 
 def usage_line(error: TyperException) -> str:
     """A usage error as one line, with where to read more."""
-    text = str(getattr(error, "format_message", error.__str__)())
+    text = " ".join(str(getattr(error, "format_message", error.__str__)()).split())
     context = getattr(error, "ctx", None)
     return f"{text} (see `{context.command_path} --help`)" if context else text
 
 
+def _line(text: str) -> None:
+    """One line on standard error; a long text is cut in its middle."""
+    line = " ".join(text.split())
+    if len(line) > MOST_CHARACTERS:
+        line = f"{line[: MOST_CHARACTERS // 2]} … {line[-MOST_CHARACTERS // 2 :]}"
+    tell(f"c4s: {line}")
+
+
 def run(command: Callable[[], object]) -> NoReturn:
-    """Run a click command and exit: 0 done, 1 the answer is no, 2 bad usage or input, 3 the machinery failed."""
+    """Run a click command and exit: 0 done, 1 the answer is no, 2 bad usage or input, 3 the machinery failed.
+
+    Anything that no policy names is a fault of c4s: its traceback goes to a file, and the line says which.
+    """
+    code = _code(command)
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        code = OK
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:
+        _line(f"standard output: {no_place(error)}")
+        code = MACHINERY
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    sys.exit(code)
+
+
+def _code(command: Callable[[], object]) -> int:
     try:
         code = command()
-        sys.exit(code if isinstance(code, int) else OK)
+        return code if isinstance(code, int) else OK
     except C4SError as error:
-        print(f"c4s: {error.line()}", file=sys.stderr)
-        sys.exit(error.exit_code)
+        _line(error.line())
+        return error.exit_code
     except typer.Exit as error:
-        sys.exit(error.exit_code)
+        return error.exit_code
     except (KeyboardInterrupt, typer.Abort):
-        print("c4s: stopped; run the same command to go on", file=sys.stderr)
-        sys.exit(130)
+        _line("stopped; run the same command to go on")
+        return STOPPED
     except TyperException as error:
-        print(f"c4s: {usage_line(error)}", file=sys.stderr)
-        sys.exit(BAD_INPUT)
-    except BrokenPipeError:
-        sys.stderr.close()
-        sys.exit(OK)
+        if not str(error):  # a group without a command has printed its help
+            return OK
+        _line(usage_line(error))
+        return BAD_INPUT
+    except (BrokenPipeError, SystemExit):  # typer ends the process itself where a reader has gone, and only there
+        return OK
     except OSError as error:
-        print(f"c4s: {error.strerror or error}: {error.filename or ''}".rstrip(": "), file=sys.stderr)
-        sys.exit(MACHINERY)
+        _line(f"{error.filename}: {no_place(error)}" if error.filename else no_place(error))
+        return BAD_INPUT if error.errno in PLACES and error.filename else MACHINERY
+    except Exception as error:
+        _line(f"this is a fault of c4s: {error} (please report it; the traceback is in {_traceback(error)})")
+        return MACHINERY
+
+
+def _traceback(error: BaseException) -> str:
+    """The file that the traceback is written to."""
+    import tempfile
+    import traceback
+
+    with tempfile.NamedTemporaryFile("w", prefix="c4s-fault-", suffix=".txt", delete=False, encoding="utf-8") as file:
+        file.write("".join(traceback.format_exception(error)).encode(errors="backslashreplace").decode())
+    return file.name

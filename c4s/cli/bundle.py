@@ -7,11 +7,13 @@ from typing import Annotated
 
 import typer
 
-from c4s.cli.output import print_json, print_table
-from c4s.errors import BadInput
-from c4s.home import runs_root, suites_root
+from c4s.cli.output import print_json, print_table, say
+from c4s.cli.runs import run_folder
+from c4s.cli.suites import built_suite
+from c4s.errors import BadInput, unknown
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
+from c4s.records.suite import SuiteFolder
 
 app = typer.Typer(
     help="Published evidence bundles (code4scene.bundle.v1): score one, or pack a trial.", no_args_is_help=True
@@ -22,7 +24,7 @@ Json = Annotated[bool, typer.Option("--json")]
 @app.command()
 def score(
     folder: Annotated[Path, typer.Argument(help="folder with bundle.json")],
-    minimum_actors: Annotated[int, typer.Option(help="of the case")] = 1,
+    minimum_actors: Annotated[int, typer.Option(min=0, help="of the case")] = 1,
     json_output: Json = False,
 ) -> None:
     """The case score of a bundle, from the evidence in it."""
@@ -37,7 +39,7 @@ def score(
             }
         )
         return
-    print(
+    say(
         f"{found.score.case_id} ({found.score.setting}), {found.score.configuration}: {found.score.status}"
         + (f", {found.score.reason}" if found.score.reason else "")
     )
@@ -53,20 +55,31 @@ def pack(
     configuration: Annotated[str, typer.Argument(help="agent configuration")],
     case: Annotated[str, typer.Argument(help="case id")],
     out: Annotated[Path, typer.Argument(help="new folder")],
-    repeat: Annotated[int, typer.Option(help="counts from 1")] = 1,
+    repeat: Annotated[int, typer.Option(min=1, help="counts from 1")] = 1,
     suite: Annotated[Path | None, typer.Option(help="suite folder (default: the run's suite)")] = None,
     json_output: Json = False,
 ) -> None:
     """Pack a trial of a run as a bundle. The bundle of a repair holds the withheld truth: keep it from agents."""
     from c4s.bundle import pack_trial
 
-    root = Path(run) if Path(run).is_dir() else runs_root() / run
+    root = run_folder(run)
     plan = Plan.read(RunFolder(root).plan)
+    configurations, cases = [one.name for one in plan.configurations], [one.case_id for one in plan.cases]
+    if configuration not in configurations:
+        raise unknown("configuration", configuration, configurations, where=str(root))
+    if case not in cases:
+        raise unknown("case", case, cases, where=str(root))
+    if repeat > plan.repeats:
+        raise BadInput(f"the run has {plan.repeats} repeats of each case", where=f"--repeat {repeat}")
+    folder = suite if suite is not None else built_suite(plan.suite_id)
+    withheld = SuiteFolder(folder).withheld(case)
+    if not withheld.is_dir():
+        raise BadInput("the suite has no such folder", where=str(withheld), todo="give --suite FOLDER")
     trial = RunFolder(root).trial(configuration, case, repeat)
     if not trial.score.is_file():
-        raise BadInput("no score of such a trial", where=str(trial.root), todo="see the run's plan for names")
-    manifest = pack_trial(trial, out, withheld=(suite or suites_root() / plan.suite_id) / "withheld" / case)
+        raise BadInput("the trial has no score yet", where=str(trial.root), todo="finish the run first")
+    manifest = pack_trial(trial, out, withheld=withheld)
     if json_output:
         print_json({"bundle": str(out), "files": manifest.files})
     else:
-        print(f"{out}: {len(manifest.files)} files of {configuration} on {case}")
+        say(f"{out}: {len(manifest.files)} files of {configuration} on {case}")

@@ -7,11 +7,12 @@ from typing import Annotated, Literal
 
 import typer
 
-from c4s.cli.output import grouped, print_json, print_table
+from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars
-from c4s.errors import BadInput
+from c4s.errors import BadInput, unknown
 from c4s.home import packs_root
-from c4s.records.pack import Pack
+from c4s.names import checked_id, place_in
+from c4s.records.pack import MANIFEST, Pack
 
 NAMES_SHOWN = 5
 app = typer.Typer(help="Asset packs: build, list, show, search.", no_args_is_help=True)
@@ -71,11 +72,15 @@ def search(
     """Find assets of the packs built here, as an agent's search tool finds them."""
     from c4s.toolbox.catalog import CaseCatalog, CatalogEntry
 
+    if not query.strip():
+        raise BadInput("the query is empty", todo="give words: `red chair`")
     folders = (
         [_manifest(name).parent for name in pack]
         if pack
         else sorted(path.parent for path in packs_root().glob("*/pack.json"))
     )
+    if not folders:
+        raise BadInput("no pack is built here", where=str(packs_root()), todo="build one with `c4s catalog build`")
     packs = [(folder, Pack.read(folder / "pack.json")) for folder in folders]
     catalog = CaseCatalog([CatalogEntry(asset, one, folder) for folder, one in packs for asset in one.assets])
     found = catalog.search(query, limit=limit)
@@ -98,10 +103,10 @@ def search(
 
 
 def _manifest(pack_id: str) -> Path:
-    path = packs_root() / pack_id / "pack.json"
-    if not path.is_file():
-        raise BadInput(f"no pack {pack_id!r}", where=str(packs_root()), todo="see `c4s catalog list`")
-    return path
+    built = [path.parent.name for path in packs_root().glob(f"*/{MANIFEST}")]
+    if pack_id not in built:
+        raise unknown("pack", pack_id, built, where=str(packs_root()), todo="see `c4s catalog list`")
+    return place_in(packs_root(), pack_id, "pack") / MANIFEST
 
 
 @app.command()
@@ -129,6 +134,7 @@ def build(
     """Turn a folder of mesh files into a pack. Files that cannot be used are named and skipped."""
     from catalog.ingest.folder import ingest
 
+    checked_id(pack_id, "pack")
     with bars() as progress:
         task = progress.add_task("reading", total=None)
 
@@ -151,14 +157,14 @@ def build(
     if json_output:
         print_json(report)
         return
-    print(
+    say(
         f"{report['pack']}: {report['assets']} assets of {report['files']} files, {report['materials']} materials, "
         f"licence {report['license']}, in {report['folder']}{' (unchanged)' if report['cached'] else ''}"
     )
     for word, rows, key in (("skipped", report["skipped"], "reason"), ("note", report["notes"], "note")):
         for text, names in grouped(rows, key, "file").items():
             more = f" and {len(names) - NAMES_SHOWN} more (see --json)" if len(names) > NAMES_SHOWN else ""
-            print(f"{word}: {text}" + (f": {', '.join(names[:NAMES_SHOWN])}{more}" if names[0] else ""))
+            say(f"{word}: {text}" + (f": {', '.join(names[:NAMES_SHOWN])}{more}" if names[0] else ""))
     units = report["units"]
     if units["proposed_scale"]:
-        print(f"sizes look wrong: {units['reason']}. An estimate: --scale {units['proposed_scale']}")
+        say(f"sizes look wrong: {units['reason']}. An estimate: --scale {units['proposed_scale']}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 
 from c4s.cli.board import print_leaderboard
+from c4s.cli.output import say
 from c4s.cli.suite import Replace, build_starter_visibly
 from c4s.protocol.baselines import BASELINES
 
@@ -17,5 +18,5 @@ def demo(replace: Replace = False) -> None:
     build_starter_visibly(replace=replace)
     made = evaluate_here("starter", BASELINES)
     print_leaderboard("starter")
-    print(f"{made.ran} trials run, {made.skipped} already done, {time.perf_counter() - started:.0f} s in all")
-    print(f"Leaderboard: {made.page}")
+    say(f"{made.line()}, {time.perf_counter() - started:.0f} s in all")
+    say(f"Leaderboard: {made.page}")

@@ -14,8 +14,8 @@ import typer
 
 from c4s.agents.base import PROGRAMS, agent_of
 from c4s.cli.output import print_json, print_table
-from c4s.engine.confine.sandbox import faults
-from c4s.errors import BadInput
+from c4s.engine.confine.sandbox import CHOICE, backend, faults
+from c4s.errors import BadInput, MachineryFault
 from c4s.home import home, suites_root
 from c4s.records.plan import Configuration
 
@@ -34,16 +34,7 @@ class Diagnosis:
 
 
 def _findings() -> Iterator[Diagnosis]:
-    missing = faults()
-    usable = [name for name, why in missing.items() if not why]
-    yield Diagnosis(
-        "sandbox",
-        bool(usable),
-        True,
-        f"{usable[0]} confines engine processes"
-        if usable
-        else "; ".join(f"{name}: {why}" for name, why in missing.items()),
-    )
+    yield _sandbox()
     flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").is_file() else ""
     yield Diagnosis("AVX2", " avx2" in flags, True, f"pictures are drawn on the CPU ({platform.machine()})")
     free = shutil.disk_usage(home().parent if not home().exists() else home()).free / 1e9
@@ -62,6 +53,27 @@ def _findings() -> Iterator[Diagnosis]:
         "without it scenes are built on the headless engine, and are never ranked with Unreal results",
     )
     yield from _clients()
+
+
+_COSTS = {
+    "bubblewrap": "bubblewrap would hide the names and sizes of files outside too",
+    "landlock": "landlock would let agent code ask whether a path outside exists",
+}
+
+
+def _sandbox() -> Diagnosis:
+    """Which sandbox engines get here, by the choice of the environment, and what another would cost."""
+    try:
+        used = backend()
+    except (BadInput, MachineryFault) as fault:
+        return Diagnosis("sandbox", False, True, fault.line())
+    told = [f"{used} confines engine processes" if used != "none" else f"{CHOICE}=none: nothing confines agent code"]
+    if os.environ.get(CHOICE):
+        told.append(f"asked for by {CHOICE}")
+    for name, missing in faults().items():
+        if name != used:
+            told.append(f"{name} does not work here: {missing}" if missing else _COSTS[name])
+    return Diagnosis("sandbox", True, True, "; ".join(told))
 
 
 def _clients() -> Iterator[Diagnosis]:

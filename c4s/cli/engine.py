@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from c4s.cli.output import print_json, print_table
+from c4s.cli.output import check_new_file, print_json, print_table, say, tell
 from c4s.engine import DEFAULT_ENGINE, backend
-from c4s.errors import BadInput
+from c4s.errors import BadInput, unknown
+from c4s.folders import check_out
 from c4s.home import packs_root
 from c4s.records.pack import Pack
 
@@ -32,27 +32,31 @@ def export(
         typer.Option(help="id or folder of a pack, once for each; default: the built packs that the level uses"),
     ] = None,
     engine: Kind = DEFAULT_ENGINE,
+    replace: Annotated[bool, typer.Option("--replace", help="overwrite a GLB file of this name")] = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Write a level as one GLB in metres, Y up, that any viewer opens. Hidden actors are left out."""
     if not level.is_file():
         raise BadInput("no such level document", where=str(level))
-    chosen = backend(engine)
-    packs = [_pack(name) for name in pack] if pack else _packs_of(chosen.asset_paths(level))
     if glb.suffix.lower() != ".glb":
         raise BadInput("the output must be a .glb file", where=str(glb), todo="give --glb OUT.glb")
+    chosen = backend(engine)
+    used = chosen.asset_paths(level)
+    check_new_file(glb)
+    check_out(glb, replace=replace, magic=b"glTF")
+    packs = [_pack(name) for name in pack] if pack else _packs_of(used)
     report = {**chosen.export_glb(level, packs, glb), "file": str(glb), "packs": [p.name for p in packs]}
     if json_output:
         print_json(report)
         return
-    print(
+    say(
         f"{glb}: {report['actors']} actors, {report['meshes']} meshes, {report['triangles']} triangles, "
         f"{report['lights']} lights, {report['cameras']} cameras"
     )
     for label in report["left_out"]:
-        print(f"c4s: left out, glTF has no such light or camera: {label}", file=sys.stderr)
+        tell(f"c4s: left out, glTF has no such light or camera: {label}")
     for path in report["unresolved"]:
-        print(f"c4s: unresolved and left out: {path}", file=sys.stderr)
+        tell(f"c4s: unresolved and left out: {path}")
 
 
 @app.command()
@@ -75,16 +79,18 @@ def conformance(
             ("group", "check", "status", "detail"),
             [(result.group, result.name, result.status, result.detail) for result in results],
         )
-        print(f"{len(results)} checks, {len(failed)} failed")
+        say(f"{len(results)} checks, {len(failed)} failed")
     if failed:
         raise typer.Exit(1)
 
 
 def _pack(name: str) -> Path:
-    for folder in (packs_root() / name, Path(name)):
-        if (folder / "pack.json").is_file():
-            return folder
-    raise BadInput(f"no pack {name!r}", where=str(packs_root()), todo="see `c4s catalog list`")
+    built = [path.parent.name for path in packs_root().glob("*/pack.json")]
+    if name in built:
+        return packs_root() / name
+    if name and (Path(name) / "pack.json").is_file():
+        return Path(name)
+    raise unknown("pack", name, built, where=str(packs_root()), todo="or give the folder of a pack")
 
 
 def _packs_of(paths: list[str]) -> list[Path]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -13,20 +14,23 @@ from c4s.cli.suites import built_suite
 from c4s.engine import DEFAULT_ENGINE
 from c4s.home import runs_root, site_root, warehouse_root
 from c4s.judge.names import DEFAULT_JUDGE
+from c4s.names import place_in
 from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
-from c4s.run.check import check_kept
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
-from c4s.run.drive import Pending, refuse_pending, run_trials, stage_functions
+from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all, stage_functions
+from c4s.run.headroom import print_line
+from c4s.run.inputs import inputs
+from c4s.run.lease import Held, holding
 from c4s.run.plan import Trial, make_plan, open_run, trial_id, trials
 from c4s.run.pool import Pool
-from c4s.run.stages import inputs
 from reports.site import build_site
-from warehouse.database import rebuild
-from warehouse.ingest import ingest_schedule, ingest_trial, is_stored
+from warehouse.database import is_sound, rebuild
+from warehouse.done import held_by
+from warehouse.ingest import ingest_schedule, ingest_trial
 from warehouse.parquet import part_path
 
 
@@ -35,9 +39,23 @@ class Evaluation:
     """What came of an evaluation."""
 
     page: str
+    run_id: str
     ran: int
-    skipped: int
+    reused: dict[str, int]
+    """How many of the trials were done, by the run that holds them."""
     seconds: float
+
+    def line(self) -> str:
+        """It, for people."""
+        told = [f"{_trials(self.ran)} run in {self.seconds:.0f} s"]
+        for holder, count in self.reused.items():
+            where = "" if holder == self.run_id else f" from run {holder!r}"
+            told.append(f"{_trials(count)} {'is' if count == 1 else 'are'} done and reused{where}")
+        return ", ".join(told)
+
+
+def _trials(count: int) -> str:
+    return f"{count} trial{'' if count == 1 else 's'}"
 
 
 def evaluate_here(
@@ -51,10 +69,15 @@ def evaluate_here(
     judge: str = DEFAULT_JUDGE,
     engine: str = DEFAULT_ENGINE,
     slots: int | None = None,
+    wait: bool = False,
 ) -> Evaluation:
-    """Evaluate in this process. Raises ``BadInput`` before anything is started where the request cannot be met."""
+    """Evaluate in this process. Raises ``BadInput`` before anything is started where the request cannot be met.
+
+    Where somebody else works on the run, ``wait`` waits for them; else that is ``BadInput`` too.
+    """
     started = time.perf_counter()
-    folder, run, warehouse = built_suite(suite), runs_root() / (run_id or suite), warehouse_root()
+    folder, warehouse = built_suite(suite), warehouse_root()
+    run = place_in(runs_root(), run_id or suite, "run")
     plan = make_plan(
         SuiteFolder(folder),
         [configuration(name) for name in agents or BASELINES],
@@ -68,27 +91,32 @@ def evaluate_here(
     scheduled = list(trials(run, folder, plan))
     for trial in {trial.case.case_id: trial for trial in scheduled}.values():
         inputs(trial)
-    missing = [trial for trial in scheduled if not is_stored(trial, plan, warehouse)]
-    for trial in missing:
-        check_kept(trial)
-    if missing:
-        check_ready(plan.configurations)
-    plan = open_run(run, plan)
     page = site_root() / "index.html"
-    if missing or not page.is_file():
-        ingest_schedule(run, folder, plan, warehouse)
-        stored = [
-            part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial))
-            for trial in scheduled
-        ]
-        with watch(scheduled, {path for path in stored if path.is_file()}, stored):
-            pending = asyncio.run(_run(missing, plan, slots))
-            rebuild(warehouse)
-            page = build_site(warehouse, site_root())
-        refuse_pending(pending, len(missing))
-    return Evaluation(page.as_uri(), len(missing), len(scheduled) - len(missing), time.perf_counter() - started)
+    with holding(run, wait=print_line if wait else None) as held:
+        holders = [held_by(trial, plan, warehouse) for trial in scheduled]
+        missing = [trial for trial, holder in zip(scheduled, holders, strict=True) if holder is None]
+        if missing:
+            check_ready(plan.configurations)
+        plan = open_run(run, plan)
+        ready, refused = settle_all(missing, plan, print_line)
+        if not ready:
+            refuse_pending(refused, len(missing))
+        if ready or not page.is_file() or not is_sound(warehouse):
+            ingest_schedule(run, folder, plan, warehouse)
+            stored = [
+                part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial))
+                for trial in scheduled
+            ]
+            with watch(scheduled, {path for path in stored if path.is_file()}, stored):
+                refused += asyncio.run(_run(ready, plan, slots, held))
+                rebuild(warehouse)
+                page = build_site(warehouse, site_root())
+        refuse_pending(refused, len(missing))
+    reused = Counter(holder for holder in holders if holder is not None)
+    return Evaluation(page.as_uri(), run.name, len(missing), dict(reused), time.perf_counter() - started)
 
 
-async def _run(missing: Sequence[Trial], plan: Plan, slots: int | None) -> list[Pending]:
+async def _run(ready: Sequence[Trial], plan: Plan, slots: int | None, held: Held) -> list[Pending]:
+    persist = partial(ingest_trial, warehouse=warehouse_root())
     async with Pool(slots) as pool:
-        return await run_trials(missing, plan, pool, stage_functions(partial(ingest_trial, warehouse=warehouse_root())))
+        return await run_trials(ready, plan, pool, stage_functions(persist), held)

@@ -13,8 +13,10 @@ from typing import Any
 from rich.console import Console
 from rich.text import Text
 
+from c4s.cli.output import draw
 from c4s.errors import BadInput
 from c4s.meter.record import sums
+from c4s.names import shown
 from c4s.records.folder import AttemptFolder
 
 INTERVAL_S = 0.25
@@ -53,11 +55,11 @@ class LiveView:
         for line in self._calls.lines():
             if line["event"] == "started":
                 continue
-            self.console.print(call_line(line, cost_text(self._requests)), soft_wrap=True)
+            draw(self.console, call_line(line, cost_text(self._requests)))
             for image in line.get("images") or []:
                 path = self.attempt.images / f"{image['sha256']}.png"
                 if path.is_file():
-                    self.console.print(thumbnail(self.console, path))
+                    draw(self.console, thumbnail(self.console, path))
 
 
 def cost_text(requests: list[dict[str, Any]]) -> str:
@@ -72,17 +74,17 @@ def call_line(line: Mapping[str, Any], cost: str) -> Text:
     """One call: number, tool, arguments, how it ended, and the budget left."""
     event, outcome = line["event"], line["outcome"]
     number = f"{line['call']:4d}" if event == "call" else "   –"
-    shown = ", ".join(
+    given = ", ".join(
         f"{key}={json.dumps(value, ensure_ascii=False)}" for key, value in (line.get("arguments") or {}).items()
     )
-    shown = " ".join(shown.split())
+    given = shown(" ".join(given.split()))
     text = Text(f"{number}  ")
-    text.append(str(line["tool"]), "bold")
-    text.append(f" {shown[:_SHOWN_ARGUMENTS]}{'…' if len(shown) > _SHOWN_ARGUMENTS else ''}", "dim")
+    text.append(shown(str(line["tool"])), "bold")
+    text.append(f" {given[:_SHOWN_ARGUMENTS]}{'…' if len(given) > _SHOWN_ARGUMENTS else ''}", "dim")
     took = f" {1000 * line['duration_s']:.0f} ms" if "duration_s" in line else ""
-    text.append(f"  {outcome}{took}", "green" if outcome == "ok" else "red")
+    text.append(shown(f"  {outcome}{took}"), "green" if outcome == "ok" else "red")
     if line.get("error"):
-        text.append(f"  {' '.join(str(line['error']).split())[:160]}", "red")
+        text.append(shown(f"  {' '.join(str(line['error']).split())[:160]}"), "red")
     left = f"{line['tool_calls_left']} calls, {line['seconds_left'] // 60} min {line['seconds_left'] % 60} s left"
     text.append(f"  [{left}{', ' + cost if cost else ''}]", "dim")
     return text
@@ -91,7 +93,7 @@ def call_line(line: Mapping[str, Any], cost: str) -> Text:
 def thumbnail(console: Console, path: Path) -> Text:
     """A picture in half blocks where the terminal has colours, else where its file lies."""
     if not console.is_terminal or console.color_system not in ("256", "truecolor"):
-        return Text(f"      picture {path}", "dim")
+        return Text(shown(f"      picture {path}"), "dim")
     from PIL import Image
 
     with Image.open(io.BytesIO(path.read_bytes())) as opened:

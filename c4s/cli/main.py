@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NoReturn
+import functools
+from typing import Any, NoReturn
 
 import typer
 
@@ -29,6 +30,12 @@ app.command("sql")(sql.sql)
 app.command("doctor")(doctor.doctor)
 
 
+@functools.cache
+def command() -> Any:
+    """The tree of all commands, groups and options."""
+    return typer.main.get_command(app)
+
+
 def main() -> NoReturn:
     """Entry point: exit 0 done, 1 the answer is no, 2 bad usage or bad input, 3 the machinery failed."""
-    boundary.run(lambda: app(standalone_mode=False))
+    boundary.run(lambda: command()(prog_name="c4s", standalone_mode=False))

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    SpinnerColumn,
+    Task,
+    TimeElapsedColumn,
+)
+from rich.text import Text
 
-from c4s.cli.output import progress_console
+from c4s.cli.output import progress_console, tell
+from c4s.names import shown
 from c4s.run.plan import Trial
 
 INTERVAL_S = 0.5
@@ -18,11 +27,18 @@ PLAIN_INTERVAL_S = 10.0
 SIGN_OF_LIFE_S = 60.0
 
 
+class _Words(ProgressColumn):
+    """What a task is doing: its words as text, no markup."""
+
+    def render(self, task: Task) -> Text:
+        return Text(shown(task.description))
+
+
 def bars() -> Progress:
     """A progress display with a count and the time gone by."""
     return Progress(
         SpinnerColumn(),
-        TextColumn("{task.description}"),
+        _Words(),
         BarColumn(),
         MofNCompleteColumn(),
         TimeElapsedColumn(),
@@ -35,7 +51,7 @@ def bars() -> Progress:
 def step_line(message: str) -> None:
     """Where there is no terminal to draw on, a step is a line on standard error."""
     if not progress_console.is_terminal:
-        print(f"  {message.strip()}", file=sys.stderr, flush=True)
+        tell(f"  {message.strip()}")
 
 
 def _newest(trials: list[Trial]) -> str:
@@ -75,7 +91,7 @@ def watch(trials: list[Trial], done: set[Path], stored: list[Path]) -> Iterator[
             finished = count()
             silent_s += PLAIN_INTERVAL_S
             if finished != shown or silent_s >= SIGN_OF_LIFE_S:
-                print(f"  {finished} of {len(stored)} trials stored", file=sys.stderr, flush=True)
+                tell(f"  {finished} of {len(stored)} trials stored")
                 shown, silent_s = finished, 0.0
 
     if interactive:
@@ -95,4 +111,4 @@ def watch(trials: list[Trial], done: set[Path], stored: list[Path]) -> Iterator[
     finally:
         stop.set()
         thread.join()
-    print(f"  {count()} of {len(stored)} trials stored", file=sys.stderr, flush=True)
+    tell(f"  {count()} of {len(stored)} trials stored")

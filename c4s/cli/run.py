@@ -7,11 +7,14 @@ from typing import Annotated
 import typer
 
 from c4s.cli.board import leaderboard, print_leaderboard
-from c4s.cli.output import print_json
+from c4s.cli.output import print_json, say
 from c4s.cli.suites import built_suite
 from c4s.engine import DEFAULT_ENGINE, engine_kinds
 from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
+from c4s.names import checked_name
 from c4s.protocol.rules import DEFAULT_POLICY
+
+MOST_REPEATS, MOST_SLOTS = 1000, 1024
 
 
 def run(
@@ -22,18 +25,26 @@ def run(
     ] = None,
     case: Annotated[list[str] | None, typer.Option("--case", "-c", help="only this case; repeatable")] = None,
     run_id: Annotated[str | None, typer.Option(help="folder name of the run (default: the suite's id)")] = None,
-    repeats: Annotated[int, typer.Option(min=1, help="repeats of each case")] = 1,
+    repeats: Annotated[int, typer.Option(min=1, max=MOST_REPEATS, help="repeats of each case")] = 1,
     policy: Annotated[str, typer.Option(help="id of a score policy that ships")] = DEFAULT_POLICY,
     judge: Annotated[str, typer.Option(help=", ".join(JUDGE_NAMES))] = DEFAULT_JUDGE,
     engine: Annotated[str, typer.Option(help=", ".join(engine_kinds()))] = DEFAULT_ENGINE,
-    slots: Annotated[int | None, typer.Option(min=1, help="engines at once (default: one a core)")] = None,
+    slots: Annotated[
+        int | None, typer.Option(min=1, max=MOST_SLOTS, help="engines at once (default: one a core)")
+    ] = None,
+    wait: Annotated[
+        bool, typer.Option("--wait", help="where somebody else works on the run, wait for them (else: exit 2)")
+    ] = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Run agents on a suite, verify what they save, store the outcomes, render the pages.
 
-    The same command again goes on where a run stopped and skips what is done.
+    The same command again goes on where a run stopped. A run grows: other agents, cases or repeats under the same
+    run id are added to its plan, and what is done is reused.
     """
     built_suite(suite)
+    if run_id is not None:
+        checked_name(run_id, "--run-id")
     from c4s.cli.evaluation import evaluate_here
 
     made = evaluate_here(
@@ -46,17 +57,19 @@ def run(
         judge=judge,
         engine=engine,
         slots=slots,
+        wait=wait,
     )
     if json_output:
         print_json(
             {
                 "page": made.page,
                 "ran": made.ran,
-                "skipped": made.skipped,
+                "reused": made.reused,
                 "seconds": round(made.seconds, 2),
                 "leaderboard": leaderboard(suite),
             }
         )
         return
     print_leaderboard(suite)
-    print(f"{made.ran} trials run, {made.skipped} already done, {made.seconds:.0f} s\n{made.page}")
+    say(made.line())
+    say(made.page)

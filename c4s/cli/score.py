@@ -8,11 +8,10 @@ from typing import Annotated
 import typer
 
 from c4s.cli.batches import write_rows
-from c4s.cli.output import print_json, print_table
+from c4s.cli.output import print_json, print_table, say
+from c4s.cli.runs import run_folder
 from c4s.errors import BadInput
-from c4s.home import runs_root
 from c4s.protocol.rules import DEFAULT_POLICY
-from c4s.records.folder import RunFolder
 
 SHOWN = 40
 
@@ -27,6 +26,8 @@ def score(
     if (run is None) == (batch is None):
         raise BadInput("give either a run or --batch FILE")
     if batch is not None:
+        if policy != DEFAULT_POLICY:
+            raise BadInput("--policy is for a run, not for --batch FILE")
         from c4s.score.batch import score_batch
 
         write_rows(batch, score_batch)
@@ -43,15 +44,12 @@ def _rescore(run: str, policy: str, json_output: bool) -> None:
     from c4s.score.policies import policy_named
     from c4s.score.rescore import rescore
 
-    folder = Path(run) if Path(run).is_dir() else runs_root() / run
-    if not RunFolder(folder).plan.is_file():
-        raise BadInput(f"no run {run!r}", where=str(folder), todo="give a run id or a run folder")
-    found = rescore(folder, policy_named(policy))
+    found = rescore(run_folder(run), policy_named(policy))
     report = found.report()
     if json_output:
         print_json(report)
         return
-    print(
+    say(
         f"{found.run_id} under {found.policy.policy_id}: {report['changed_trials']} of {report['trials']} trials "
         f"change" + (f", {len(found.pending)} pending" if found.pending else "")
     )
@@ -67,4 +65,4 @@ def _rescore(run: str, policy: str, json_output: bool) -> None:
             [[row["trial"], row["component"], _exact(row["from"]), _exact(row["to"])] for row in deltas[:SHOWN]],
         )
     if len(deltas) > SHOWN:
-        print(f"and {len(deltas) - SHOWN} more; --json lists all")
+        say(f"and {len(deltas) - SHOWN} more; --json lists all")

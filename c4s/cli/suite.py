@@ -7,10 +7,12 @@ from typing import Annotated
 
 import typer
 
-from c4s.cli.output import grouped, print_json, print_table
+from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
-from c4s.errors import BadInput
-from c4s.home import checked_id, packs_root, suites_root
+from c4s.cli.suites import built_suite
+from c4s.errors import BadInput, unknown
+from c4s.home import packs_root, suites_root
+from c4s.names import checked_id, checked_name, place_in
 from c4s.packs.suite_check import suite_changes
 from c4s.records.suite import Suite, SuiteFolder
 from c4s.trees import refuse
@@ -47,7 +49,7 @@ def build(
 ) -> None:
     """Build a shipped suite with its asset packs."""
     if name != "starter":
-        raise BadInput(f"unknown shipped suite {name!r}", todo="the shipped suite is `starter`")
+        raise unknown("shipped suite", name, ["starter"])
     _tell(build_starter_visibly(replace=replace), suites_root() / name, json_output)
 
 
@@ -75,7 +77,8 @@ def show(
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """The cases of a suite."""
-    _tell(SuiteFolder(suites_root() / name).suite(), suites_root() / name, json_output)
+    folder = built_suite(name)
+    _tell(SuiteFolder(folder).suite(), folder, json_output)
 
 
 @app.command()
@@ -84,7 +87,7 @@ def check(
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Read every byte of a suite and of its packs, and compare it with what was frozen. Exit 2 where one differs."""
-    folder = SuiteFolder(suites_root() / name)
+    folder = SuiteFolder(built_suite(name))
     read = 0
     with bars() as progress:
         task = progress.add_task(f"checking {name:42.42}", total=None)
@@ -102,7 +105,7 @@ def check(
     elif rows:
         print_table(["file", "problem"], [[row["file"], row["problem"]] for row in rows])
     else:
-        print(f"{name}: {read} files are as they were frozen ({folder.suite().sha256()[:12]})")
+        say(f"{name}: {read} files are as they were frozen ({folder.suite().sha256()[:12]})")
     refuse(found, todo="restore the files, or build again with --replace")
 
 
@@ -116,14 +119,14 @@ def code4scene(
     """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes."""
     from cases.code4scene.importer import import_code4scene
 
-    name = checked_id(suite_id or "code4scene", "suite")
+    name = checked_id("code4scene" if suite_id is None else suite_id, "suite")
     with bars() as progress:
         task = progress.add_task("importing", total=None)
 
         def step(message: str) -> None:
             progress.update(task, description=f"importing {message:41.41}")
 
-        report = import_code4scene(folder, suites_root() / name, packs_root(), step, replace=replace)
+        report = import_code4scene(folder, place_in(suites_root(), name, "suite"), packs_root(), step, replace=replace)
     if json_output:
         print_json(report)
         return
@@ -131,7 +134,7 @@ def code4scene(
         ["case", "setting", "assets", "runnable", "note"],
         [[row["case_id"], row["setting"], row["assets"], row["runnable"], row["note"]] for row in report["cases"]],
     )
-    print(f"{report['runnable']} of {len(report['cases'])} cases are runnable here: c4s run {name} --agent planner")
+    say(f"{report['runnable']} of {len(report['cases'])} cases are runnable here: c4s run {name} --agent planner")
 
 
 @app.command("import-scene")
@@ -150,6 +153,7 @@ def import_scene_file(
     """Bring a human-made scene in as a source scene: a pack of its meshes and a level with an actor a placed thing."""
     from cases.importers.importing import import_scene
 
+    checked_id(scene_id, "scene")
     with bars() as progress:
         task = progress.add_task("importing", total=None)
 
@@ -171,21 +175,21 @@ def import_scene_file(
     if json_output:
         print_json(report)
         return
-    print(
+    say(
         f"{report['actors']} actors, {report['lights']} lights, {report['assets']} assets (pack {report['pack']}, "
         f"licence {report['license']}): {report['level']}"
     )
     for reason, names in grouped(report["skipped"], "reason", "name").items():
-        print(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
+        say(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
     if any("mesh" in row["reason"] and row["reason"].endswith("is missing") for row in report["skipped"]):
-        print(
+        say(
             "a missing mesh can be read from a part of another file: see --mesh; "
             f"every name is in {suites_root() / scene_id / 'import.json'}"
         )
     for text, names in grouped(report["notes"], "note", "name").items():
-        print(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
+        say(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
     if report["proposed_scale"]:
-        print(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
+        say(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
 
 
 @app.command("make-cases")
@@ -208,7 +212,7 @@ def make_cases(
     from cases.importers.scene import imported_scene
     from cases.suite import build_suite
 
-    if suite_id is not None and checked_id(suite_id, "suite") == scene:
+    if suite_id is not None and checked_id(suite_id, "suite") == checked_name(scene, "scene"):
         raise BadInput("the suite cannot have the scene's own id", where=f"--id {scene}")
     level = imported_scene(suites_root(), packs_root(), scene)
     with bars() as progress:
@@ -231,7 +235,9 @@ def make_cases(
             environment="outdoor" if outdoor else "indoor",
         )
         definition = dataclasses.replace(definition, suite_id=suite_id or definition.suite_id)
-        suite = build_suite(definition, suites_root() / definition.suite_id, packs_root(), step, replace=replace)
+        suite = build_suite(
+            definition, place_in(suites_root(), definition.suite_id, "suite"), packs_root(), step, replace=replace
+        )
     _tell(suite, suites_root() / suite.suite_id, json_output)
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from c4s.cli.live import follow
-from c4s.cli.output import console, print_table
+from c4s.cli.output import console, print_table, say
 from c4s.cli.suites import built_suite
 from c4s.errors import BadInput
 from c4s.home import home
@@ -19,10 +20,13 @@ from c4s.records.score import TrialScore
 from c4s.records.suite import SuiteFolder
 from c4s.run.choices import check_ready
 from c4s.run.drive import in_slots, stage_functions
+from c4s.run.lease import Held, holding
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
 from c4s.run.trial import run_trial
+
+_ATTEMPT = re.compile(r"attempt-[1-9]")
 
 
 @dataclass(frozen=True)
@@ -47,7 +51,8 @@ class Try:
 
     def run(self, *, quiet: bool) -> TrialScore:
         """Run the trial; unless quiet, every call is shown as it ends."""
-        return asyncio.run(_watched(self.trial, self.plan, quiet=quiet))
+        with holding(self.trial.run) as held:
+            return asyncio.run(_watched(self.trial, self.plan, held, quiet=quiet))
 
     def publish(self) -> Path:
         """Pages of this trial alone; returns its case page."""
@@ -67,7 +72,7 @@ def _new_folder(root: Path, stem: str) -> Path:
         return root / f"{stem}-{number}"
 
 
-async def _watched(trial: Trial, plan: Plan, *, quiet: bool) -> TrialScore:
+async def _watched(trial: Trial, plan: Plan, held: Held, *, quiet: bool) -> TrialScore:
     """The trial in worker processes; unless quiet, each attempt is followed while it runs."""
     inside = stage_functions()
 
@@ -76,11 +81,11 @@ async def _watched(trial: Trial, plan: Plan, *, quiet: bool) -> TrialScore:
             return await inside(stage, trial, plan, *arguments)
         with follow(console, trial.folder.attempt(*arguments).root):
             outcome = await inside(stage, trial, plan, *arguments)
-        console.print(_ending(outcome), soft_wrap=True, highlight=False)
+        say(_ending(outcome))
         return outcome
 
     async with Pool() as pool:
-        return await run_trial(trial, plan, in_slots(pool, run, trial, plan))
+        return await run_trial(trial, plan, in_slots(pool, run, trial, plan, held=held))
 
 
 def _ending(outcome: AttemptOutcome) -> str:
@@ -100,7 +105,8 @@ def _publish(root: Path, suite: Path, plan: Plan, case: str) -> Path:
     from warehouse.database import rebuild
     from warehouse.ingest import rebuild_from_run
 
-    rebuild_from_run(root / "run", suite, root / "warehouse")
+    for left_out in rebuild_from_run(root / "run", suite, root / "warehouse"):
+        raise left_out
     rebuild(root / "warehouse")
     build_site(root / "warehouse", root / "site")
     return root / "site" / "cases" / f"{slug(plan.suite_id)}--{slug(case)}.html"
@@ -119,8 +125,12 @@ def trial_of(attempt: Path) -> Trial:
     """The trial that an attempt's folder belongs to: ``<run>/<agent>/<case>/r<k>/attempt-<n>``."""
     folder = attempt.absolute()
     run = folder.parents[3] if len(folder.parents) > 3 else folder
-    if not RunFolder(run).plan.is_file():
-        raise BadInput("not an attempt of a run", where=str(attempt), todo="give <run>/<agent>/<case>/r<k>/attempt-<n>")
+    other = BadInput("not an attempt of a run", where=str(attempt), todo="give <run>/<agent>/<case>/r<k>/attempt-<n>")
+    if not RunFolder(run).plan.exists() or not _ATTEMPT.fullmatch(folder.name):
+        raise other
     plan = Plan.read(RunFolder(run).plan)
     suite = built_suite(plan.suite_id)
-    return next(trial for trial in trials(run, suite, plan) if trial.folder.root == folder.parent)
+    found = next((trial for trial in trials(run, suite, plan) if trial.folder.root == folder.parent), None)
+    if found is None:
+        raise other
+    return found

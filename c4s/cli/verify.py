@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from c4s.cli.batches import write_rows
-from c4s.cli.output import print_json, print_table
-from c4s.errors import BadInput, MachineryFault
+from c4s.cli.output import print_json, print_table, say
+from c4s.errors import BadInput, MachineryFault, unknown
 from c4s.protocol.settings import SETTINGS, TEXT_TO_SCENE
 from c4s.records.snapshot import read_snapshot
 from c4s.records.verdict import Verdict
@@ -31,11 +31,11 @@ def _print(verdict: Verdict, json_output: bool) -> None:
 
 def _print_text(verdict: Verdict) -> None:
     score = "–" if verdict.score is None else f"{verdict.score:.3f}"
-    print(f"{verdict.verifier}: {verdict.status}, score {score}{'. ' + verdict.reason if verdict.reason else ''}")
+    say(f"{verdict.verifier}: {verdict.status}, score {score}{'. ' + verdict.reason if verdict.reason else ''}")
     if verdict.population:
         print_table(["population", "count"], [[name, count] for name, count in verdict.population.items()])
     for advisory in verdict.advisories:
-        print(f"advisory {advisory['code']}: {advisory['text']}")
+        say(f"advisory {advisory['code']}: {advisory['text']}")
 
 
 def _given(path: Path | None, option: str) -> Path:
@@ -77,7 +77,7 @@ def physics(
     from c4s.verify.physics.verdict import verify_physics
 
     if setting not in SETTINGS:
-        raise BadInput(f"unknown setting {setting!r}", todo=f"one of {', '.join(SETTINGS)}")
+        raise unknown("setting", setting, SETTINGS)
     _print(verify_physics(setting, read_snapshot(snapshot), read_snapshot(start) if start else None), json_output)
 
 

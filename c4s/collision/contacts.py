@@ -16,6 +16,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from c4s.bounds import BOUNDS
 from c4s.collision.depth import BodyTable, DepthMeter, Pairs
 from c4s.collision.mesh_body import Array
 from c4s.collision.scene import SceneBodies, scene_bodies
@@ -26,6 +27,8 @@ CHUNK = 1024
 """Bodies that are searched for partners at a time: bounds the memory of a crowded scene."""
 MOST_PAIRS = 20_000
 """Pairs that are measured at a time: bounds the memory too."""
+MOST_HITS = 4_000_000
+"""Pairs of boxes that a search may find at a time, should all bodies lie at one point."""
 ENOUGH = 24
 """Contacts beyond its limit that settle an actor: two settled actors are not measured against each other. Thousands of
 actors at one point (a spawn loop gone wrong) would have millions of contacts."""
@@ -90,6 +93,8 @@ def scene_contacts(
 
     ``rule``: what counts. Without it every contact is found; with it those that do not count are left out, and those
     between two actors that both have ``ENOUGH`` trusted ones beyond their limits.
+
+    Raises ``BadInput`` for a scene so crowded that it is beyond ``bodies``, ``box_pairs`` or ``measured_pairs``.
     """
     names = _names(snapshot)
     table = BodyTable(scene.bodies)
@@ -97,9 +102,12 @@ def scene_contacts(
     rule = rule or ContactRule.everything(len(names))
     beyond = np.zeros(len(names), dtype=np.int64)
     parts = []
+    measured = 0
     for i, j, push_out in _candidates(table, owners, minimum_depth_cm, actors):
         wanted = rule.wanted(owners[i], owners[j], beyond)
         i, j, push_out = i[wanted], j[wanted], push_out[wanted]
+        measured += len(i)
+        BOUNDS["measured_pairs"].hold(measured, where="contacts")
         depth, trusted = table.depths(i, j, push_out, minimum_depth_cm)
         hit = np.flatnonzero(depth > 0)
         part = _deepest(
@@ -150,15 +158,19 @@ def _candidates(
         return
     low, high = table.low, table.high
     chosen = None if actors is None else np.isin(owners, np.fromiter(actors, dtype=np.int64, count=len(actors)))
+    BOUNDS["bodies"].hold(len(owners), where="contacts")
     boxes = shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1])
     tree = shapely.STRtree(boxes)
     searching = np.argsort(table.rank)
     if chosen is not None:
         searching = searching[chosen[searching]]
     found: list[tuple[Pairs, Pairs, Array]] = []
-    for start in range(0, len(searching), CHUNK):
-        part = searching[start : start + CHUNK]
+    chunk, met = max(1, min(CHUNK, MOST_HITS // len(owners))), 0
+    for start in range(0, len(searching), chunk):
+        part = searching[start : start + chunk]
         hit, j = tree.query(boxes[part])
+        met += len(hit)
+        BOUNDS["box_pairs"].hold(met // 2, where="contacts")
         i = part[hit]
         keep = owners[i] != owners[j]
         keep &= (i < j) if chosen is None else ((i < j) | ~chosen[j])

@@ -91,8 +91,9 @@ class BodyTable:
 
     def _distances(self, a: Pairs, b: Pairs, normal: Array) -> list[float]:
         """coal's depth of each pair; fills in the normals, from a to b."""
-        forms = [body.form.coal for body in self.bodies]
-        poses = {k: self.bodies[k].coal_pose for k in np.union1d(a, b).tolist()}
+        used = np.union1d(a, b).tolist()
+        forms = {k: self.bodies[k].form.coal for k in used}
+        poses = {k: self.bodies[k].coal_pose for k in used}
         request, result = coal.DistanceRequest(), coal.DistanceResult()
         distance, clear, found = coal.distance, result.clear, []
         for k, (one, other) in enumerate(zip(a.tolist(), b.tolist(), strict=True)):

@@ -17,6 +17,7 @@ __all__ = [
     "Engine",
     "EngineCallError",
     "EngineDied",
+    "answers",
     "backend",
     "bridge",
     "confine",

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Any, Protocol, Self
 
 from c4s.engine.faults import EngineCallError, EngineDied
-from c4s.errors import BadInput
+from c4s.errors import unknown
 
 __all__ = [
     "DEFAULT_ENGINE",
@@ -37,7 +37,7 @@ class Calls(Protocol):
     def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
         """Run ``c4s.editor.<module>.<function>(**params)`` in the engine and return its value.
 
-        Raises ``EngineCallError`` when the function raised, ``MachineryFault`` when it took longer than ``timeout_s``.
+        Raises ``EngineCallError`` when the function raised, ``BridgeFault`` when it took longer than ``timeout_s``.
         """
         ...
 
@@ -53,6 +53,11 @@ class Engine(Calls, Protocol):
     @property
     def version(self) -> str:
         """The version that it calls itself, as its snapshots say it."""
+        ...
+
+    @property
+    def sandbox(self) -> str:
+        """What confines the process: ``bubblewrap``, ``landlock``, or ``none`` where that was accepted."""
         ...
 
     @property
@@ -137,7 +142,7 @@ def engine_kinds() -> tuple[str, ...]:
 def backend(kind: str) -> Backend:
     """A backend by its kind; ``BadInput`` for one that there is not."""
     if kind not in _BACKENDS:
-        raise BadInput(f"no engine {kind!r}", where="engine", todo=f"choose one of: {', '.join(_BACKENDS)}")
+        raise unknown("engine", kind, _BACKENDS)
     return _BACKENDS[kind]()
 
 

@@ -14,14 +14,19 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Protocol
 
+from c4s.bounds import BOUNDS, Bound
 from c4s.errors import MachineryFault
-from c4s.files import parse_json
+from c4s.files import parse_bounded
 
 FAILED = frozenset({"error", "failed", "failure"})
 MAX_REQUEST_BYTES = 64 << 20
-MAX_REPLY_BYTES = 512 << 20
 MAX_UNIX_PATH = 103
 _CHUNK = 1 << 18
+
+
+def reply_bound(kind: str) -> Bound:
+    """How large the answer to a kind of request may be: a function's value may hold a whole scene, others cannot."""
+    return BOUNDS["answer_bytes" if kind == "call_function" else "small_answer_bytes"]
 
 
 class BridgeFault(MachineryFault):
@@ -64,11 +69,11 @@ def read_line(connection: socket.socket, limit: int, deadline: float) -> bytes:
 
 
 def decode(line: bytes) -> dict[str, Any]:
-    """One message. Integers of more than 64 bits become floats. ``ValueError`` unless it is a JSON object."""
-    try:
-        message = parse_json(line)
-    except RecursionError:
-        raise ValueError("a message nested too deeply") from None
+    """One message. Integers of more than 64 bits become floats.
+
+    ``ValueError`` unless it is a JSON object within the bounds of an answer; they are looked at before it is read.
+    """
+    message = parse_bounded(line, BOUNDS["answer_bytes"], BOUNDS["answer_values"])
     if not isinstance(message, dict):
         raise ValueError("a message that is not an object")
     return message
@@ -88,7 +93,7 @@ class SocketBridge:
         try:
             with self._connect(timeout_s) as connection:
                 connection.sendall(encode({"type": kind, "params": dict(params or {})}))
-                line = read_line(connection, MAX_REPLY_BYTES, deadline)
+                line = read_line(connection, reply_bound(kind).most, deadline)
         except TimeoutError:
             raise BridgeFault(f"no answer to {kind} in {timeout_s:g} s", where=str(self.address)) from None
         except OSError as error:

@@ -9,17 +9,19 @@ from __future__ import annotations
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
 from c4s.engine import Engine, EngineCallError, open_engine
+from c4s.engine.answers import ask
 from c4s.engine.content import content_fault
-from c4s.errors import BadInput, MachineryFault
+from c4s.errors import BadInput, MachineryFault, ReasonCode
 from c4s.evidence.folder import replace_captures, replace_exported
 from c4s.evidence.pictures import take_pictures
 from c4s.files import read_json, write_json
 from c4s.records.folder import EvidenceFolder
+from c4s.records.level import Level
 
 Snapshot = dict[str, Any]
 Cameras = Sequence[Mapping[str, Any]] | Callable[[Snapshot], Sequence[Mapping[str, Any]]]
@@ -29,12 +31,27 @@ CAPTURES_VERSION = "c4s.captures.v1"
 _EXPORT_TIMEOUT_S = 1800.0
 
 
+class SceneUnreadable(BadInput):
+    """A clean engine does not load, export or draw a scene. Whether the scene is why is decided elsewhere."""
+
+    def __init__(self, what: str, *, code: ReasonCode, where: str = "", todo: str = "") -> None:
+        self.code: ReasonCode = code
+        super().__init__(what, where=where, todo=todo)
+
+
 class CleanEngine:
     """An engine with the submitted level open, and what it can say of it."""
 
     def __init__(self, engine: Engine, package: str, folder: Path) -> None:
         self._engine, self._package, self._folder = engine, package, folder
         self._looks = 0
+
+    def snapshot(self) -> Snapshot:
+        """The snapshot of the level. ``MachineryFault`` when it says that another engine made it."""
+        with _refusals("cannot_be_exported", "the level cannot be exported", self._package):
+            snapshot: Snapshot = ask(self._engine, "snapshot.export_snapshot", timeout_s=_EXPORT_TIMEOUT_S)
+        _same_engine(self._engine, snapshot)
+        return snapshot
 
     def export(self, out: Path) -> Snapshot:
         """Export the level into ``out``, which is replaced as a whole, and return its snapshot.
@@ -43,9 +60,11 @@ class CleanEngine:
         """
         with tempfile.TemporaryDirectory(dir=self._folder) as folder:
             made = EvidenceFolder(Path(folder))
-            snapshot = export_snapshot(self._engine, self._package)
+            snapshot = self.snapshot()
             write_json(made.snapshot, snapshot)
-            write_json(made.dependencies, _called(self._engine, "dependencies.export_dependencies", self._package))
+            with _refusals("cannot_be_exported", "the level cannot be exported", self._package):
+                told = ask(self._engine, "dependencies.export_dependencies", timeout_s=_EXPORT_TIMEOUT_S)
+            write_json(made.dependencies, told)
             replace_exported(made, EvidenceFolder(out))
         return snapshot
 
@@ -57,6 +76,7 @@ class CleanEngine:
         (``c4s.evidence.pictures``). Without a camera the index has no view.
 
         Raises:
+            SceneUnreadable: the engine cannot draw it.
             MachineryFault: another engine exported what is in ``out``.
         """
         snapshot: Snapshot = read_json(EvidenceFolder(out).snapshot, what="snapshot")
@@ -64,7 +84,8 @@ class CleanEngine:
         self._looks += 1
         pictures = self._folder / "engine" / f"captures-{self._looks}"
         views = views_of(cameras, snapshot)
-        records = take_pictures(self._engine, views, pictures, keep=keep_pictures)
+        with _refusals("cannot_be_drawn", "the level cannot be drawn", self._package):
+            records = take_pictures(self._engine, views, pictures, keep=keep_pictures)
         with tempfile.TemporaryDirectory(dir=self._folder) as folder:
             made = EvidenceFolder(Path(folder))
             if pictures.is_dir():
@@ -87,21 +108,58 @@ def open_clean(*, engine: str, packs: Sequence[Path], submission_content: Path, 
     """A clean engine of a kind on the level ``package`` of a submission.
 
     Raises:
-        BadInput: the submission holds what is no plain file, or the level cannot be loaded.
+        SceneUnreadable: the submission holds what is no plain file, or the level cannot be loaded.
+        BadInput: there is no submission.
         MachineryFault: the engine failed.
     """
     _check(submission_content)
-    with tempfile.TemporaryDirectory(prefix="c4s-evidence-") as name:
-        folder = Path(name)
-        with open_engine(
-            engine,
-            packs=packs,
-            content=submission_content,
-            scratch=folder / "engine",
-            start_map=package,
-            content_read_only=True,
-        ) as session:
-            yield CleanEngine(session, package, folder)
+    with _opened(engine, package, packs=packs, content=submission_content, content_read_only=True) as clean:
+        yield clean
+
+
+@contextmanager
+def open_level(*, engine: str, packs: Sequence[Path], level: Path) -> Iterator[CleanEngine]:
+    """A clean engine of a kind on one level document. It sees a copy of the document, whatever folder that lies in.
+
+    Raises:
+        SceneUnreadable: the level cannot be loaded.
+        BadInput: this is no level document.
+        MachineryFault: the engine failed.
+    """
+    package = Level.read(level).package
+    with tempfile.TemporaryDirectory(prefix="c4s-level-") as name:
+        copy = Path(name) / "given.level.json"
+        shutil.copyfile(level, copy)
+        with _opened(engine, package, packs=packs, content=Path(name) / "content", levels=[copy]) as clean:
+            yield clean
+
+
+@contextmanager
+def _opened(
+    engine: str,
+    package: str,
+    *,
+    packs: Sequence[Path],
+    content: Path,
+    levels: Sequence[Path] = (),
+    content_read_only: bool = False,
+) -> Iterator[CleanEngine]:
+    with tempfile.TemporaryDirectory(prefix="c4s-evidence-") as name, ExitStack() as running:
+        try:
+            session = running.enter_context(
+                open_engine(
+                    engine,
+                    packs=packs,
+                    content=content,
+                    scratch=Path(name) / "engine",
+                    levels=levels,
+                    start_map=package,
+                    content_read_only=content_read_only,
+                )
+            )
+        except BadInput as error:
+            raise SceneUnreadable(error.what, code="unloadable", where=error.where, todo=error.todo) from error
+        yield CleanEngine(session, package, Path(name))
 
 
 def views_of(cameras: Cameras, snapshot: Snapshot) -> Sequence[Mapping[str, Any]]:
@@ -109,18 +167,13 @@ def views_of(cameras: Cameras, snapshot: Snapshot) -> Sequence[Mapping[str, Any]
     return cameras(snapshot) if callable(cameras) else cameras
 
 
-def export_snapshot(engine: Engine, package: str) -> Snapshot:
-    """The snapshot of the open level. ``MachineryFault`` when it says that another engine made it."""
-    snapshot: Snapshot = _called(engine, "snapshot.export_snapshot", package)
-    _same_engine(engine, snapshot)
-    return snapshot
-
-
-def _called(engine: Engine, function: str, package: str) -> Any:
+@contextmanager
+def _refusals(code: ReasonCode, what: str, package: str) -> Iterator[None]:
+    """Functions of a clean engine that raise in the block did so on what they were given, the scene."""
     try:
-        return engine.call(function, timeout_s=_EXPORT_TIMEOUT_S)
+        yield
     except EngineCallError as error:
-        raise BadInput(f"the level cannot be exported: {error.what}", where=package) from error
+        raise SceneUnreadable(f"{what}: {error.what}", code=code, where=package) from error
 
 
 def _same_engine(engine: Engine, snapshot: Snapshot) -> None:
@@ -138,4 +191,4 @@ def _check(folder: Path) -> None:
         raise BadInput("no submission here", where=str(folder))
     fault = content_fault(folder)
     if fault is not None:
-        raise BadInput(f"a submission may hold plain files only: {fault}", where=str(folder))
+        raise SceneUnreadable(f"a submission may hold plain files only: {fault}", code="unloadable", where=str(folder))

@@ -7,17 +7,13 @@ is judged by). Each opens an engine of its own; ``export_and_look`` does both in
 
 from __future__ import annotations
 
-import shutil
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from c4s.engine import open_engine
 from c4s.errors import BadInput
-from c4s.evidence.clean import Cameras, Snapshot, export_snapshot, open_clean, views_of
+from c4s.evidence.clean import Cameras, Snapshot, open_clean, open_level, views_of
 from c4s.files import read_json, write_json
 from c4s.records.folder import EvidenceFolder
-from c4s.records.level import Level
 
 
 def export_evidence(
@@ -78,20 +74,6 @@ def export_and_look(
 
 
 def export_level(*, engine: str, packs: Sequence[Path], level: Path, out: Path) -> None:
-    """Export the snapshot of one level document (a start level or a truth) to the file ``out``.
-
-    The engine sees a copy of the document alone, whatever folder it lies in.
-    """
-    package = Level.read(level).package
-    with tempfile.TemporaryDirectory(prefix="c4s-export-") as folder:
-        copy = Path(folder) / "given.level.json"
-        shutil.copyfile(level, copy)
-        with open_engine(
-            engine,
-            packs=packs,
-            content=Path(folder) / "content",
-            scratch=Path(folder) / "engine",
-            levels=[copy],
-            start_map=package,
-        ) as session:
-            write_json(out, export_snapshot(session, package))
+    """Export the snapshot of one level document (a start level or a truth) to the file ``out``."""
+    with open_level(engine=engine, packs=packs, level=level) as clean:
+        write_json(out, clean.snapshot())

@@ -6,6 +6,8 @@ import shutil
 import tempfile
 from pathlib import Path
 
+from c4s.files import write_bytes
+from c4s.folders import remove_tree
 from c4s.records.evidence_digests import EXPORTED, SEEN, note_digests
 from c4s.records.folder import EvidenceFolder
 
@@ -14,8 +16,7 @@ def replace_exported(made: EvidenceFolder, out: EvidenceFolder) -> None:
     """Put what was exported in place of the old folder, so that a reader never sees a part of it."""
     note_digests(made, EXPORTED, [made.snapshot, made.dependencies])
     fresh = _copied(made.root, out.root)
-    if out.root.exists():
-        shutil.rmtree(out.root)
+    remove_tree(out.root, inside=out.root.parent)
     fresh.rename(out.root)
 
 
@@ -27,10 +28,9 @@ def replace_captures(made: EvidenceFolder, out: EvidenceFolder) -> None:
     note_digests(made, SEEN, made.captures.iterdir())
     fresh = _copied(made.captures, out.root)
     out.digests(SEEN).unlink(missing_ok=True)
-    if out.captures.exists():
-        shutil.rmtree(out.captures)
+    remove_tree(out.captures, inside=out.root)
     fresh.rename(out.captures)
-    made.digests(SEEN).replace(out.digests(SEEN))
+    write_bytes(out.digests(SEEN), made.digests(SEEN).read_bytes())
 
 
 def _copied(made: Path, out: Path) -> Path:

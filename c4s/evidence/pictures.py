@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.engine import Engine
+from c4s.engine.answers import ask
 from c4s.files import read_json, write_bytes, write_json
 from c4s.home import cache_root
 
@@ -34,11 +35,11 @@ def take_pictures(
     if not cameras:
         return []
     given = [dict(camera) for camera in cameras]
-    planned: list[Record] = engine.call("capture.plan_views", cameras=given)
+    planned: list[Record] = ask(engine, "capture.plan_views", cameras=given)
     keys: list[str | None] = [record.pop("key", None) for record in planned]
     missing = [camera for camera, key in zip(given, keys, strict=True) if key is None or not _is_kept(key)]
     made = (
-        engine.call("capture.capture_views", cameras=missing, folder=str(folder), timeout_s=TIMEOUT_S)
+        ask(engine, "capture.capture_views", cameras=missing, folder=str(folder), timeout_s=TIMEOUT_S)
         if missing
         else []
     )

@@ -6,10 +6,10 @@ import os
 from pathlib import Path
 from urllib.parse import urlsplit
 
-import yaml
 from pydantic import Field
 
 from c4s.errors import BadInput
+from c4s.files import read_yaml
 from c4s.home import home
 from c4s.meter.wire import BY_NAME
 from c4s.meter.wire.base import Wire
@@ -68,13 +68,9 @@ def endpoint_path() -> Path:
 def endpoint_file() -> EndpointFile:
     """The operator's file, or an empty one. ``BadInput`` for a file that cannot be used."""
     path = endpoint_path()
-    if not path.is_file():
+    if not path.exists() and not os.environ.get("C4S_ENDPOINTS"):
         return EndpointFile()
-    try:
-        value = yaml.safe_load(path.read_text())
-    except yaml.YAMLError as error:
-        raise BadInput(f"this file is not YAML: {error}", where=str(path)) from None
-    return EndpointFile.parse(value or {}, where=str(path))
+    return EndpointFile.parse(read_yaml(path) or {}, where=str(path))
 
 
 def model_endpoint(name: str) -> ModelEndpoint:

@@ -21,7 +21,9 @@ from c4s.meter.usage import UNKNOWN, ZERO, MalformedUsage
 from c4s.meter.wire import BY_NAME, nearest_wire
 from c4s.meter.wire.base import Reading, Wire
 
-MOST_REQUEST_BYTES = 256 << 20
+MOST_REQUEST_BYTES = 64 << 20
+MOST_HELD_BYTES = 256 << 20
+"""Bodies of one run's requests that are held at the same time."""
 _HOP = frozenset(
     {
         "connection",
@@ -97,12 +99,23 @@ class Exchange:
         """Check, send, pass on, record."""
         assert self.run is not None
         try:
+            await self._take()
+        finally:
+            self.run.held_bytes -= self._sent_bytes
+
+    async def _take(self) -> None:
+        assert self.run is not None
+        try:
             raw = await self._request_body()
         except _ClientGone:
             self._finish("aborted")
             return
         if raw is None:
-            await self.refuse(413, "too_large", f"the request is over {MOST_REQUEST_BYTES >> 20} MiB")
+            await self.refuse(
+                413,
+                "too_large",
+                f"the request is over {MOST_REQUEST_BYTES >> 20} MiB, or all in work over {MOST_HELD_BYTES >> 20} MiB",
+            )
             return
         if self.wire is not None:
             try:
@@ -129,6 +142,7 @@ class Exchange:
         await self._forward(raw)
 
     async def _request_body(self) -> bytes | None:
+        assert self.run is not None
         portions: list[bytes] = []
         while True:
             message = await self._receive()
@@ -136,7 +150,8 @@ class Exchange:
                 raise _ClientGone
             portions.append(message.get("body", b""))
             self._sent_bytes += len(portions[-1])
-            if self._sent_bytes > MOST_REQUEST_BYTES:
+            self.run.held_bytes += len(portions[-1])
+            if self._sent_bytes > MOST_REQUEST_BYTES or self.run.held_bytes > MOST_HELD_BYTES:
                 return None
             if not message.get("more_body", False):
                 return b"".join(portions)
@@ -299,6 +314,8 @@ class Exchange:
     async def _answer(self, status: int, kind: str, text: str) -> None:
         body = json.dumps((self.wire or nearest_wire(self._path)).error(status, kind, text)).encode()
         headers = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
+        if status in (401, 403, 429):
+            headers.append((b"connection", b"close"))
         if status == 402:
             headers.append((b"x-should-retry", b"false"))
         await self._send({"type": "http.response.start", "status": status, "headers": headers})

@@ -20,6 +20,7 @@ import httpx
 import uvicorn
 from starlette.types import Receive, Scope, Send
 
+from c4s import loopback
 from c4s.errors import MachineryFault
 from c4s.meter.exchange import Exchange, Timeouts
 from c4s.meter.metered import MeterRun
@@ -33,7 +34,8 @@ _FREE = re.compile(r"(^|/)models(/[^/:]+(/[^/:]+)?)?$|/messages/count_tokens$|/m
 class Meter:
     """The server. Use it as a context manager; opening and closing runs is thread-safe."""
 
-    def __init__(self, timeouts: Timeouts | None = None) -> None:
+    def __init__(self, timeouts: Timeouts | None = None, limits: loopback.DoorLimits | None = None) -> None:
+        self._limits = limits or loopback.DoorLimits()
         self._timeouts = timeouts or Timeouts()
         self._runs: dict[str, MeterRun] = {}
         self._server: uvicorn.Server | None = None
@@ -46,18 +48,10 @@ class Meter:
         """Listen. The protocol is named so that asyncio turns off Nagle's algorithm, which would add 40 ms."""
         listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
         listener.bind(("127.0.0.1", 0))
-        listener.listen(128)
+        listener.listen(loopback.BACKLOG)
         self.port = listener.getsockname()[1]
         self._server = uvicorn.Server(
-            uvicorn.Config(
-                self._app,
-                log_level="critical",
-                lifespan="off",
-                interface="asgi3",
-                proxy_headers=False,
-                access_log=False,
-                timeout_graceful_shutdown=1,
-            )
+            loopback.config(self._app, self._limits, log_level="critical", lifespan="off", interface="asgi3")
         )
         self._thread = threading.Thread(target=self._serve, args=(listener,), name="meter", daemon=True)
         self._thread.start()
@@ -105,8 +99,13 @@ class Meter:
         path = scope["path"]
         wire = wire_of(path) if scope["method"] == "POST" else None
         exchange = Exchange(self._client, scope, receive, send, wire, self._run_of(scope))
-        if exchange.run is None:
+        strange = loopback.foreign(scope)
+        if strange is not None:
+            await exchange.refuse(403, "forbidden", strange, record=False)
+        elif exchange.run is None:
             await exchange.refuse(401, "unauthorized", "this token belongs to no run", record=False)
+        elif not loopback.let_in(scope, exchange.run):
+            await exchange.refuse(429, "too_many_connections", "this run has too many connections", record=False)
         elif wire is None and not _FREE.search(path):
             await exchange.refuse(404, "not_found", f"the meter does not pass on {scope['method']} {path}")
         elif wire is not None and wire.name not in exchange.run.upstream.formats:

@@ -52,6 +52,8 @@ class MeterRun:
         self.ledger, self.models = ledger, frozenset(models)
         self.token = secrets.token_urlsafe(32)
         self.records: list[RequestRecord] = []
+        self.held_bytes = 0
+        """Of the bodies of its requests that are in work; belongs to the meter's event loop."""
         self.limit_message = ""
         """Why requests were refused for spending; empty while none was."""
         self._at_limit = at_limit
@@ -101,13 +103,18 @@ class MeterRun:
         """Keep a record, at once on disk."""
         with self._lock:
             self.records.append(record)
-            append_json_line(self.usage, record.plain())
+            append_json_line(self.usage, {name: _whole(value) for name, value in record.plain().items()})
 
     @property
     def last_generation(self) -> RequestRecord | None:
         """The record of the last request that asked for output."""
         with self._lock:
             return next((record for record in reversed(self.records) if record.is_generation), None)
+
+
+def _whole(value: Any) -> Any:
+    """A value as it can be written: half characters, which JSON can name, are replaced."""
+    return value.encode("utf-8", "replace").decode() if isinstance(value, str) else value
 
 
 def _estimate(wire: Wire, body: Mapping[str, Any], price: Price) -> float:

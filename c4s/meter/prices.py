@@ -11,10 +11,9 @@ from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 
-import yaml
 from pydantic import Field
 
-from c4s.errors import BadInput
+from c4s.files import read_yaml
 from c4s.home import home
 from c4s.meter.usage import Usage
 from c4s.records.base import Record
@@ -74,11 +73,7 @@ class PriceTable:
         chosen = files or tuple(path for path in (SHIPPED, home() / "prices.yaml") if path.is_file())
         rows: list[Price] = []
         for path in chosen:
-            try:
-                value = yaml.safe_load(path.read_text())
-            except yaml.YAMLError as error:
-                raise BadInput(f"this price table is not YAML: {error}", where=str(path)) from None
-            rows += PriceFile.parse(value, where=str(path)).prices
+            rows += PriceFile.parse(read_yaml(path, what="price table"), where=str(path)).prices
         return PriceTable(rows)
 
     def price(self, model: str | None, day: date) -> Price | None:

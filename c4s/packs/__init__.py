@@ -1,3 +1,3 @@
 """Asset packs: meshes, the store, and the checks of every byte."""
 
-__all__ = ["basic_shapes", "check", "meshes", "store", "suite_check"]
+__all__ = ["basic_shapes", "check", "gltf_bounds", "meshes", "pictures", "store", "suite_check"]

@@ -6,6 +6,7 @@ winding of every triangle reversed, because the swap of two axes changes the han
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,12 +14,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
+from c4s.names import file_in
+from c4s.packs.gltf_bounds import hold_file
 from c4s.packs.plain_glb import PlainPart, read_plain
 from c4s.records.pack import Asset
 
 F32 = NDArray[np.float32]
 I32 = NDArray[np.int32]
+
+
+def reader_words(error: Exception) -> str:
+    """What a library's reader says of a file, without names of classes; one that stumbled says nothing of use."""
+    if isinstance(error, AttributeError | TypeError | LookupError | AssertionError):
+        return "its content is not what such a file holds"
+    return re.sub(r"\b\w+(?:Error|Exception):? ?", "", str(error)) or "its reader says nothing more"
 
 
 @dataclass(frozen=True)
@@ -144,14 +155,20 @@ def read_parts(path: Path, *, scale: float = 1.0) -> list[MeshPart]:
         return [_plain_part(part, scale, str(path)) for part in plain]
     import trimesh
 
+    BOUNDS["mesh_bytes"].hold(path.stat().st_size, where=str(path))
+    if path.suffix.lower() in (".glb", ".gltf"):
+        hold_file(path)
     try:
         scene = trimesh.load_scene(path, process=False)
     except Exception as error:  # trimesh's readers raise whatever their format's parser raises
-        raise BadInput(f"cannot read this mesh: {type(error).__name__}: {error}", where=str(path)) from None
-    parts = []
+        raise BadInput(f"cannot read this mesh: {reader_words(error)}", where=str(path)) from None
+    parts: list[MeshPart] = []
+    vertices = 0
     for node in scene.graph.nodes_geometry:
         matrix, name = scene.graph[node]
         geometry = scene.geometry[name]
+        vertices += len(getattr(geometry, "vertices", ()))
+        BOUNDS["mesh_vertices"].hold(vertices, where=str(path))
         if isinstance(geometry, trimesh.Trimesh) and len(geometry.faces):
             parts.append(_part(geometry, np.asarray(matrix, dtype=np.float64), scale, str(path)))
     if not parts:
@@ -185,5 +202,5 @@ def load_mesh(pack_dir: Path, asset: Asset) -> Mesh:
     """The mesh of a static mesh asset; ``BadInput`` when the asset has none or its file is unusable."""
     if asset.mesh is None:
         raise BadInput("this asset has no mesh of its own", where=asset.path)
-    path = pack_dir / asset.mesh
+    path = file_in(pack_dir, asset.mesh)
     return join_parts(read_parts(path, scale=asset.mesh_scale), [slot.name for slot in asset.slots], str(path))

@@ -16,6 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from c4s import files
+from c4s.bounds import BOUNDS
+
 _MAGIC, _JSON, _BIN = b"glTF", b"JSON", b"BIN\0"
 _TYPES = {5121: np.uint8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
@@ -42,7 +45,7 @@ class _Other(Exception):
 def read_plain(path: Path) -> list[PlainPart] | None:
     """The parts of a plain GLB file, the last root first, as trimesh has them; ``None`` for any other file."""
     try:
-        data = path.read_bytes()
+        data = files.read_plain(path, bound=BOUNDS["mesh_bytes"])
         if data[:4] != _MAGIC or struct.unpack_from("<I", data, 4) != (2,):
             return None
         size, kind = struct.unpack_from("<I4s", data, 12)
@@ -51,7 +54,7 @@ def read_plain(path: Path) -> list[PlainPart] | None:
         if kind != _JSON or binary != _BIN or "extensionsRequired" in tree or "uri" in tree["buffers"][0]:
             return None
         return _parts(tree, data[28 + size : 28 + size + length])
-    except (_Other, ValueError, KeyError, IndexError, TypeError, struct.error):
+    except (_Other, ValueError, KeyError, IndexError, TypeError, AttributeError, RecursionError, struct.error):
         return None
 
 

@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.packs import basic_shapes
+from c4s.names import file_in
+from c4s.packs import basic_shapes, engine_content
 from c4s.packs.meshes import Mesh, load_mesh
 from c4s.records.pack import Asset, Material, Pack
+
+_EXPORT_TEXT = re.compile(r"""\s*[\w./]*'"?(/[^'"]+)"?'\s*""")
+
+
+def bare_path(path: str) -> str:
+    """A path as it stands in export text, ``StaticMesh'/Game/A/B.B'`` or ``/Script/Engine.StaticMesh'/Game/A/B.B'``,
+    without the class around it; any other text as it is."""
+    found = _EXPORT_TEXT.fullmatch(path) if "'" in path else None
+    return found[1] if found else path
+
+
+def package_path(path: str) -> str:
+    """The package of an asset path in any of its forms."""
+    return bare_path(path).split(".", 1)[0]
 
 
 def object_path(path: str) -> str:
@@ -19,16 +35,16 @@ def object_path(path: str) -> str:
 
 
 class PackStore:
-    """Read access to packs. Engine basic shapes are always present."""
+    """Read access to packs. The engine's own content is always present."""
 
     def __init__(self, folders: Sequence[Path]) -> None:
         """Read the manifests; ``BadInput`` when one is missing or wrong, or two packs hold the same path."""
         self.folders = tuple(Path(folder) for folder in folders)
         self.packs: dict[Path, Pack] = {folder: Pack.read(folder / "pack.json") for folder in self.folders}
-        self._assets: dict[str, Asset] = dict(basic_shapes.assets())
-        self._materials: dict[str, Material] = {basic_shapes.MATERIAL.path: basic_shapes.MATERIAL}
+        self._assets: dict[str, Asset] = {**basic_shapes.assets(), **engine_content.assets()}
+        self._materials: dict[str, Material] = {m.path: m for m in (basic_shapes.MATERIAL, *engine_content.MATERIALS)}
         self._home: dict[str, Path] = {}
-        self._meshes: dict[str, Mesh] = dict(basic_shapes.meshes())
+        self._meshes: dict[str, Mesh] = {**basic_shapes.meshes(), **engine_content.meshes()}
         for folder, pack in self.packs.items():
             for path in [asset.path for asset in pack.assets] + [material.path for material in pack.materials]:
                 if path in self._home:
@@ -54,7 +70,7 @@ class PackStore:
 
     def pack_file(self, material: Material, name: str | None) -> Path | None:
         """A file that a material of a pack names; ``None`` when it names none."""
-        return self._home[material.path] / name if name else None
+        return file_in(self._home[material.path], name) if name else None
 
     def mesh(self, path: str) -> Mesh:
         """The mesh of a static mesh asset (cached); ``BadInput`` when there is no such asset or mesh."""
@@ -80,7 +96,7 @@ class PackStore:
     def mesh_file(self, path: str) -> Path | None:
         """File of a static mesh asset's mesh; ``None`` for a shape of the engine's own, or where there is none."""
         asset = self.asset(path)
-        return self._home[asset.path] / asset.mesh if asset is not None and asset.mesh is not None else None
+        return file_in(self._home[asset.path], asset.mesh) if asset is not None and asset.mesh is not None else None
 
     def assets(self) -> list[Asset]:
         """All assets, those of the engine first, then in the order of the packs."""

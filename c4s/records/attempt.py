@@ -6,7 +6,8 @@ from typing import ClassVar, Literal
 
 from c4s.records.base import Sealed
 
-EndedBy = Literal["finished", "call_budget", "wall_budget", "agent_error", "killed"]
+EndedBy = Literal["finished", "call_budget", "wall_budget", "agent_error", "killed", "repeats_spent"]
+"""``repeats_spent``: each run of it ended with a failure that the agent may have caused (``c4s.records.fault``)."""
 
 
 class AttemptOutcome(Sealed):
@@ -28,4 +29,6 @@ class AttemptOutcome(Sealed):
     client_version: str = ""
     engine_version: str = ""
     """As the engine of the attempt told; empty in records that are older than the field."""
+    sandbox: str = ""
+    """What confined the engine: ``bubblewrap``, ``landlock``, ``none``; empty in records that are older."""
     message: str = ""

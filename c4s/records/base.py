@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
@@ -12,6 +13,29 @@ from c4s.files import digest, read_json, read_written_json, write_json
 
 SEAL = "sha256"
 """Key of a sealed record's own digest in its file."""
+
+
+MOST_FAULTS = 100
+"""A record with more is not looked into: to list a million faults takes minutes."""
+_LONGEST_PLACE = 200
+_WORDS = {
+    "missing": "it is missing",
+    "extra_forbidden": "there is no such field",
+    "model_type": "it is no mapping of names to values",
+    "model_attributes_type": "it is no mapping of names to values",
+    "dict_type": "it is no mapping of names to values",
+    "recursion_loop": "it is nested too deep",
+}
+"""What pydantic's messages say with names of classes in them."""
+
+
+def first_fault(error: ValidationError) -> tuple[str, str]:
+    """The first wrong field of a record, and what is wrong with it."""
+    if error.error_count() > MOST_FAULTS:
+        return "value", f"{error.error_count():,} fields are wrong"
+    first = error.errors(include_url=False, include_input=False, include_context=False)[0]
+    place = ".".join(str(part) for part in first["loc"])[:_LONGEST_PLACE] or "value"
+    return place, _WORDS.get(first["type"]) or first["msg"].removeprefix("Value error, ")
 
 
 class Record(BaseModel):
@@ -25,14 +49,18 @@ class Record(BaseModel):
         try:
             return cls.model_validate(value)
         except ValidationError as error:
-            first = error.errors()[0]
-            field = ".".join(str(part) for part in first["loc"]) or "value"
-            raise BadInput(f"{cls.__name__} field {field!r}: {first['msg']}", where=where) from None
+            field, message = first_fault(error)
+            raise BadInput(f"{cls.called()} field {field!r}: {message}", where=where) from None
 
     @classmethod
     def read(cls, path: Path) -> Self:
         """Read and validate a JSON file."""
-        return cls.parse(read_json(path, what=cls.__name__), where=str(path))
+        return cls.parse(read_json(path, what=cls.called(), finite=True), where=str(path))
+
+    @classmethod
+    def called(cls) -> str:
+        """What such a record is called in messages: the words of its class's name."""
+        return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", cls.__name__).lower()
 
     def write(self, path: Path) -> None:
         """Write as JSON, atomically."""
@@ -56,13 +84,18 @@ class Sealed(Record):
     @classmethod
     def read(cls, path: Path) -> Self:
         """Read, compare with the digest in the file, and validate; ``BadInput`` for a file that was changed."""
-        value = read_written_json(path, what=cls.__name__, todo=cls.REMEDY)
-        seal = value.pop(SEAL, None) if isinstance(value, dict) else None
+        return cls.opened(read_written_json(path, what=cls.called(), todo=cls.REMEDY), where=str(path))
+
+    @classmethod
+    def opened(cls, value: Any, *, where: str) -> Self:
+        """Compare plain data with the digest in it, and validate; ``BadInput`` for data that was changed."""
+        seal = value.get(SEAL) if isinstance(value, dict) else None
         if seal is None:
-            raise BadInput(f"this {cls.__name__} holds no digest of itself", where=str(path), todo=cls.REMEDY)
-        if seal != digest(value):
-            raise BadInput("the file has changed since it was written", where=str(path), todo=cls.REMEDY)
-        return cls.parse(value, where=str(path))
+            raise BadInput(f"this {cls.called()} holds no digest of itself", where=where, todo=cls.REMEDY)
+        own = {key: part for key, part in value.items() if key != SEAL}
+        if seal != digest(own):
+            raise BadInput("the file has changed since it was written", where=where, todo=cls.REMEDY)
+        return cls.parse(own, where=where)
 
     def write(self, path: Path) -> None:
         """Write as JSON with the digest at its end, atomically."""

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from c4s.errors import BadInput
-from c4s.files import digest_bytes, parse_json
+from c4s.files import digest_bytes, parse_json, read_plain
 from c4s.protocol.settings import Setting
 from c4s.records.base import Record
 from c4s.records.pack import MANIFEST, Pack
@@ -80,13 +80,10 @@ class Evidence:
     def json(self, name: EvidenceName) -> Any:
         """A file as plain data. Raises ``BadInput`` when it is missing or is no JSON."""
         path, what = self.path(name), name.replace("_", " ")
-        try:
-            data = path.read_bytes()
-        except OSError as error:
-            raise BadInput(f"cannot read the {what}: {error.strerror}", where=str(path)) from None
+        data = read_plain(path, what)
         try:
             value = parse_json(data)
-        except (ValueError, RecursionError) as error:
+        except ValueError as error:
             raise BadInput(f"the {what} is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
         self.note(name, digest_bytes(data))
         return value

@@ -81,7 +81,7 @@ class AttemptFolder:
 
     @property
     def manifest(self) -> Path:
-        """Digests of the packs that the engine mounted."""
+        """Which engine served it, what confined the engine and the agent, digests of the packs."""
         return self.root / "manifest.json"
 
     @property
@@ -145,9 +145,14 @@ class TrialFolder:
         """What a clean engine process exported from the retained submission."""
         return EvidenceFolder(self.root / "evidence")
 
+    @property
+    def judged(self) -> Path:
+        """Folder of what judges said."""
+        return self.root / "judgements"
+
     def judgements(self, judge: str) -> Path:
         """What a judge said of the retained submission."""
-        return self.root / "judgements" / f"{judge}.json"
+        return self.judged / f"{judge}.json"
 
     def verdict(self, verifier: str) -> Path:
         """A verifier's report."""
@@ -162,6 +167,11 @@ class TrialFolder:
     def score(self) -> Path:
         """The trial's score."""
         return self.root / "score.json"
+
+    @property
+    def faults(self) -> Path:
+        """What left the trial pending, a JSON line each time."""
+        return self.root / "faults.jsonl"
 
     @property
     def stages(self) -> Path:
@@ -179,6 +189,19 @@ class RunFolder:
     def plan(self) -> Path:
         """The frozen plan."""
         return self.root / "plan.json"
+
+    def earlier_plan(self, sha256: str) -> Path:
+        """A plan that the run has outgrown."""
+        return self.root / "plans" / f"{sha256[:12]}.json"
+
+    @property
+    def leases(self) -> Path:
+        """Who works on the run: the file of the highest number."""
+        return self.root / "lease"
+
+    def lease(self, number: int) -> Path:
+        """A lease; they count from 1."""
+        return self.leases / f"{number:06}.json"
 
     @property
     def spending(self) -> Path:

@@ -7,11 +7,11 @@ without a judge. A claim is a requirement of the bundle, by the id of its node.
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from c4s.records.base import Record
+from c4s.records.base import Record, Sealed
 
 Answer = Literal["MATCH", "MISMATCH", "UNKNOWN"]
 
@@ -74,9 +74,10 @@ class OverviewJudgement(Record):
     answer_sha256: str | None = None
 
 
-class Judgements(Record):
+class Judgements(Sealed):
     """All that a judge said of one submission."""
 
+    REMEDY: ClassVar[str] = "run the same `c4s run` again: it is set aside and made anew"
     schema_version: Literal["c4s.judgements.v1"] = "c4s.judgements.v1"
     judge: str
     """Name of the judge, as in the plan."""

@@ -11,8 +11,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from c4s.names import InnerPath, Name, PackagePath
 from c4s.records.base import Record
-from c4s.records.level import Transform, Vector
+from c4s.records.level import Number, Transform, Vector
 
 
 class BoxBody(Record):
@@ -57,24 +58,24 @@ CollisionBody = Annotated[BoxBody | SphereBody | CapsuleBody | HullBody, Field(d
 class Material(Record):
     """A material asset. Colours are linear RGB in [0, 1]."""
 
-    path: str
+    path: PackagePath
     """``/Game/<Pack>/Materials/M_X.M_X``."""
     class_path: str = "/Script/Engine.Material"
-    base_color: Vector = (0.5, 0.5, 0.5)
-    roughness: float = 0.8
-    metallic: float = 0.0
-    emissive: Vector = (0.0, 0.0, 0.0)
-    opacity: float = 1.0
-    texture: str | None = None
+    base_color: tuple[Number, Number, Number] = (0.5, 0.5, 0.5)
+    roughness: Number = 0.8
+    metallic: Number = 0.0
+    emissive: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)
+    opacity: Number = 1.0
+    texture: InnerPath | None = None
     """Base-colour texture, a file relative to the pack folder; it multiplies ``base_color``."""
     alpha: Literal["opaque", "mask", "blend"] = "opaque"
     """What the texture's alpha does: nothing; cuts holes where it is below ``alpha_cutoff``; or scales the opacity."""
     alpha_cutoff: float = 0.5
-    normal_texture: str | None = None
+    normal_texture: InnerPath | None = None
     """Tangent-space normals as in glTF (green points to the picture's top), a file of the pack."""
-    roughness_metal_texture: str | None = None
+    roughness_metal_texture: InnerPath | None = None
     """As in glTF: green multiplies ``roughness``, blue ``metallic``; a file of the pack."""
-    emissive_texture: str | None = None
+    emissive_texture: InnerPath | None = None
     """It multiplies ``emissive``; a file of the pack."""
 
 
@@ -97,12 +98,12 @@ class BlueprintPart(Record):
 class Asset(Record):
     """One asset of a pack: a static mesh, or a Blueprint composed of meshes of the same pack."""
 
-    id: str
+    id: Name
     """Catalog id, unique in the pack: lower-case, ``_`` between words."""
     name: str
     """Readable name."""
     kind: Literal["static_mesh", "blueprint"] = "static_mesh"
-    path: str
+    path: PackagePath
     """``/Game/<Pack>/.../SM_X.SM_X``; a Blueprint's class is this path with ``_C`` behind it."""
     category: str
     description: str = ""
@@ -110,7 +111,7 @@ class Asset(Record):
     bounds_min_cm: Vector
     bounds_max_cm: Vector
     """Local AABB of the mesh (a Blueprint: of all parts)."""
-    mesh: str | None = None
+    mesh: InnerPath | None = None
     """Mesh file relative to the pack folder (static meshes only)."""
     mesh_sha256: str | None = None
     mesh_scale: float = 1.0
@@ -119,7 +120,7 @@ class Asset(Record):
     collision: list[CollisionBody] = Field(default_factory=list)
     collision_source: Literal["authored", "hull", "decomposition", "none"] = "authored"
     parts: list[BlueprintPart] = Field(default_factory=list)
-    preview: str | None = None
+    preview: InnerPath | None = None
     """Preview picture relative to the pack folder."""
 
     @property
@@ -133,15 +134,15 @@ class Pack(Record):
     """A pack: its assets and materials."""
 
     schema_version: Literal["c4s.pack.v1"] = "c4s.pack.v1"
-    pack_id: str
+    pack_id: Name
     """Folder-safe id; the content folder is ``/Game/<content_folder>``."""
-    content_folder: str
+    content_folder: Name
     title: str
     license: str
     description: str = ""
     assets: list[Asset]
     materials: list[Material] = Field(default_factory=list)
-    files: dict[str, str] = Field(default_factory=dict)
+    files: dict[InnerPath, str] = Field(default_factory=dict)
     """SHA-256 (64 hex) of every file of the pack by its relative name: meshes, textures, previews, licence text."""
     category_descriptions: dict[str, str] = Field(default_factory=dict)
 

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
+from c4s.names import Name
 from c4s.protocol.settings import Setting
 from c4s.records.base import Record, Sealed
-
-Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,79}$")]
-"""A name that becomes a folder: letters, digits, dots, dashes and underscores, a letter or digit first."""
 
 
 class Configuration(Record):
     """An agent configuration: client, model and options. ``name`` is its identity in tables."""
 
     name: Name
-    client: str
+    client: Name
     """``noop``, ``random``, ``planner``, ``vandal``, ``oracle``, or the name of an agent client."""
     model: str | None = None
     options: dict[str, Any] = Field(default_factory=dict)
@@ -26,9 +24,9 @@ class Configuration(Record):
 class PlannedCase(Record):
     """A scheduled case with the digests that identify its content."""
 
-    case_id: str
+    case_id: Name
     setting: Setting
-    scene_id: str
+    scene_id: Name
     agent_digest: str
     withheld_digest: str
 
@@ -55,7 +53,7 @@ class Plan(Sealed):
     REMEDY: ClassVar[str] = "restore the file, or choose another --run-id"
     schema_version: Literal["c4s.plan.v1"] = "c4s.plan.v1"
     run_id: Name
-    suite_id: str
+    suite_id: Name
     suite_digest: str
     configurations: list[Configuration]
     cases: list[PlannedCase]

@@ -14,6 +14,7 @@ from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.base import SEAL, Sealed
 from c4s.records.judgement import Judgements
+from c4s.records.lease import Lease
 from c4s.records.level import Level
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration, Plan
@@ -37,6 +38,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "verdict": Verdict,
     "policy": ScorePolicy,
     "trial-score": TrialScore,
+    "lease": Lease,
 }
 
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal, Self
+from typing import ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
 from c4s.protocol.settings import Setting
-from c4s.records.base import Record
+from c4s.records.base import Sealed
 
 CaseStatus = Literal[
     "measured",
@@ -19,9 +19,10 @@ CaseStatus = Literal[
 ]
 
 
-class TrialScore(Record):
+class TrialScore(Sealed):
     """A trial's case score with its parts. ``status`` keeps the reasons for a zero apart."""
 
+    REMEDY: ClassVar[str] = "run the same `c4s run` again: it is set aside and made anew"
     schema_version: Literal["c4s.score.v1"] = "c4s.score.v1"
     case_id: str
     setting: Setting
@@ -36,6 +37,8 @@ class TrialScore(Record):
     judge: str
     engine: str
     retained_attempt: int | None = None
+    verdicts: dict[str, str] = Field(default_factory=dict)
+    """SHA-256 of each verdict's file that it was made from, by verifier."""
 
     @model_validator(mode="after")
     def _whole(self) -> Self:

@@ -210,4 +210,7 @@ def read_snapshot(path: Path) -> dict[str, Any]:
     value = read_json(path, what="snapshot")
     if not isinstance(value, Mapping) or not isinstance(value.get("actors"), list):
         raise BadInput("not a scene snapshot: it has no list of actors", where=str(path))
+    for number, actor in enumerate(value["actors"], start=1):
+        if not isinstance(actor, Mapping):
+            raise BadInput(f"actor {number} of this snapshot is no record", where=str(path))
     return dict(value)

@@ -9,7 +9,10 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from c4s.records.snapshot import SCHEMA_VERSION
+import orjson
+from pydantic import ValidationError
+
+from c4s.records.snapshot import SCHEMA_VERSION, SceneSnapshot
 
 _SERIES = SCHEMA_VERSION.rpartition(".")[0] + "."
 _TRANSFORM = ("location_cm", "rotation_deg", "scale")
@@ -64,6 +67,19 @@ def snapshot_fault(snapshot: Any) -> str:
     if snapshot.get("units") != "cm":
         return f"units are {snapshot.get('units')!r}, not 'cm'"
     return scene_fault(snapshot)
+
+
+def export_fault(snapshot: Any) -> str:
+    """What is wrong with a snapshot that the exporter should have written; an empty string when nothing is.
+
+    It asks for all that the exporter writes, in its types, beside what ``snapshot_fault`` asks.
+    """
+    try:
+        SceneSnapshot.model_validate_json(orjson.dumps(snapshot), strict=True)
+    except ValidationError as error:
+        first = error.errors(include_input=False, include_url=False, include_context=False)[0]
+        return f"{'.'.join(str(part)[:60] for part in first['loc'][:8])}: {first['msg'][:200]}"
+    return snapshot_fault(snapshot)
 
 
 def scene_fault(snapshot: Any) -> str:

@@ -27,11 +27,13 @@ from pydantic import Field
 
 from c4s.errors import BadInput
 from c4s.files import write_json
+from c4s.names import InnerPath, Name, PackagePath
 from c4s.protocol.settings import Setting
 from c4s.records.base import Record, Sealed
 from c4s.trees import listing_digest, read_listing
 
-DIGESTS = "digests.json"
+SUITE, DIGESTS = "suite.json", "digests.json"
+"""The frozen list of cases, and the note of every file."""
 
 
 class Budget(Record):
@@ -44,7 +46,7 @@ class Budget(Record):
 class PackRef(Record):
     """A pack that a case needs."""
 
-    pack_id: str
+    pack_id: Name
     digest: str
     """SHA-256 of the pack manifest's canonical JSON (which holds the digests of its files)."""
 
@@ -53,11 +55,11 @@ class AgentCase(Record):
     """What an agent may see of a case."""
 
     schema_version: Literal["c4s.case.v1"] = "c4s.case.v1"
-    case_id: str
+    case_id: Name
     setting: Setting
     title: str = ""
     prompt: str
-    start_map: str
+    start_map: PackagePath
     """Package path of the start level, ``/Game/...``."""
     budget: Budget
     packs: list[PackRef]
@@ -65,7 +67,7 @@ class AgentCase(Record):
     """Paths of the assets that the case offers (its catalog)."""
     plate_m: float | None = None
     """Side of the square build plate in metres (text-to-scene)."""
-    reference_views: list[str] = Field(default_factory=list)
+    reference_views: list[InnerPath] = Field(default_factory=list)
     """Files relative to the case's agent folder."""
 
 
@@ -73,8 +75,8 @@ class WithheldCase(Record):
     """What only the evaluator sees of a case."""
 
     schema_version: Literal["c4s.withheld.v1"] = "c4s.withheld.v1"
-    case_id: str
-    scene_id: str
+    case_id: Name
+    scene_id: Name
     """Source scene: the bootstrap cluster."""
     minimum_actors: int = 1
     """Integrity: the submission must hold at least this many actors."""
@@ -89,7 +91,7 @@ class WithheldCase(Record):
 class SuiteCase(Record):
     """One line of a suite."""
 
-    case_id: str
+    case_id: Name
     setting: Setting
     agent_digest: str
     withheld_digest: str
@@ -100,7 +102,7 @@ class Suite(Sealed):
 
     REMEDY: ClassVar[str] = "restore the file, or build the suite again with --replace"
     schema_version: Literal["c4s.suite.v1"] = "c4s.suite.v1"
-    suite_id: str
+    suite_id: Name
     title: str
     description: str = ""
     packs: list[PackRef]
@@ -152,13 +154,13 @@ class SuiteFolder:
     @property
     def record(self) -> Path:
         """The frozen list of cases."""
-        return self.root / "suite.json"
+        return self.root / SUITE
 
     def suite(self) -> Suite:
         """The suite record; ``BadInput`` when there is none."""
-        if not (self.root / "suite.json").is_file():
+        if not (self.root / SUITE).is_file():
             raise BadInput("no such suite", where=str(self.root), todo="build it with `c4s suite build`")
-        return Suite.read(self.root / "suite.json")
+        return Suite.read(self.root / SUITE)
 
     def agent(self, case_id: str) -> Path:
         """Folder that an agent may read."""
@@ -194,5 +196,5 @@ class SuiteFolder:
             )
         write_json(self.root / DIGESTS, dict(sorted(files.items())))
         suite = Suite(suite_id=suite_id, title=title, description=description, packs=packs, cases=cases)
-        suite.write(self.root / "suite.json")
+        suite.write(self.root / SUITE)
         return suite

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from c4s.records.base import Record
+from c4s.records.base import Sealed
 
 Status = Literal["measured", "not_applicable", "not_evaluated", "error", "valid", "invalid"]
 
 
-class Verdict(Record):
+class Verdict(Sealed):
     """One verifier's report.
 
     ``status`` follows the paper (evaluation protocol): a ``measured`` score is a finite number in [0, 1] and is no
@@ -21,6 +21,7 @@ class Verdict(Record):
     Integrity is ``valid`` or ``invalid``.
     """
 
+    REMEDY: ClassVar[str] = "run the same `c4s run` again: it is set aside and made anew"
     schema_version: Literal["c4s.verdict.v1"] = "c4s.verdict.v1"
     verifier: str
     """Name of the verifier, as in ``c4s.verify.registry``."""

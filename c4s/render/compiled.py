@@ -21,6 +21,7 @@ from typing import Any, TypeVar, cast
 
 import numba
 
+from c4s.folders import remove_tree
 from c4s.home import cache_root
 
 _Kernel = TypeVar("_Kernel", bound=Callable[..., Any])
@@ -51,7 +52,7 @@ def _prune(chosen: Path) -> None:
         return
     for folder in chosen.parent.glob("kernels-*"):
         if folder != chosen and folder.stat().st_mtime < time.time() - _STALE_S:
-            shutil.rmtree(folder, ignore_errors=True)
+            remove_tree(folder, inside=chosen.parent, at_best=True)
 
 
 @functools.cache
@@ -70,7 +71,7 @@ def code_folder() -> Path | None:
         scratch = Path(tempfile.mkdtemp(prefix="c4s-kernels-"))
     except OSError:
         return None
-    atexit.register(shutil.rmtree, scratch, ignore_errors=True)
+    atexit.register(remove_tree, scratch, inside=scratch.parent, at_best=True)
     if holders:
         shutil.copytree(holders[0], scratch, dirs_exist_ok=True)
     return scratch

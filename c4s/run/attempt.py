@@ -18,10 +18,9 @@ from typing import Any
 
 from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, agent_of
 from c4s.agents.model import ModelAccess, open_model
-from c4s.engine import DEFAULT_ENGINE, Engine, EngineDied, open_engine
-from c4s.engine.bridge import BridgeFault
+from c4s.engine import DEFAULT_ENGINE, Engine, open_engine
 from c4s.engine.content import content_fault
-from c4s.errors import AgentFault, BadInput, MachineryFault
+from c4s.errors import BadInput, C4SError, Place, shortage
 from c4s.files import append_json_line, json_lines, write_json
 from c4s.meter.record import sums
 from c4s.meter.spending import SpendingLimitReached
@@ -32,9 +31,11 @@ from c4s.records.level import Level
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration
 from c4s.records.suite import AgentCase
+from c4s.run.aside import set_aside
 from c4s.run.check import freeze_submission
+from c4s.run.faults import of_machinery, whose
+from c4s.run.headroom import check_room
 from c4s.toolbox.catalog import CaseCatalog
-from c4s.toolbox.client import RunStopped
 from c4s.toolbox.gateway import Gateway
 from c4s.toolbox.gateway_run import Run
 from c4s.toolbox.workbench import Workbench
@@ -69,8 +70,8 @@ def run_attempt(
         ledger: spending file of the whole run, which holds its limit; no limit is kept without it.
         engine: kind of the engine.
 
-    What the agent does wrong is an outcome. A ``MachineryFault`` passes through and leaves no outcome: the trial stays
-    pending. An engine that dies or goes silent after agent code ran in it is the agent's doing.
+    What the agent does wrong is an outcome (``c4s.run.faults`` tells what that is). All else passes through and leaves
+    no outcome: the trial stays pending.
     """
     paths = AttemptFolder(folder)
     if paths.done:
@@ -80,7 +81,7 @@ def run_attempt(
     agent = agent_of(configuration)
     if isinstance(agent, ModelClient):
         agent.ready(configuration)
-    _set_aside(folder)
+    set_aside(folder)
     paths.agent.mkdir(parents=True)
     catalog = CaseCatalog.load(case, packs)
     paths.usage.touch()
@@ -98,7 +99,7 @@ def run_attempt(
             engine, packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
         ) as session,
     ):
-        write_json(paths.manifest, _manifest(session, packs))
+        write_json(paths.manifest, _manifest(session, packs, agent))
         bench = Workbench(case, agent_folder, catalog, session, scratch)
         run = Run(f"{case.case_id}-{attempt}", bench, case.budget, paths.trajectory)
         context = AgentContext(
@@ -114,7 +115,8 @@ def run_attempt(
         )
         stopping.run = run
         report, error = _work(agent, context, run)
-        engine_version = session.version
+        check_room()
+        engine_version, sandbox = session.version, session.sandbox
         gateway.close_run(run)
     if model is not None and model.run.limit_message:
         raise SpendingLimitReached(
@@ -124,17 +126,19 @@ def run_attempt(
         )
     for record in report.usage:
         append_json_line(paths.usage, record)
-    outcome = _outcome(run, report, error, content, attempt, engine_version)
+    outcome = _outcome(run, report, error, content, attempt, engine_version, sandbox)
     outcome.write(paths.outcome)
     return outcome
 
 
-def _manifest(engine: Engine, packs: Sequence[Path]) -> dict[str, Any]:
-    """Which engine serves the attempt, and the digests of the packs that it mounted."""
+def _manifest(engine: Engine, packs: Sequence[Path], agent: Agent) -> dict[str, Any]:
+    """Which engine serves the attempt, what confines it and the agent, and the digests of the packs that it mounted."""
     return {
         "packs": {pack.name: Pack.read(pack / "pack.json").sha256() for pack in packs},
         "engine": engine.kind,
         "engine_version": engine.version,
+        "sandbox": engine.sandbox,
+        "client_sandbox": getattr(agent, "sandbox", ""),
     }
 
 
@@ -160,15 +164,6 @@ def _model(
         configuration, agent.endpoint, agent.wire_of(configuration), usage=usage, ledger=ledger, at_limit=stopping
     ) as access:
         yield access
-
-
-def _set_aside(folder: Path) -> None:
-    """Move the remains of an attempt that was cut off out of the way, and keep them."""
-    if folder.exists():
-        number = 1
-        while (kept := folder.with_name(f"{folder.name}.interrupted-{number}")).exists():
-            number += 1
-        folder.rename(kept)
 
 
 def _readable_truth(withheld: Path, folder: Path, package: str) -> Path:
@@ -201,29 +196,32 @@ def _work(agent: Agent, context: AgentContext, run: Run) -> tuple[AgentReport, B
 
 
 def _outcome(
-    run: Run, report: AgentReport, error: BaseException | None, content: Path, attempt: int, engine_version: str
+    run: Run,
+    report: AgentReport,
+    error: BaseException | None,
+    content: Path,
+    attempt: int,
+    engine_version: str,
+    sandbox: str,
 ) -> AttemptOutcome:
     """The attempt's outcome. Raises what was the machinery's fault."""
     ended_by: EndedBy = "finished"
     message = report.message
+    place: Place = "attempt_with_code" if run.bench.ran_script else "attempt"
     if run.fault is not None:
-        if not (isinstance(run.fault, EngineDied | BridgeFault) and run.bench.ran_script):
-            raise (
-                run.fault
-                if isinstance(run.fault, MachineryFault)
-                else MachineryFault(f"a tool failed: {type(run.fault).__name__}: {run.fault}", where=run.run_id)
-            ) from run.fault
-        ended_by, message = "agent_error", f"agent code ended the engine: {run.fault}"
+        if whose(run.fault, place) != "agent":
+            raise of_machinery(run.fault, where=run.run_id) from run.fault
+        ended_by, message = "agent_error", f"agent code broke the engine: {run.fault}"
     elif run.end_reason == "wall_budget":
         ended_by, message = "wall_budget", run.end_message
     elif run.end_reason == "killed":
         ended_by, message = "killed", run.end_message
     elif run.over_calls:
         ended_by, message = "call_budget", "the agent went on after its tool call budget was spent"
-    elif isinstance(error, AgentFault) and not isinstance(error, RunStopped):
-        ended_by, message = "agent_error", error.line()
     elif error is not None:
-        raise error
+        if whose(error, place) != "agent":
+            raise of_machinery(error, where=run.run_id) from error
+        ended_by, message = "agent_error", error.line() if isinstance(error, C4SError) else str(error)
     unsound = content_fault(content)
     if unsound is not None:
         ended_by, message = "agent_error", f"agent code left what cannot be submitted: {unsound}"
@@ -242,6 +240,7 @@ def _outcome(
         cost_usd=used["cost_usd"],
         client_version=report.client_version,
         engine_version=engine_version,
+        sandbox=sandbox,
         message=" ".join(message.split())[:2000],
     )
 
@@ -254,7 +253,9 @@ def last_saved(content: Path) -> str | None:
     """
     try:
         handle = os.open(content / SAVES, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
-    except OSError:
+    except OSError as error:
+        if shortage(error) is not None:
+            raise
         return None
     with os.fdopen(handle, "rb") as source:
         if not stat.S_ISREG(os.fstat(handle).st_mode):

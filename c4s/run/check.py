@@ -11,7 +11,6 @@ from c4s.records.attempt import AttemptOutcome
 from c4s.records.evidence_digests import EXPORTED, Maker
 from c4s.records.folder import AttemptFolder, EvidenceFolder, TrialFolder
 from c4s.records.verdict import Verdict
-from c4s.run.plan import Trial
 from c4s.trees import Change, Listing, changes, digests, listing_digest, read_listing, refuse
 
 LISTING = "evidence_listing"
@@ -79,12 +78,3 @@ def check_evidence(trial: TrialFolder) -> None:
 def _differing(folder: EvidenceFolder, noted: Listing, found: Listing) -> list[Change]:
     listings = {path.relative_to(folder.root).as_posix() for path in folder.listings()}
     return changes(folder.root, noted, {name: value for name, value in found.items() if name not in listings})
-
-
-def check_kept(trial: Trial) -> None:
-    """Check all that a trial to be completed has on record; ``BadInput`` names the first file that was changed."""
-    for attempt in trial.folder.attempts():
-        check_submission(attempt, AttemptOutcome.read(attempt.outcome))
-    gate = trial.folder.verdict(GATE)
-    if gate.is_file() and Verdict.read(gate).status == "valid":
-        check_evidence(trial.folder)

@@ -7,8 +7,10 @@ from collections.abc import Sequence
 
 from c4s.agents.base import ModelClient, agent_of
 from c4s.engine import engine_kinds
-from c4s.errors import BadInput
+from c4s.engine.confine.sandbox import backend
+from c4s.errors import BadInput, unknown
 from c4s.judge.names import JUDGE_NAMES
+from c4s.meter.endpoints import spending_limit
 from c4s.protocol.baselines import BASELINES
 from c4s.records.plan import Configuration
 from c4s.score.policies import POLICIES
@@ -17,18 +19,21 @@ from c4s.score.policies import POLICIES
 def check_labels(engine: str, judge: str, policy: str) -> None:
     """``BadInput``, with the choices, for an engine, judge or policy that is not there, needed by a case or not."""
     if engine not in engine_kinds():
-        raise BadInput(f"unknown engine {engine!r}", todo=f"use one of {', '.join(engine_kinds())}")
+        raise unknown("engine", engine, engine_kinds())
     if judge not in JUDGE_NAMES:
-        raise BadInput(f"unknown judge {judge!r}", todo=f"use one of {', '.join(JUDGE_NAMES)}")
+        raise unknown("judge", judge, JUDGE_NAMES)
     if policy not in POLICIES:
-        raise BadInput(f"unknown policy {policy!r}", todo=f"use one of {', '.join(POLICIES)}")
+        raise unknown("policy", policy, POLICIES)
 
 
 def check_configurations(configurations: Sequence[Configuration]) -> None:
     """``BadInput`` for a name that is given twice, an unknown client, and a model that its client could not reach."""
-    for name, times in Counter(chosen.name for chosen in configurations).items():
+    for name, times in Counter(chosen.name.lower() for chosen in configurations).items():
         if times > 1:
-            raise BadInput(f"{times} configurations are called {name!r}", todo="give each agent a name of its own")
+            raise BadInput(
+                f"{times} configurations are called {name!r}, letter case aside",
+                todo="give each agent a name of its own",
+            )
     for chosen in configurations:
         if chosen.name in BASELINES and chosen.client != chosen.name:
             raise BadInput(f"{chosen.name!r} is the name of a baseline", todo="give this agent a name of its own")
@@ -40,7 +45,12 @@ def check_configurations(configurations: Sequence[Configuration]) -> None:
 
 
 def check_ready(configurations: Sequence[Configuration]) -> None:
-    """``BadInput`` or ``MachineryFault`` for a client that cannot be started on this machine, with what to do."""
+    """``BadInput`` or ``MachineryFault`` for what cannot be started on this machine, with what to do.
+
+    That is a client, or the sandbox that ``C4S_SANDBOX`` names; a spending limit that is no amount is refused too.
+    """
+    backend()
+    spending_limit()
     for chosen in configurations:
         agent = agent_of(chosen)
         if isinstance(agent, ModelClient):

@@ -6,14 +6,18 @@ import asyncio
 from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NoReturn
 
-from c4s.errors import BadInput, C4SError, MachineryFault
+from c4s.errors import BadInput, C4SError, MachineryFault, row_of
 from c4s.records.plan import Plan
 from c4s.run import stages
+from c4s.run.aside import set_aside
+from c4s.run.headroom import LOOK_S, REPEATS, NoRoom
+from c4s.run.lease import Held
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from c4s.run.pool import Pool, work
+from c4s.run.torn import settle
 from c4s.run.trial import Do, run_trial
 
 Run = Callable[..., Awaitable[Any]]
@@ -36,18 +40,48 @@ class Pending:
         return f"{type(self.error).__name__}: {self.error}"
 
 
-def in_slots(pool: Pool, run: Run, trial: Trial, plan: Plan, rank: int = 0) -> Do:
+def in_slots(pool: Pool, run: Run, trial: Trial, plan: Plan, rank: int = 0, held: Held | None = None) -> Do:
     """A trial's ``do``: each stage waits for its slot, and is then run. Earlier ranks go first.
 
     Stages are given the plan without other trials, so that what crosses to a worker does not grow with the plan.
+    No stage is started without room to work, or where the lease of the run was lost.
     """
     own = plan.model_copy(update={"cases": [trial.case], "configurations": [trial.configuration]})
 
-    async def do(stage: Stage, *arguments: Any) -> Any:
+    async def once(stage: Stage, *arguments: Any) -> Any:
+        await pool.headroom.room()
         async with pool.turn(stage, trial, own, rank):
+            if held is not None:
+                held.check()
             return await run(stage, trial, own, *arguments)
 
+    async def do(stage: Stage, *arguments: Any) -> Any:
+        for left in reversed(range(REPEATS + 1)):
+            before = pool.headroom.times_short
+            try:
+                made = await once(stage, *arguments)
+            except Exception as error:
+                pool.headroom.look()
+                if not left or (pool.headroom.times_short == before and not isinstance(error, NoRoom)):
+                    raise
+                continue
+            pool.headroom.look()
+            if pool.headroom.times_short == before or not undone(stage, trial, made, *arguments):
+                return made
+        raise NoRoom(f"{stage} ended {REPEATS + 1} times while there was no room to work", where=trial.name)
+
     return do
+
+
+def undone(stage: Stage, trial: Trial, made: Any, *arguments: Any) -> bool:
+    """Take back what a stage put on record against the agent while there was no room; whether it did."""
+    if stage == "attempt" and (made.ended_by != "finished" or made.submission is None):
+        set_aside(trial.folder.attempt(*arguments).root)
+        return True
+    if stage == "integrity" and not made:
+        trial.folder.attempt(*arguments).integrity.unlink()
+        return True
+    return False
 
 
 def stage_functions(persist: Persist | None = None) -> Run:
@@ -67,17 +101,43 @@ def store(persist: Persist, trial: Trial, plan: Plan) -> None:
         persist(trial, plan)
 
 
-async def run_trials(trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run) -> list[Pending]:
+async def run_trials(
+    trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run, held: Held | None = None
+) -> list[Pending]:
     """Run trials, so many at once as the pool can use, in order of their start; those that are pending at the end.
 
-    What goes wrong in one trial costs that trial only.
+    What goes wrong in one trial costs that trial only; ``LeaseLost`` ends all of them.
     """
+    working = asyncio.ensure_future(_run_trials(trials, plan, pool, run, held))
+    watching = asyncio.ensure_future(_watch(pool, held))
+    try:
+        await asyncio.wait((working, watching), return_when=asyncio.FIRST_COMPLETED)
+        pending = working.result() if working.done() else watching.result()
+        if held is not None:
+            held.check()
+        return pending
+    finally:
+        for task in (working, watching):
+            task.cancel()
+        await asyncio.gather(working, watching, return_exceptions=True)
+
+
+async def _watch(pool: Pool, held: Held | None) -> NoReturn:
+    """Look at the room to work and at the lease, for as long as trials run."""
+    while True:
+        await asyncio.sleep(LOOK_S)
+        pool.headroom.look()
+        if held is not None:
+            held.check()
+
+
+async def _run_trials(trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run, held: Held | None) -> list[Pending]:
     gate = asyncio.Semaphore(pool.in_flight)
     pending: dict[int, Pending] = {}
 
     async def one(rank: int, trial: Trial) -> None:
         try:
-            await run_trial(trial, plan, in_slots(pool, run, trial, plan, rank))
+            await run_trial(trial, plan, in_slots(pool, run, trial, plan, rank, held))
         except Exception as error:
             pending[rank] = Pending(trial, error)
         finally:
@@ -90,6 +150,19 @@ async def run_trials(trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run) 
     return [pending[rank] for rank in sorted(pending)]
 
 
+def settle_all(trials: Sequence[Trial], plan: Plan, tell: Callable[[str], None]) -> tuple[list[Trial], list[Pending]]:
+    """The trials that can be run, and those that can not for what they have on record; what was set aside is told."""
+    ready, refused = [], []
+    for trial in trials:
+        try:
+            for line in settle(trial, plan):
+                tell(line)
+            ready.append(trial)
+        except BadInput as error:
+            refused.append(Pending(trial, error))
+    return ready, refused
+
+
 def refuse_pending(pending: Sequence[Pending], total: int) -> None:
     """Raise what kept trials pending: ``BadInput`` where nothing else did, else ``MachineryFault``."""
     if not pending:
@@ -98,4 +171,5 @@ def refuse_pending(pending: Sequence[Pending], total: int) -> None:
     what = f"{len(pending)} of {total} trials are pending; first {first.trial.name}: {first.reason}"
     if isinstance(first.error, BadInput):
         raise BadInput(what) from first.error
-    raise MachineryFault(what, todo="run the same command again") from first.error
+    told = isinstance(first.error, C4SError) and first.error.todo
+    raise MachineryFault(what, todo="" if told else row_of(first.error).todo) from first.error

@@ -1,8 +1,8 @@
 """The one table of a trial's stages: what each occupies while it runs, and where it is ended.
 
-A stage over its limit is ended with all its children. One that reads nothing but what the agent sent and what is
-trusted runs into a limit because of the scene: it is repeated once in a fresh worker, and ends as the agent's outcome
-(``c4s.run.trial``). Any other is a fault of the machinery.
+A stage over its limit is ended with all its children. Where one fails that reads nothing but what the agent sent and
+what is trusted, the scene may be why: it is repeated once in a fresh worker (``c4s.run.pool``), and what that means is
+decided by the program of the trial (``c4s.run.trial``).
 """
 
 from __future__ import annotations
@@ -10,9 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from c4s.errors import AgentFault
-
-Stage = Literal["attempt", "integrity", "look", "judge", "verify", "score", "persist"]
+Stage = Literal["attempt", "integrity", "look", "judge", "verify", "control", "score", "persist"]
 Kind = Literal["engine", "processor", "request"]
 """What limits a stage: an engine process, a processor, or an open request to a model judge."""
 
@@ -24,7 +22,7 @@ class Limit:
     kind: Kind
     seconds: float
     of_scene: bool = False
-    """Whether only the scene can be why it takes longer."""
+    """Whether it reads one scene and what is trusted, so that the scene may be why it fails."""
     memory_bytes: int = 4 << 30
 
 
@@ -34,13 +32,10 @@ LIMITS: Final[dict[Stage, Limit]] = {
     "look": Limit("engine", 900.0, of_scene=True),
     "judge": Limit("processor", 900.0, of_scene=True),
     "verify": Limit("processor", 600.0, of_scene=True),
+    "control": Limit("engine", 1800.0),
     "score": Limit("processor", 300.0),
     "persist": Limit("processor", 600.0),
 }
 """An attempt's seconds count from the end of its wall budget: engine start, and the grace that a client has to stop."""
 ONLINE_JUDGE: Final = Limit("request", 3600.0)
 """The stage ``judge`` where the judge asks a model over a network."""
-
-
-class SceneTooLarge(AgentFault):
-    """The scene drove a stage over its limits, and did so again in a fresh worker. An outcome, not a fault."""

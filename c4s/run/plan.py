@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from c4s.errors import BadInput
+from c4s.errors import BadInput, unknown
 from c4s.files import digest
 from c4s.packs.suite_check import check_case
 from c4s.records.folder import RunFolder, TrialFolder
@@ -15,6 +15,15 @@ from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.suite import SuiteFolder
 from c4s.run.choices import check_configurations, check_labels
 
+_FIXED = {
+    "run_id": "--run-id",
+    "suite_id": "suite",
+    "suite_digest": "content of its suite",
+    "policy": "policy",
+    "judge": "judge",
+    "engine": "engine",
+}
+"""What no run changes, and what it is called."""
 VERSIONED = ("prefect", "numpy", "scipy", "embreex", "python-fcl", "coal", "trimesh", "mcp", "duckdb", "pyarrow")
 
 
@@ -91,7 +100,9 @@ def make_plan(
     known = {case.case_id for case in record.cases}
     for case_id in cases:
         if case_id not in known:
-            raise BadInput(f"no case {case_id!r} in suite {record.suite_id!r}", todo="see `c4s suite show`")
+            raise unknown("case", case_id, known, where=f"suite {record.suite_id}")
+    if not record.cases:
+        raise BadInput("this suite has no cases", where=str(suite.record))
     chosen = [case for case in record.cases if not cases or case.case_id in cases]
     for case in chosen:
         check_case(suite, case)
@@ -121,22 +132,63 @@ def make_plan(
 
 
 def open_run(root: Path, plan: Plan) -> Plan:
-    """Freeze the plan in the run folder, or check that the frozen one asks for the same.
+    """Freeze the plan in the run folder, or let the frozen one grow by what is asked for; the plan of the run.
 
-    Library versions and the host may differ from the frozen ones; everything else must agree, else ``BadInput``.
+    Library versions and the host may differ from the frozen ones. Suite, policy, judge and engine must agree, and a
+    configuration of the same name must be the same, else ``BadInput``. A plan that has grown replaces the frozen one,
+    which is kept beside it under its digest.
     """
-    path = RunFolder(root).plan
-    if not path.is_file():
-        plan.write(path)
+    folder = RunFolder(root)
+    if not folder.plan.is_file():
+        plan.write(folder.plan)
         return plan
-    frozen = Plan.read(path)
-    if frozen.model_copy(update={"versions": plan.versions, "host": plan.host}) != plan:
+    frozen = Plan.read(folder.plan)
+    grown = _grown(frozen, plan, str(folder.plan))
+    if grown != frozen:
+        frozen.write(folder.earlier_plan(frozen.sha256()))
+        grown.write(folder.plan)
+    return grown
+
+
+def _grown(frozen: Plan, asked: Plan, where: str) -> Plan:
+    """The frozen plan with the configurations, cases and repeats that are asked for beside its own."""
+    for name, label in _FIXED.items():
+        if getattr(frozen, name) != getattr(asked, name):
+            raise BadInput(f"this run was started with another {label}", where=where, todo="choose another --run-id")
+    configurations = {chosen.name: chosen for chosen in frozen.configurations}
+    for chosen in asked.configurations:
+        if configurations.setdefault(chosen.name, chosen) != chosen:
+            raise BadInput(
+                f"this run has another configuration {chosen.name!r}",
+                where=where,
+                todo="give the agent another name, or choose another --run-id",
+            )
+    cases = {case.case_id: case for case in (*frozen.cases, *asked.cases)}
+    grown = frozen.model_copy(
+        update={
+            "configurations": list(configurations.values()),
+            "cases": list(cases.values()),
+            "repeats": max(frozen.repeats, asked.repeats),
+        }
+    )
+    unasked = _cells(grown) - _cells(frozen) - _cells(asked)
+    if unasked:
         raise BadInput(
-            "this run was started with another plan (suite, agents, policy, judge or engine)",
-            where=str(path),
-            todo="choose another --run-id",
+            f"this run would grow by trials that nobody asked for ({len(unasked)}), such as {'/'.join(min(unasked))}: "
+            "a plan is every agent on every case",
+            where=where,
+            todo="ask for all of the run's agents or all of its cases, or choose another --run-id",
         )
-    return frozen
+    return grown
+
+
+def _cells(plan: Plan) -> set[tuple[str, str, str]]:
+    return {
+        (chosen.name, case.case_id, f"r{repeat}")
+        for chosen in plan.configurations
+        for case in plan.cases
+        for repeat in range(1, plan.repeats + 1)
+    }
 
 
 def trials(run: Path, suite: Path, plan: Plan) -> Iterator[Trial]:

@@ -20,7 +20,10 @@ from c4s.errors import OverLimit
 from c4s.judge.registry import judge_named
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
-from c4s.run.limits import LIMITS, ONLINE_JUDGE, Kind, Limit, SceneTooLarge, Stage
+from c4s.run.faults import SceneFault, Unforeseen, may_be_the_scenes, of_scene
+from c4s.run.headroom import Headroom, raise_descriptors
+from c4s.run.leftovers import sweep
+from c4s.run.limits import LIMITS, ONLINE_JUDGE, Kind, Limit, Stage
 from c4s.run.plan import Trial
 from c4s.run.processes import Process, WorkerDied
 from c4s.run.slots import Slots
@@ -56,6 +59,7 @@ class Pool:
         engines: engine slots (default: one a processor).
         processors: processor slots (default: one a processor).
         limits: another table of limits.
+        headroom: another watch over room to work.
     """
 
     def __init__(
@@ -65,7 +69,9 @@ class Pool:
         processors: int | None = None,
         requests: int = REQUESTS,
         limits: Mapping[Stage, Limit] = LIMITS,
+        headroom: Headroom | None = None,
     ) -> None:
+        self.headroom = headroom or Headroom()
         cores = os.cpu_count() or 1
         self.slots: dict[Kind, Slots] = {
             "engine": Slots(engines or cores),
@@ -82,6 +88,8 @@ class Pool:
         return IN_FLIGHT * sum(slots.count for slots in self.slots.values())
 
     async def __aenter__(self) -> Self:
+        raise_descriptors()
+        sweep()
         return self
 
     async def __aexit__(
@@ -119,17 +127,17 @@ class Pool:
     async def run(self, limit: Limit, function: Callable[[*Args], R], *arguments: *Args) -> tuple[R, float]:
         """What a function returns in a worker process, and how long it and the start of its process took.
 
-        ``OverLimit``, or ``SceneTooLarge`` where only the scene can be why and a fresh worker came to the same end.
+        What it raises is raised; ``SceneFault`` where the scene may be why and a fresh worker came to the same end.
         """
         try:
             return await self._run(limit, False, function, *arguments)
-        except OverLimit:
-            if not limit.of_scene:
+        except Exception as error:
+            if not (limit.of_scene and may_be_the_scenes(error)):
                 raise
         try:
             return await self._run(limit, True, function, *arguments)
-        except OverLimit as over:
-            raise SceneTooLarge(over.what) from None
+        except Exception as again:
+            raise of_scene(again) from None
 
     async def _run(
         self, limit: Limit, fresh: bool, function: Callable[[*Args], R], *arguments: *Args
@@ -165,7 +173,7 @@ async def work(function: Callable[[*Args], R], *arguments: *Args) -> R:
         return function(*arguments)
     try:
         result, seconds = await turn.pool.run(turn.limit, function, *arguments)
-    except (OverLimit, SceneTooLarge, WorkerDied) as error:
+    except (OverLimit, SceneFault, Unforeseen, WorkerDied) as error:
         error.where = turn.name
         raise
     turn.spent_s += seconds

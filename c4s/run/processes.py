@@ -6,12 +6,10 @@ import asyncio
 import json
 import os
 import pickle
-import shutil
 import signal
 import socket
 import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -20,6 +18,8 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import MachineryFault, OverLimit
+from c4s.folders import remove_tree
+from c4s.run.leftovers import owned_folder
 from c4s.run.worker import HEADER
 
 POLL_S = 0.25
@@ -49,7 +49,7 @@ class Process:
     async def start(cls) -> Process:
         """Start one and wait until it serves. It dies with the thread that runs this."""
         near, far = socket.socketpair()
-        folder = Path(tempfile.mkdtemp(prefix="c4s-w-"))
+        folder = owned_folder()
         with far:
             process = subprocess.Popen(
                 [sys.executable, "-c", _BOOTSTRAP, json.dumps(sys.path), str(far.fileno()), str(os.getpid())],
@@ -92,7 +92,7 @@ class Process:
         except BaseException:
             self.end()
             raise
-        returned, value, took = pickle.loads(answer)
+        returned, value, took = _read(answer)
         if not returned:
             raise value
         return value, took
@@ -141,7 +141,18 @@ class Process:
                 os.kill(member, signal.SIGKILL)
         self.process.wait()
         self.writer.close()
-        shutil.rmtree(self.folder, ignore_errors=True)
+        remove_tree(self.folder, inside=self.folder.parent, at_best=True)
+
+
+def _read(answer: bytes) -> Any:
+    """A worker's answer. Reading it runs code of the classes in it, and any of that may fail: ``MachineryFault``."""
+    try:
+        return pickle.loads(answer)
+    except Exception as error:
+        raise MachineryFault(
+            f"what a stage returned or raised cannot be read: {type(error).__name__}: {error}",
+            todo="its class does not cross a process border: mend that first",
+        ) from error
 
 
 def _family(process: int) -> list[int]:

@@ -9,55 +9,30 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
-from c4s.errors import BadInput, MachineryFault
+from c4s.errors import MachineryFault
 from c4s.files import append_json_line, digest_file, read_json, write_json
-from c4s.packs.suite_check import check_case
 from c4s.protocol.baselines import ORACLE
 from c4s.protocol.rules import DEFAULT_POLICY, GATE
 from c4s.protocol.settings import is_construction
 from c4s.records.attempt import AttemptOutcome
-from c4s.records.evidence import Evidence, EvidenceName, ManifestDigests
-from c4s.records.evidence_digests import EXPORTED, MEASURED, note_digests
+from c4s.records.evidence import Evidence, ManifestDigests
+from c4s.records.evidence_digests import EXPORTED, MEASURED, SEEN, note_digests
 from c4s.records.folder import AttemptFolder, RunFolder
 from c4s.records.judgement import Judgements
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase, WithheldFolder
 from c4s.records.verdict import Verdict
 from c4s.run.check import LISTING, check_submission, judged_digests, noted_digests
+from c4s.run.faults import of_machinery
+from c4s.run.inputs import TrialInputs, evidence_in, inputs
+from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from c4s.verify.registry import make_verdict, measure, verifiers_of
 
 ATTEMPTS = 2
-
-
-@dataclass(frozen=True)
-class TrialInputs:
-    """What the stages of a trial read of its suite."""
-
-    case: AgentCase
-    withheld: WithheldCase
-    agent_folder: Path
-    withheld_folder: WithheldFolder
-    packs: list[Path]
-
-
-def inputs(trial: Trial) -> TrialInputs:
-    """Open the case package; ``BadInput`` where it or one of its packs is not as the plan froze it."""
-    suite = SuiteFolder(trial.suite)
-    case, folders = check_case(suite, trial.case)
-    return TrialInputs(
-        case=case,
-        withheld=suite.withheld_case(case.case_id),
-        packs=folders,
-        agent_folder=suite.agent(case.case_id),
-        withheld_folder=WithheldFolder(suite.withheld(case.case_id)),
-    )
 
 
 def record_time(trial: Trial, stage: str, seconds: float) -> None:
@@ -99,10 +74,9 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     """Export evidence of an attempt's submission and gate it. True when the submission is valid.
 
     The engine that exported a valid scene takes its pictures too, before it ends: it holds the scene already. Where it
-    was cut off, ``look`` takes them.
+    was cut off, ``look`` takes them. ``SceneUnreadable`` where it does not load, export or draw the scene.
     """
     from c4s.evidence import open_clean
-    from c4s.verify.integrity.verdict import unloadable
 
     folder = trial.folder.attempt(number)
     if folder.integrity.is_file():
@@ -116,20 +90,16 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     check_submission(folder, outcome)
     with ExitStack() as engine:
         with timed(trial, f"integrity-{number}"):
-            try:
-                clean = engine.enter_context(
-                    open_clean(
-                        engine=plan.engine,
-                        packs=given.packs,
-                        submission_content=folder.submission,
-                        package=outcome.submission,
-                    )
+            clean = engine.enter_context(
+                open_clean(
+                    engine=plan.engine,
+                    packs=given.packs,
+                    submission_content=folder.submission,
+                    package=outcome.submission,
                 )
-                clean.export(trial.folder.evidence.root)
-            except BadInput as error:
-                verdict = unloadable(error.line())
-            else:
-                verdict = _gated(trial, plan, given, folder)
+            )
+            clean.export(trial.folder.evidence.root)
+            verdict = _gated(trial, plan, given, folder)
             verdict.write(trial.folder.verdict(GATE))
             verdict.write(folder.integrity)
         if verdict.status == "valid":
@@ -159,37 +129,19 @@ def _manifest(given: TrialInputs, attempt_folder: AttemptFolder) -> ManifestDige
 
 def evidence(trial: Trial, plan: Plan, given: TrialInputs, manifest: ManifestDigests | None = None) -> Evidence:
     """The files of a trial that its judge and its verifiers may read."""
-    exported, withheld = trial.folder.evidence, given.withheld_folder
-    made: dict[EvidenceName, Path] = {
-        "candidate_snapshot": exported.snapshot,
-        "dependencies": exported.dependencies,
-        "captures": exported.captures_index,
-        "contacts": exported.contacts,
-        "support": exported.support,
-    }
+    exported = trial.folder.evidence
     noted = noted_digests(exported) if manifest else judged_digests(trial.folder)
-    return Evidence(
-        setting=given.case.setting,
-        prompt=given.case.prompt,
-        files={
-            **made,
-            "input_snapshot": withheld.input_snapshot,
-            "truth_snapshot": withheld.truth_snapshot,
-            "requirements": withheld.requirements,
-            "judgements": trial.folder.judgements(plan.judge),
-        },
-        noted={name: noted.get(path.relative_to(exported.root).as_posix(), "") for name, path in made.items()},
-        packs=given.packs,
-        minimum_actors=given.withheld.minimum_actors,
-        manifest=manifest,
-    )
+    return evidence_in(exported, given, trial.folder.judgements(plan.judge), noted, manifest)
 
 
 def look(trial: Trial, plan: Plan) -> None:
-    """Take the pictures of the retained submission, where they are not there: what a judge and pages show."""
+    """Take the pictures of the retained submission, where they are not there: what a judge and pages show.
+
+    Their list of digests is written last, so pictures without it are a part of what was being put there.
+    """
     from c4s.evidence import collect
 
-    if trial.folder.evidence.captures_index.is_file():
+    if trial.folder.evidence.digests(SEEN).is_file():
         return
     kept = retained(trial)
     if kept is None:
@@ -255,6 +207,26 @@ def verify(trial: Trial, plan: Plan, name: str) -> Verdict:
     return verdict
 
 
+def control(trial: Trial, plan: Plan, stage: Stage, *arguments: Any) -> None:
+    """Do what a stage does, for the case's own start level: what fails there too is not the scene's fault.
+
+    ``BadInput`` where the case or a pack is not as it was frozen, ``MachineryFault`` for all else that fails.
+    """
+    from c4s.run.control import same_for_the_start_level
+
+    with timed(trial, "control"):
+        given = inputs(trial)
+        try:
+            same_for_the_start_level(trial, plan, given, stage, *arguments)
+        except Exception as error:
+            told = of_machinery(error, where=trial.name)
+            raise MachineryFault(
+                f"{stage} fails on the case's own start level too: {told.what}",
+                where=told.where or trial.name,
+                todo=told.todo or "run the same command again",
+            ) from error
+
+
 def score(trial: Trial, plan: Plan) -> TrialScore:
     """The trial's score from its verdicts; zero with its reason where no attempt left a valid submission."""
     from c4s.run.labels import check_agreement
@@ -288,5 +260,7 @@ def score(trial: Trial, plan: Plan) -> TrialScore:
             made = rescored(made, verdicts, policy_named(plan.policy))
         if made.status == "pending":
             raise MachineryFault(made.reason, where=trial.name, todo="run the same command again")
+        read = {name: digest_file(verdict) for name, verdict in trial.folder.verdicts.items()}
+        made = made.model_copy(update={"verdicts": read})
         made.write(path)
     return made

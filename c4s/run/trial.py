@@ -12,8 +12,9 @@ from typing import Any, Protocol
 
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from c4s.run import overrun
-from c4s.run.limits import SceneTooLarge, Stage
+from c4s.run import overrun, repeats
+from c4s.run.faults import SceneFault
+from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from c4s.run.stages import ATTEMPTS
 from c4s.verify.registry import is_judged, verifiers_of
@@ -32,11 +33,12 @@ class Do(Protocol):
 async def run_trial(trial: Trial, plan: Plan, do: Do) -> TrialScore:
     """Attempt and integrity, once more if invalid; then the verifiers side by side; then score and persist.
 
-    A stage that the scene drove over its limits is an outcome (``c4s.run.overrun``). A ``MachineryFault`` passes
-    through and leaves the trial pending, after what ran beside it has ended.
+    What the scene makes fail is an outcome (``c4s.run.overrun``), once the control has shown that the machinery can do
+    it. All else passes through, on record, and leaves the trial pending, after what ran beside it has ended.
     """
+    do = _recording(trial, do)
     for number in range(1, ATTEMPTS + 1):
-        await do("attempt", number)
+        await _attempt(trial, number, do)
         if await _is_valid(trial, number, do):
             await _verify(trial, plan, do)
             break
@@ -45,10 +47,45 @@ async def run_trial(trial: Trial, plan: Plan, do: Do) -> TrialScore:
     return score
 
 
+def _recording(trial: Trial, do: Do) -> Do:
+    """The same, with what leaves the trial pending on record."""
+
+    async def recorded(stage: Stage, *arguments: Any) -> Any:
+        try:
+            return await do(stage, *arguments)
+        except SceneFault:
+            raise
+        except Exception as error:
+            repeats.note(trial, stage, arguments, error)
+            raise
+
+    return recorded
+
+
+async def _attempt(trial: Trial, number: int, do: Do) -> None:
+    """An attempt. One that has spent its repeats ends without a submission, unless the machinery fails by itself."""
+    try:
+        await do("attempt", number)
+    except Exception:
+        if not repeats.spent(trial, number):
+            raise
+        await do("control", "attempt", number)
+        repeats.end(trial, number)
+
+
+async def _of_scene(do: Do, stage: Stage, *arguments: Any) -> Any:
+    """A stage that reads one scene. ``SceneFault`` where the control does not fail as it does."""
+    try:
+        return await do(stage, *arguments)
+    except SceneFault:
+        await do("control", stage, *arguments)
+        raise
+
+
 async def _is_valid(trial: Trial, number: int, do: Do) -> bool:
     try:
-        return bool(await do("integrity", number))
-    except SceneTooLarge as reason:
+        return bool(await _of_scene(do, "integrity", number))
+    except SceneFault as reason:
         overrun.write_invalid(trial, number, reason)
         return False
 
@@ -66,27 +103,27 @@ async def _verify(trial: Trial, plan: Plan, do: Do) -> None:
         for verifier in verifiers_of(trial.case.setting)
     ]
     for ended in await asyncio.gather(*made.values(), *verdicts, return_exceptions=True):
-        if isinstance(ended, BaseException) and not isinstance(ended, SceneTooLarge):
+        if isinstance(ended, BaseException) and not isinstance(ended, SceneFault):
             raise ended
 
 
 async def _look(trial: Trial, plan: Plan, do: Do) -> None:
     try:
-        await do("look")
-    except SceneTooLarge as reason:
+        await _of_scene(do, "look")
+    except SceneFault as reason:
         overrun.write_not_looked(trial, plan, reason)
 
 
 async def _judge(do: Do, needed: Needed) -> None:
     for made in needed:
         await made
-    await do("judge")
+    await _of_scene(do, "judge")
 
 
 async def _verdict(trial: Trial, plan: Plan, do: Do, name: str, needed: Needed) -> None:
     try:
         for made in needed:
             await made
-        await do("verify", name)
-    except SceneTooLarge as reason:
+        await _of_scene(do, "verify", name)
+    except SceneFault as reason:
         overrun.write_not_evaluated(trial, plan, name, reason)

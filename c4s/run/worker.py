@@ -18,7 +18,7 @@ import traceback
 from pathlib import Path
 from typing import Any
 
-from c4s.errors import MachineryFault, OverLimit
+from c4s.errors import MachineryFault, OverLimit, shortage
 
 HEADER = struct.Struct(">Q")
 PR_SET_PDEATHSIG = 1
@@ -75,10 +75,13 @@ def _done(job: bytes) -> bytes:
 
 
 def _whole(error: BaseException) -> BaseException:
-    """The exception with where it was raised; one that cannot cross the border, or would end a process, as a fault."""
+    """The exception with where it was raised; one that cannot cross the border, or would end a process, as a fault.
+
+    What caused it stays behind, so what the machine is short of is told in its place.
+    """
     told = "".join(traceback.format_exception(error))
     crosses = isinstance(error, Exception) and _crosses(error)
-    whole = error if crosses else MachineryFault(f"{type(error).__name__}: {error}")
+    whole = shortage(error) or (error if crosses else MachineryFault(f"{type(error).__name__}: {error}"))
     whole.add_note(f"in a worker process:\n{told}")
     return whole
 

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import yaml
-
-from c4s.errors import BadInput
+from c4s.errors import BadInput, unknown
+from c4s.files import read_yaml
 from c4s.protocol.rules import DEFAULT_POLICY, FAMILY_WEIGHTS, I2S_WEIGHTS, OVERVIEW_WEIGHTS, T2S_WEIGHTS
 from c4s.records.policy import ScorePolicy
 
@@ -68,13 +67,9 @@ def policy_named(name: str) -> ScorePolicy:
     if name in POLICIES:
         return POLICIES[name]
     path = Path(name)
-    if path.suffix not in (".yaml", ".yml", ".json") or not path.is_file():
-        raise BadInput(f"unknown policy {name!r}", todo=f"use one of {', '.join(POLICIES)}, or a policy file")
-    try:
-        value = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (yaml.YAMLError, OSError, UnicodeDecodeError) as error:
-        raise BadInput(f"this policy is not valid YAML: {' '.join(str(error).split())}", where=str(path)) from None
-    policy = ScorePolicy.parse(value, where=str(path))
+    if path.suffix not in (".yaml", ".yml", ".json"):
+        raise unknown("policy", name, POLICIES, todo="or give a policy file")
+    policy = ScorePolicy.parse(read_yaml(path), where=str(path))
     if policy.policy_id in POLICIES:
         raise BadInput(f"policy id {policy.policy_id!r} is a shipped one", where=str(path), todo="choose another id")
     return policy

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.collision import scene_contacts
+from c4s.engine.answers import ask_picture
 from c4s.geometry.transform import Array
 from c4s.protocol.rules import GAP_CM
 from c4s.toolbox.pictures import read_picture, within_limit
@@ -35,13 +36,12 @@ def _screenshot(bench: Workbench, arguments: Arguments) -> ToolResult:
     if not _FILE.fullmatch(name):
         raise ToolRefused("the file name may have letters, digits, _, - and . only")
     bench.wait_for_editor()
-    reply = bench.engine.request(
-        "take_screenshot", {"filepath": name, "width": WIDTH, "height": HEIGHT}, timeout_s=300.0
-    )
-    if reply.get("status") not in ("ok", "success"):
-        reason = str(reply.get("error") or reply.get("missing")).strip().rpartition("\n")[2]
+    reply = ask_picture(bench.engine, {"filepath": name, "width": WIDTH, "height": HEIGHT}, timeout_s=300.0)
+    if reply.status not in ("ok", "success"):
+        bench.blame_disk(reply.error or "")
+        reason = (reply.error or str(reply.missing)).strip().rpartition("\n")[2]
         raise ToolRefused(f"no picture was taken: {reason}")
-    png = read_picture(Path(str(reply["filepath"])), bench.scratch)
+    png = read_picture(Path(reply.filepath), bench.scratch)
     return ToolResult({"filename": name, "width": WIDTH, "height": HEIGHT}, image=within_limit(png))
 
 

@@ -1,8 +1,8 @@
 """The gateway: one MCP server on loopback for many runs. A bearer token selects the run.
 
-The SDK's low-level server speaks streamable HTTP (stateful, events), so ``tools/list`` and ``tools/call`` are ours. Two
-things are done in front of it: the token check, and joining of two posts with one request id that are in flight at the
-same time, which the SDK would leave hanging.
+The SDK's low-level server speaks streamable HTTP (stateful, events), so ``tools/list`` and ``tools/call`` are ours.
+Three things are done in front of it: the door (``c4s.loopback``), the token check, and joining of two posts with one
+request id that are in flight at the same time, which the SDK would leave hanging.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from mcp.shared.exceptions import MCPError
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from c4s import loopback
 from c4s.errors import MachineryFault
 from c4s.files import parse_json
 from c4s.toolbox.gateway_run import CallAnswer, Run
@@ -38,6 +39,7 @@ SKILL = "skill"
 MAX_BODY_BYTES = 4 << 20
 MOST_SESSIONS = 256
 """Sessions that a run may open in all."""
+CLOSE = {"Connection": "close"}
 REQUEST_KEYS = ("claudecode/toolUseId", "callId", "c4s/callId")
 """Where clients put the identity of a call in ``_meta`` (Claude Code, Codex, ours)."""
 
@@ -53,7 +55,8 @@ class Endpoint:
 class Gateway:
     """The server. Use it as a context manager; ``open`` and ``close`` of runs are thread-safe."""
 
-    def __init__(self) -> None:
+    def __init__(self, limits: loopback.DoorLimits | None = None) -> None:
+        self._limits = limits or loopback.DoorLimits()
         self._runs: dict[bytes, Run] = {}
         """By the digest of their token: the time of a look-up tells nothing of a token."""
         self._session_owner: dict[str, Run] = {}
@@ -69,11 +72,9 @@ class Gateway:
     def __enter__(self) -> Self:
         listener = socket.socket()
         listener.bind(("127.0.0.1", 0))
+        listener.listen(loopback.BACKLOG)
         self.port = listener.getsockname()[1]
-        config = uvicorn.Config(
-            self._app(), log_level="error", lifespan="on", access_log=False, timeout_graceful_shutdown=1
-        )
-        self._server = uvicorn.Server(config)
+        self._server = uvicorn.Server(loopback.config(self._app(), self._limits, log_level="critical", lifespan="on"))
         self._thread = threading.Thread(target=self._serve, args=(listener,), name="gateway", daemon=True)
         self._thread.start()
         if not self._ready.wait(START_TIMEOUT_S):
@@ -133,11 +134,19 @@ class Gateway:
             if scope["type"] != "http":
                 await inner(scope, receive, send)
                 return
+            strange = loopback.foreign(scope)
+            if strange is not None:
+                await JSONResponse({"error": strange}, 403, CLOSE)(scope, receive, send)
+                return
             headers = dict(scope["headers"])  # lower-case names, as ASGI has them
             run = self._run_of(headers.get(b"authorization", b"").decode("latin-1"))
             session = headers.get(b"mcp-session-id", b"").decode("latin-1")
             if run is None:
-                await JSONResponse({"error": "unauthorized"}, 401, {"WWW-Authenticate": "Bearer"})(scope, receive, send)
+                await JSONResponse({"error": "unauthorized"}, 401, {"WWW-Authenticate": "Bearer", **CLOSE})(
+                    scope, receive, send
+                )
+            elif not loopback.let_in(scope, run):
+                await JSONResponse({"error": "this run has too many connections"}, 429, CLOSE)(scope, receive, send)
             elif session and self._session_owner.get(session) is not run:
                 await JSONResponse({"error": "session not found"}, 404)(scope, receive, send)
             else:

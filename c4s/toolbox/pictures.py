@@ -9,6 +9,7 @@ from pathlib import Path
 
 from PIL import Image
 
+from c4s.errors import shortage
 from c4s.toolbox.refusal import ToolRefused
 
 MOST_IMAGE_BYTES = 2_000_000
@@ -19,15 +20,18 @@ PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 def read_picture(path: Path, folder: Path) -> bytes:
     """A PNG that the engine wrote. Agent code writes to the same folder: links, pipes and other files are refused."""
-    if not path.resolve().is_relative_to(folder.resolve()):
-        raise ToolRefused("the engine wrote the picture outside the run's folder")
     try:
+        if not path.resolve().is_relative_to(folder.resolve()):
+            raise ToolRefused("the engine wrote the picture outside the run's folder")
         handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
-    except OSError as error:
-        raise ToolRefused(f"the picture cannot be read: {error.strerror}") from error
+    except (OSError, ValueError) as error:
+        if shortage(error) is not None:
+            raise
+        raise ToolRefused(f"the picture cannot be read: {error}") from None
+    if not stat.S_ISREG(os.fstat(handle).st_mode):
+        os.close(handle)
+        raise ToolRefused("the picture is not a plain file")
     with os.fdopen(handle, "rb") as source:
-        if not stat.S_ISREG(os.fstat(handle).st_mode):
-            raise ToolRefused("the picture is not a plain file")
         png = source.read(MOST_PICTURE_BYTES)
     if not png.startswith(PNG_SIGNATURE):
         raise ToolRefused("the picture is not a PNG")

@@ -26,15 +26,14 @@ def _state(bench: Workbench, job: ScriptJob, limit: int, wait_s: float) -> dict[
     reply = bench.read_job(job, wait_s=wait_s)
     lines: list[str] = []
     while True:
-        page = reply["result"]
-        lines += page["python_logs"]
-        if not page["more"]:
+        lines += reply.result.python_logs
+        if not reply.result.more:
             break
-        reply = bench.read_job(job, offset=page["next_offset"])
+        reply = bench.read_job(job, offset=reply.result.next_offset)
     output = "\n".join(lines).encode()
-    error = {"error": reply["error"]} if "error" in reply else {}
+    error = {"error": reply.error} if reply.error is not None else {}
     return {
-        "status": {"ok": "done", "running": "running"}.get(reply["status"], "error"),
+        "status": "running" if reply.running else "error" if reply.failed else "done",
         **error,
         "output": output[-limit:].decode(errors="replace"),
         "output_bytes": len(output),

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import errno
 import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from c4s.engine import Calls, EngineCallError
+from c4s.engine.answers import JobReply, WrongAnswer, ask, ask_job
+from c4s.files import check_disk
+from c4s.records.snapshot_faults import export_fault
 from c4s.records.suite import AgentCase
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.measured import MeasuredScene
@@ -18,6 +22,7 @@ BUSY_WAIT_S = 30.0
 """How long a tool that needs the scene waits for a running job before it refuses (seconds)."""
 JOB_LIMIT_S = 300.0
 """Longest run of one script (seconds); the kin's editor call limit."""
+FULL = f"[Errno {errno.ENOSPC}]"
 REFUSAL = "c4s.editor.scene_tools.SceneRefused: "
 
 
@@ -56,7 +61,7 @@ class Workbench:
         """Whether agent code has run inside the engine."""
         self._measured: tuple[int | None, MeasuredScene] | None = None
         """The last measured scene, and which state of the level it was."""
-        self.given: list[str] = list(engine.call("scene_tools.actor_ids"))
+        self.given: list[str] = ask(engine, "scene_tools.actor_ids")
         """Ids of the actors that the start level had: everything else was spawned by the run."""
 
     def next_picture(self) -> int:
@@ -72,43 +77,63 @@ class Workbench:
         """The scene as it is now. The same object while the engine knows that nothing has changed."""
         known = self._measured
         told = self._call("snapshot.export_if_changed", known=known[0] if known is not None else None)
-        if told["snapshot"] is None and known is not None:
+        if told["snapshot"] is None:
+            if known is None:
+                raise WrongAnswer("no snapshot", where="snapshot.export_if_changed")
             return known[1]
+        if self.ran_script and (fault := export_fault(told["snapshot"])):
+            raise ToolRefused(f"the scene cannot be measured: {fault}", todo="mend those actors")
         self._measured = told["revision"], MeasuredScene(self.case.setting, told["snapshot"])
         return self._measured[1]
 
     def _call(self, function: str, **params: Any) -> Any:
         self.wait_for_editor()
         try:
-            return self.engine.call(function, **params)
+            return ask(self.engine, function, **params)
         except EngineCallError as error:
+            self.blame_disk(error.detail)
             raise ToolRefused(error.what.removeprefix(f"{error.kind}: ").removeprefix(REFUSAL)) from error
 
     def wait_for_editor(self) -> None:
         """Wait for the last job. Refused while it runs on: the editor does one thing at a time."""
         for job in list(self.jobs.values())[-1:]:
-            if not job.finished and self.read_job(job, wait_s=BUSY_WAIT_S)["status"] == "running":
+            if not job.finished and self.read_job(job, wait_s=BUSY_WAIT_S).running:
                 raise ToolRefused(f"the editor is still busy with {job.id}", todo="wait for it with read_job_log")
 
     def start_job(self, script: str, *, wait_s: float) -> ScriptJob:
         """Run a script in the editor's Python; it goes on in the background after ``wait_s``."""
         self.ran_script = True
-        reply = self.engine.request(
-            "execute_python_script", {"script": script, "wait_s": wait_s}, timeout_s=wait_s + ENGINE_TIMEOUT_S
+        reply = ask_job(
+            self.engine,
+            "execute_python_script",
+            {"script": script, "wait_s": wait_s},
+            timeout_s=wait_s + ENGINE_TIMEOUT_S,
         )
-        if "job_id" not in reply:
-            raise ToolRefused(str(reply.get("error", "the editor did not take the script")))
-        job = ScriptJob(str(reply["job_id"]), time.monotonic())
+        if isinstance(reply, str):
+            raise ToolRefused(reply)
+        job = ScriptJob(reply.job_id, time.monotonic())
         self.jobs[job.id] = job
-        job.finished = reply["status"] != "running"
+        job.finished = not reply.running
         return job
 
-    def read_job(self, job: ScriptJob, *, wait_s: float = 0.0, offset: int = 0) -> dict[str, Any]:
+    def read_job(self, job: ScriptJob, *, wait_s: float = 0.0, offset: int = 0) -> JobReply:
         """The state of a job. One that runs longer than ``JOB_LIMIT_S`` is abandoned."""
-        reply = self.engine.request(
-            "read_job_log", {"job_id": job.id, "wait_s": wait_s, "offset": offset}, timeout_s=wait_s + ENGINE_TIMEOUT_S
+        reply = ask_job(
+            self.engine,
+            "read_job_log",
+            {"job_id": job.id, "wait_s": wait_s, "offset": offset},
+            timeout_s=wait_s + ENGINE_TIMEOUT_S,
         )
-        job.finished = reply["status"] != "running"
-        if not job.finished and time.monotonic() - job.started > JOB_LIMIT_S:
+        if isinstance(reply, str):
+            raise ToolRefused(reply)
+        job.finished = not reply.running
+        if reply.failed:
+            self.blame_disk(reply.error or "")
+        if reply.running and time.monotonic() - job.started > JOB_LIMIT_S:
             self.engine.request("abandon_job", {"job_id": job.id})
         return reply
+
+    def blame_disk(self, told: str) -> None:
+        """``OSError`` where what the engine tells is that the disk is full, and it is: nobody's doing."""
+        if FULL in told:
+            check_disk(self.scratch)

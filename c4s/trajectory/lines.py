@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from c4s.files import json_lines
+from c4s.errors import BadInput
+from c4s.files import read_json_lines
+
+_OF_A_CALL = {"call": int, "tool": str, "arguments": dict, "outcome": str}
+"""What is asked of the record of a call; the end of a record that a killed process left may lack."""
 
 
 def read_lines(trajectory: Path) -> list[dict[str, Any]]:
     """The lines of a trajectory in their order. A last line that was cut off in the middle was never complete: it is
     left out."""
-    whole, _, cut_off = trajectory.read_text(encoding="utf-8").rpartition("\n")
-    lines = list(json_lines(whole.split("\n")))
-    with suppress(ValueError):
-        lines += json_lines([cut_off])
+    lines = read_json_lines(trajectory, what="trajectory", cut=True)
+    for number, line in enumerate(lines, start=1):
+        fields = _OF_A_CALL if line.get("event") in ("started", "call") else {"event": str}
+        for name, kind in fields.items():
+            if not isinstance(line.get(name), kind):
+                raise BadInput(f"record {number} of this trajectory has no {name}", where=str(trajectory))
     return lines
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,10 +11,11 @@ from typing import Any
 from c4s.errors import BadInput
 from c4s.files import read_json, write_json, write_text
 from c4s.folders import beside, put_folder
+from c4s.names import check_written
 from c4s.protocol.bundle import read_requirements
 from c4s.protocol.settings import is_construction
 from c4s.records.level import Level
-from c4s.records.suite import AgentCase, PackRef, SuiteFolder, WithheldCase
+from c4s.records.suite import SUITE, AgentCase, PackRef, SuiteFolder, WithheldCase
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
 from cases.settle import to_build
 from catalog.proxy import build_proxy_pack
@@ -31,11 +33,11 @@ def import_code4scene(
     Raises ``BadInput`` for a malformed task or requirement bundle, two tasks of one id, or where no task can be run;
     without ``replace`` also where another suite of this name, or another pack of a task, is there or was changed.
     """
+    check_written(folder)
     tasks = [read_task(path) for path in find_tasks(folder)]
-    names = [task.case_id for task in tasks]
-    for name in names:
-        if names.count(name) > 1:
-            raise BadInput(f"task id {name!r} occurs twice", where=str(folder))
+    for name, times in Counter(task.case_id.lower() for task in tasks).items():
+        if times > 1:
+            raise BadInput(f"task id {name!r} occurs twice, letter case aside", where=str(folder))
     for task in tasks:
         if task.bundle is not None:
             read_requirements(read_json(task.bundle, what="requirement bundle"), where=str(task.bundle))
@@ -49,12 +51,12 @@ def import_code4scene(
                 todo="image-to-scene tasks need their Unreal levels",
             )
         suite = fresh.freeze(out.name, f"Imported from {folder.name}", "Published tasks with proxy assets", packs)
-        same = not replace and (out / "suite.json").is_file() and SuiteFolder(out).suite() == suite
+        same = not replace and (out / SUITE).is_file() and SuiteFolder(out).suite() == suite
         wanted = to_build(out, same=same, replace=replace)
         for pack in packs:
             settle(made_packs / pack.pack_id, packs_root / pack.pack_id, replace=replace)
         if wanted:
-            put_folder(fresh.root, out)
+            put_folder(fresh.root, out, marker=SUITE)
     return {
         "suite": suite.suite_id,
         "sha256": suite.sha256(),

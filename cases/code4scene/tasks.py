@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from c4s.errors import BadInput
+from c4s.files import read_yaml
+from c4s.names import file_in, name_fault, package_fault, path_fault
 from c4s.protocol.settings import Setting
 from c4s.records.suite import Budget
 from catalog.proxy import PaletteEntry
@@ -42,7 +42,7 @@ def find_tasks(folder: Path) -> list[Path]:
     """Every ``task.yaml`` at or below a folder, in order; ``BadInput`` when there is none."""
     if not folder.is_dir():
         raise BadInput("no such folder", where=str(folder))
-    found = sorted(folder.rglob("task.yaml"))
+    found = [file_in(folder, path.relative_to(folder).as_posix()) for path in sorted(folder.rglob("task.yaml"))]
     if not found:
         raise BadInput(
             "no task.yaml at or below this folder",
@@ -54,11 +54,7 @@ def find_tasks(folder: Path) -> list[Path]:
 
 def read_task(path: Path) -> Task:
     """A task from its ``task.yaml``. ``BadInput`` names the file and what is wrong with it."""
-    try:
-        raw = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
-        text = " ".join(str(error).split())
-        raise BadInput(f"malformed task.yaml: {text[:160]}", where=str(path)) from None
+    raw = read_yaml(path, what="task")
     if not isinstance(raw, Mapping):
         raise BadInput("malformed task.yaml: not a mapping", where=str(path))
     given = _Reader(raw, path)
@@ -69,25 +65,26 @@ def read_task(path: Path) -> Task:
     if kind == "scene_repair":
         setting = "image-to-scene/indoor" if given.text("scene_environment") == "indoor" else "image-to-scene/outdoor"
     case_id = given.text("id")
-    if not re.fullmatch(r"[A-Za-z0-9._-]+", case_id) or case_id.startswith("."):
-        raise BadInput(f"malformed task.yaml: id {case_id!r} is not a plain name", where=str(path))
-    bundles = [entry.get("verification_bundle") for entry in raw.get("verifiers") or [] if isinstance(entry, Mapping)]
-    bundle = next((path.parent / name for name in bundles if name), None)
+    given.refuse("id", name_fault(case_id))
+    start_map = given.text("inputs.init_map")
+    given.refuse("inputs.init_map", package_fault(start_map))
     plate = given.number("inputs.size_m") if kind == "scene_generation" else None
-    packs = (raw.get("assets") or {}).get("packs") or []
+    packs = given.listed("assets", "packs")
+    for pack in packs:
+        given.refuse("assets.packs", name_fault(pack))
     return Task(
         folder=path.parent,
         case_id=case_id,
         setting=setting,
         prompt=given.text("inputs.prompt"),
-        start_map=given.text("inputs.init_map"),
+        start_map=start_map,
         budget=Budget(
             tool_calls=int(given.number("inputs.budget.tool_calls")),
             wall_minutes=given.number("inputs.budget.wall_minutes"),
         ),
         plate_m=plate,
-        bundle=bundle if bundle and bundle.is_file() else None,
-        packs=tuple(map(str, packs)),
+        bundle=given.bundle(),
+        packs=packs,
     )
 
 
@@ -110,6 +107,32 @@ class _Reader:
         if not isinstance(value, str) or not value.strip():
             raise BadInput(f"malformed task.yaml: field {name!r} is not text", where=str(self.path))
         return value
+
+    def refuse(self, name: str, fault: str) -> None:
+        """``BadInput`` where something is wrong with a field."""
+        if fault:
+            raise BadInput(f"malformed task.yaml: field {name!r}: {fault}", where=str(self.path))
+
+    def listed(self, group: str, name: str) -> tuple[str, ...]:
+        """A list of texts that may be absent."""
+        record = self.raw.get(group) or {}
+        found = record.get(name) or [] if isinstance(record, Mapping) else None
+        if not isinstance(found, list):
+            raise BadInput(f"malformed task.yaml: field '{group}.{name}' is not a list", where=str(self.path))
+        return tuple(map(str, found))
+
+    def bundle(self) -> Path | None:
+        """The requirement bundle that a verifier names, a file of the task's folder; None where there is none."""
+        verifiers = self.raw.get("verifiers") or []
+        entries = [one for one in verifiers if isinstance(one, Mapping)] if isinstance(verifiers, list) else []
+        named = next((one["verification_bundle"] for one in entries if one.get("verification_bundle")), None)
+        if named is None:
+            return None
+        if not isinstance(named, str):
+            raise BadInput("malformed task.yaml: field 'verification_bundle' is not text", where=str(self.path))
+        self.refuse("verification_bundle", path_fault(named))
+        file = file_in(self.path.parent, named)
+        return file if file.is_file() else None
 
     def number(self, name: str) -> float:
         value = self._value(name)
@@ -141,6 +164,8 @@ def palette(task: Task) -> list[PaletteEntry]:
         raise BadInput(f"palette line cannot be read: {wrong[:80]}", where=str(task.folder / "task.yaml"))
     seen: dict[str, str] = {}
     for entry in entries:
+        if fault := name_fault(entry.id) or package_fault(entry.path):
+            raise BadInput(f"palette line: {fault}", where=str(task.folder / "task.yaml"))
         if seen.setdefault(entry.id, entry.path) != entry.path:
             raise BadInput(f"palette id {entry.id!r} is used twice", where=str(task.folder / "task.yaml"))
     return entries

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from c4s.errors import BadInput
+from c4s.names import check_written, checked_id, place_in
 from cases.importers.gltf import read_tree
 from cases.importers.scene import ImportedScene, write_scene
 from cases.importers.sdf import read_sdf, scene_root
@@ -45,6 +46,8 @@ def import_scene(
     Raises:
         BadInput: an unknown kind of file, a bad id, a file that is wrong as a whole, or nothing that can be placed.
     """
+    place_in(suites, checked_id(suite_id, "pack"), "scene")
+    check_written(source)
     kind = source.suffix.lower()
     if not source.is_file():
         raise BadInput("no such file", where=str(source))

@@ -17,6 +17,7 @@ from scipy.spatial.transform import Rotation
 from c4s.errors import BadInput
 from c4s.files import json_text, read_json, write_json
 from c4s.geometry.transform import rotator_from_quat
+from c4s.names import place_in
 from c4s.packs.check import check_pack
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.pack import CollisionBody
@@ -227,16 +228,16 @@ def _refuse_other(path: Path, level: Level) -> None:
     """``BadInput`` where another level lies at ``path``."""
     if path.is_file() and path.read_bytes() != json_text(level.plain()).encode():
         raise BadInput(
-            "another scene of this name lies here", where=str(path), todo="give --replace, or choose another --out"
+            "another scene of this name lies here", where=str(path), todo="give --replace, or choose another --id"
         )
 
 
 def imported_scene(suites: Path, packs: Path, name: str) -> Level:
     """The level of an imported scene; ``BadInput`` where there is none, or it or its pack was changed since."""
-    path = suites / name / LEVEL_FILE
+    path = place_in(suites, name, "scene") / LEVEL_FILE
     if not path.is_file():
         raise BadInput(f"no imported scene {name!r}", where=str(suites), todo="see `c4s suite import-scene`")
-    level, report = Level.read(path), read_json(suites / name / REPORT, what="import report")
+    level, report = Level.read(path), read_json(path.with_name(REPORT), what="import report")
     if level.sha256() != report.get("sha256"):
         todo = "restore the file, or import the scene again with --replace"
         raise BadInput("the file has changed since the scene was imported", where=str(path), todo=todo)

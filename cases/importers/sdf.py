@@ -17,8 +17,9 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
-from c4s.files import digest
+from c4s.files import digest, read_plain
 from cases.importers.scene import ImportedScene, SceneActor, SceneAsset, SceneLight
 from cases.importers.sdf_frames import Frames, Matrix, name_of, numbers, pose
 from cases.importers.sdf_shapes import SdfShapes, to_unreal
@@ -86,12 +87,12 @@ def read_sdf(
 
 
 def _tree(path: Path) -> Element:
-    data = path.read_bytes()
+    data = read_plain(path, bound=BOUNDS["markup_bytes"])
     if b"<!DOCTYPE" in data or b"<!ENTITY" in data:
         raise BadInput("an SDF file has no document type and no entities", where=str(path))
     try:
         return ElementTree.fromstring(data.strip())
-    except ElementTree.ParseError as error:
+    except (ElementTree.ParseError, LookupError, ValueError) as error:
         raise BadInput(f"this is not valid XML: {error}", where=str(path)) from None
 
 

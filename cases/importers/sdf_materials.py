@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import re
 from dataclasses import replace
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
-from PIL import Image, UnidentifiedImageError
+from PIL import UnidentifiedImageError
 
 from c4s.errors import BadInput
+from c4s.packs.pictures import open_picture
 from cases.importers.sdf_frames import numbers
 from catalog.ingest.resolver import FolderResolver
 from catalog.ingest.surface import Colour, Surface, color_of, linear, texture_png
@@ -48,7 +50,8 @@ class SdfMaterials:
         self.files = files
         self._scripts: dict[str, tuple[Surface, float]] = {}
         for path in sorted(root.rglob("*.material")):
-            self._read_script(path)
+            if path.is_file() and Path(os.path.realpath(path)).is_relative_to(Path(os.path.realpath(root))):
+                self._read_script(path)
 
     def read(self, visual: Element, notes: list[str]) -> tuple[Surface | None, float]:
         """The surface that a visual asks for (``None``: its mesh's own) and the repeats of its texture."""
@@ -121,6 +124,6 @@ class SdfMaterials:
 
 def _png(file: Path) -> bytes:
     try:
-        return texture_png(Image.open(file))
+        return texture_png(open_picture(file, where=str(file)))
     except (UnidentifiedImageError, OSError) as error:
         raise BadInput(f"this texture cannot be read: {error}", where=str(file)) from None

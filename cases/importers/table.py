@@ -7,11 +7,14 @@ Z up, units of the table, radians about fixed axes) or ``grid_x,grid_z,yaw_degre
 from __future__ import annotations
 
 import csv
+import io
 from pathlib import Path
 
 import numpy as np
 
 from c4s.errors import BadInput
+from c4s.files import read_plain_text
+from c4s.names import file_in
 from cases.importers.scene import ImportedScene, Matrix, SceneActor, SceneAsset
 from cases.importers.sdf_frames import numbers, rigid
 from cases.importers.sdf_shapes import to_unreal
@@ -26,10 +29,10 @@ def read_table(path: Path, *, scale: float = 1.0) -> ImportedScene:
 
     Raises ``BadInput`` when a column is missing; rows that cannot be placed are named in ``skipped``.
     """
-    if not path.is_file():
-        raise BadInput("no such file", where=str(path))
-    with path.open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
+    try:
+        rows = list(csv.DictReader(io.StringIO(read_plain_text(path, "table"), newline="")))
+    except csv.Error as error:
+        raise BadInput(f"this table is not CSV: {error}", where=str(path)) from None
     columns = set(rows[0]) if rows else set()
     form = WORLD if columns.issuperset(WORLD) else GRID
     missing = [name for name in ("actor", "asset", *form) if name not in columns]
@@ -45,11 +48,11 @@ def read_table(path: Path, *, scale: float = 1.0) -> ImportedScene:
             place = numbers(" ".join(row[name] or "" for name in form), len(form))
             asset = row["asset"] or ""
             if asset not in scene.assets:
-                source = read_source(path.parent / asset, path.parent, scale=scale)
+                source = read_source(file_in(path.parent, asset), path.parent, scale=scale)
                 scene.assets[asset] = SceneAsset(Path(asset).stem, source.parts)
                 for text in source.notes:
                     scene.note(asset, text)
-            scene.actors.append(SceneActor(row["actor"], asset, _matrix(place, form, scale)))
+            scene.actors.append(SceneActor(row["actor"] or "", asset, _matrix(place, form, scale)))
         except BadInput as error:
             scene.skip(row["actor"] or "", error.line())
     return scene

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -11,6 +12,7 @@ import numpy as np
 
 from c4s.errors import BadInput
 from c4s.files import digest, read_json, write_json
+from c4s.names import check_written, checked_id, place_in
 from c4s.packs.check import pack_changes
 from c4s.records.pack import MANIFEST, STAMP
 from c4s.trees import refuse
@@ -112,18 +114,20 @@ def ingest(
         BadInput: no such folder, a bad id or scale, or no file that can be used; without ``replace`` also where
             another pack of this id lies there, or one that was changed.
     """
+    place = place_in(root, checked_id(pack_id, "pack"), "pack")
     if not np.isfinite(scale) or not 1e-6 <= scale <= 1e6:
         raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
+    check_written(Path(os.path.realpath(folder)))
     if pack_id in STARTER:
         raise BadInput("a shipped pack has this id", where=pack_id, todo="choose another --id")
-    found, choice = listing(folder), HullChoice.parse(hulls, hulls_of)
+    choice, found = HullChoice.parse(hulls, hulls_of), listing(folder)
     wanted = digest([sources_digest(), inputs_digest(folder), scale, title, up, choice.plain(), folder.name])
-    stamp = root / pack_id / STAMP
+    stamp = place / STAMP
     known = read_json(stamp) if stamp.is_file() else {}
-    if known.get("inputs") == wanted and (root / pack_id / MANIFEST).is_file():
-        changed = pack_changes(root / pack_id, known["report"]["sha256"])
+    if known.get("inputs") == wanted and (place / MANIFEST).is_file():
+        changed = pack_changes(place, known["report"]["sha256"])
         if not changed:
-            return {**known["report"], "folder": str(root / pack_id), "cached": True}
+            return {**known["report"], "folder": str(place), "cached": True}
         if not replace:
             refuse(changed, todo=f"restore the file, or {REMEDY}")
     report = _built(
@@ -138,7 +142,7 @@ def ingest(
         progress,
     )
     write_json(stamp, {"inputs": wanted, "report": report})
-    return {**report, "folder": str(root / pack_id), "cached": False}
+    return {**report, "folder": str(place), "cached": False}
 
 
 def _built(
@@ -190,7 +194,7 @@ def _built(
                 f"none of {len(files)} mesh files can be used; {first['file']}: {first['reason']}", where=str(folder)
             )
         pack = writer.finish(
-            title=title or readable(folder.resolve().name),
+            title=title or readable(Path(os.path.realpath(folder)).name),
             license_id=name,
             license_text=text,
             description=f"{len(writer.assets)} assets",

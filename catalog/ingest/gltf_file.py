@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import binascii
-import json
 import struct
 from pathlib import Path
 from typing import Any
@@ -12,12 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
+from c4s.files import read_plain
+from c4s.packs.gltf_bounds import hold_tree, read_tree
 from catalog.ingest.resolver import FolderResolver
 
 COMPONENT = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
-MAX_ELEMENTS = 50_000_000
 READ = (
     "KHR_draco_mesh_compression",
     "KHR_mesh_quantization",
@@ -58,15 +59,13 @@ class GltfFile:
         self.notes: list[str] = []
         self._buffers: dict[int, memoryview] = {}
         self._accessors: dict[int, NDArray[Any]] = {}
-        data = path.read_bytes()
+        data = read_plain(path, bound=BOUNDS["mesh_bytes"])
         self.binary: bytes | None = None
         text = self._chunks(data) if data[:4] == b"glTF" or path.suffix.lower() == ".glb" else data
-        try:
-            tree = json.loads(text.decode("utf-8-sig"))
-        except (ValueError, RecursionError) as error:
-            raise self.bad(f"the JSON of the file cannot be read: {error}") from None
-        if not isinstance(tree, dict) or not isinstance(tree.get("asset"), dict):
+        tree = read_tree(text, str(path))
+        if not isinstance(tree.get("asset"), dict):
             raise self.bad("this is no glTF file: it has no asset record")
+        hold_tree(tree, str(path))
         self.tree: dict[str, Any] = tree
         version = str(tree["asset"].get("version", ""))
         if not version.startswith("2."):
@@ -167,7 +166,12 @@ class GltfFile:
         if index not in self._accessors:
             kind, width = COMPONENT.get(record.get("componentType", 0)), WIDTH.get(str(record.get("type")))
             count = record.get("count")
-            if kind is None or width is None or not isinstance(count, int) or not 0 <= count <= MAX_ELEMENTS:
+            if (
+                kind is None
+                or width is None
+                or not isinstance(count, int)
+                or not 0 <= count <= BOUNDS["mesh_numbers"].most
+            ):
                 raise self.bad(f"accessor {index} has an unknown type or count")
             values = self._plain(record, kind, width, count, index)
             if "sparse" in record:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from c4s.errors import BadInput
+from c4s.packs.pictures import open_picture
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.surface import Surface, color_of, has_alpha, texture_png
 
@@ -148,9 +149,9 @@ class GltfMaterials:
             self._note(f"file {named!r} is missing: the plain colour is used")
             return None
         try:
-            image = Image.open(io.BytesIO(data))
+            image = open_picture(io.BytesIO(data), where=named)
             image.load()
-        except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+        except (OSError, ValueError, SyntaxError, BadInput) as error:
             self._note(f"texture {named!r} cannot be decoded and is left out: {str(error).split(' <')[0]}")
             return None
         return image

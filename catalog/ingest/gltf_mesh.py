@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.errors import BadInput
+from c4s.packs.gltf_bounds import hold_draco
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.gltf_material import GltfMaterials, tinted
 from catalog.ingest.surface import Surface
@@ -131,7 +132,9 @@ class GltfMeshes:
         import DracoPy  # type: ignore[import-not-found]
 
         try:
-            mesh = DracoPy.decode(bytes(self.file.view(packed["bufferView"])))
+            compressed = bytes(self.file.view(packed["bufferView"]))
+            hold_draco(compressed, str(self.file.path))
+            mesh = DracoPy.decode(compressed)
         except BadInput:
             raise
         except Exception as error:  # DracoPy raises its own and built-in errors for broken data

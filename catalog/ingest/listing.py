@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from c4s.errors import BadInput
-from c4s.files import digest, digest_file
+from c4s.files import digest, digest_file, read_plain_text
+from c4s.names import file_in, shown
 from catalog.ingest.source import SUFFIXES
 
 NOT_READ = {
@@ -82,14 +83,16 @@ def listing(folder: Path) -> Listing:
         raise BadInput("this is a file, not a folder", where=str(folder), todo=f"give its folder: {folder.parent}")
     if not folder.is_dir():
         raise BadInput("no such folder", where=str(folder))
-    root, meshes, found = folder.resolve(), [], Listing([])
+    root, meshes, found = Path(os.path.realpath(folder)), [], Listing([])
     others: list[tuple[Path, str]] = []
     for place, below, names in os.walk(folder):
         below.sort()
         for name in sorted([*names, *(one for one in below if Path(place, one).is_symlink())]):
             path = Path(place, name)
             kind = path.suffix.lower()
-            if path.is_symlink() and not (path.exists() and path.resolve().is_relative_to(root)):
+            if not is_text(folder, path):
+                others.append((path, "its name is no text"))
+            elif path.is_symlink() and not (path.exists() and Path(os.path.realpath(path)).is_relative_to(root)):
                 reason = "it is a link out of the folder" if path.exists() else "it is a link to nothing"
                 if kind in SUFFIXES or path.is_dir() or kind in NOT_READ:
                     others.append((path, reason))
@@ -99,6 +102,8 @@ def listing(folder: Path) -> Listing:
                 meshes.append(path)
             elif kind in NOT_READ:
                 others.append((path, f"{NOT_READ[kind]} files are not read; export it as glTF (.glb)"))
+            elif kind in SUFFIXES:
+                others.append((path, "it is no plain file"))
             elif kind in ARCHIVES:
                 others.append((path, "it is an archive; unpack it"))
     kept = _one_format(folder, sorted(meshes))
@@ -108,11 +113,18 @@ def listing(folder: Path) -> Listing:
         (path, SAME_THING if path.suffix.lower() in NOT_READ and _thing(folder, path) in things else reason)
         for path, reason in others
     ] + [(path, SAME_THING) for path in meshes if path not in kept.values()]
-    found.skipped = [{"file": path.relative_to(folder).as_posix(), "reason": reason} for path, reason in sorted(others)]
+    found.skipped = [
+        {"file": shown(path.relative_to(folder).as_posix()), "reason": reason} for path, reason in sorted(others)
+    ]
     if not found.files:
         first = f"; {found.skipped[0]['file']}: {found.skipped[0]['reason']}" if found.skipped else ""
         raise BadInput(f"no mesh files here ({', '.join(SUFFIXES)}){first}", where=str(folder))
     return found
+
+
+def is_text(folder: Path, path: Path) -> bool:
+    """Whether a path below a folder can be written down: it has no control characters, and its bytes are UTF-8."""
+    return str(path.relative_to(folder)).isprintable()
 
 
 def _thing(folder: Path, path: Path) -> tuple[str, ...]:
@@ -150,22 +162,24 @@ def table(folder: Path) -> tuple[dict[str, ListingRow], list[dict[str, str]]]:
     notes = []
     for path in sorted(folder.glob("*.csv")):
         try:
-            with path.open(encoding="utf-8-sig", newline="") as file:
-                for row in csv.DictReader(file):
-                    if row.get("file"):
-                        said = {key: (row.get(key) or "").strip() for key in TOLD}
-                        rows[str(row["file"]).strip()] = ListingRow(
-                            said["name"],
-                            said["category"],
-                            said["description"],
-                            tuple(tag.strip() for tag in re.split(r"[;,|]", said["tags"]) if tag.strip()),
-                        )
-        except (UnicodeDecodeError, csv.Error) as error:
-            notes.append({"file": path.name, "note": f"this table cannot be read and is left out: {error}"})
+            for row in csv.DictReader(read_plain_text(file_in(folder, path.name)).splitlines(keepends=True)):
+                if row.get("file"):
+                    said = {key: (row.get(key) or "").strip() for key in TOLD}
+                    rows[str(row["file"]).strip()] = ListingRow(
+                        said["name"],
+                        said["category"],
+                        said["description"],
+                        tuple(tag.strip() for tag in re.split(r"[;,|]", said["tags"]) if tag.strip()),
+                    )
+        except (BadInput, csv.Error) as error:
+            why = error.what if isinstance(error, BadInput) else error
+            notes.append({"file": shown(path.name), "note": f"this table cannot be read and is left out: {why}"})
     return rows, notes
 
 
 def inputs_digest(folder: Path) -> str:
     """SHA-256 of every file under a folder, links left out."""
-    files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
+    files = sorted(
+        path for path in folder.rglob("*") if path.is_file() and not path.is_symlink() and is_text(folder, path)
+    )
     return digest([[path.relative_to(folder).as_posix(), digest_file(path)] for path in files])

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import unquote
 
 from trimesh.resolvers import Resolver
+
+from c4s.files import read_plain
+from c4s.names import MOST_PATH
 
 
 class FolderResolver(Resolver):
@@ -21,7 +25,7 @@ class FolderResolver(Resolver):
     """
 
     def __init__(self, source: Path, root: Path) -> None:
-        self.source, self.root = source, root.resolve()
+        self.source, self.root = source, Path(os.path.realpath(root))
         self.file_name = source.name
         self.found: dict[str, Path] = {}
         self.missing: list[str] = []
@@ -34,12 +38,14 @@ class FolderResolver(Resolver):
                 self.missing.append(key)
             raise FileNotFoundError(key)
         self.found[key] = path
-        return path.read_bytes()
+        return read_plain(path)
 
     def locate(self, name: str) -> Path | None:
         """The file called ``name``, or ``None``."""
         clean = unquote(str(name)).strip().replace("\\", "/").split("://", 1)[-1]
-        beside = (self.source.parent / clean).resolve()
+        if len(clean) > MOST_PATH or not clean.isprintable():
+            return None
+        beside = Path(os.path.realpath(self.source.parent / clean))
         if beside.is_file() and beside.is_relative_to(self.root):
             return beside
         parts = [part.lower() for part in clean.split("/") if part not in ("", ".", "..")]
@@ -48,7 +54,9 @@ class FolderResolver(Resolver):
         named = [
             path
             for path in sorted(self.root.rglob("*"))
-            if path.name.lower() == parts[-1] and path.is_file() and path.resolve().is_relative_to(self.root)
+            if path.name.lower() == parts[-1]
+            and path.is_file()
+            and Path(os.path.realpath(path)).is_relative_to(self.root)
         ]
 
         def shared(path: Path) -> int:

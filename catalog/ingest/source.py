@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.gltf_tree import GltfTree, Placed
@@ -24,8 +25,8 @@ TO_UNREAL: dict[str, list[list[float]]] = {
     "x": [[0, -1, 0], [0, 0, 1], [1, 0, 0]],
 }
 """From right-handed axes with this one up to Unreal's left-handed ones with Z up: all three mirror."""
-MAX_VERTICES = 30_000_000
-"""More than this in one file is refused: instances of a mesh multiply it."""
+MALFORMED = (ArithmeticError, AttributeError, LookupError, MemoryError, RecursionError, TypeError, ValueError)
+"""What reading a file raises that has something else in a place than its format says."""
 Floats = NDArray[np.float64]
 
 
@@ -48,11 +49,15 @@ def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = N
         else _of_others(path, root, scale, up, notes)
     )
     parts, count = [], 0
-    for part in made:
-        parts.append(part)
-        count += len(part.vertices)
-        if count > MAX_VERTICES:
-            raise BadInput(f"the file has more than {MAX_VERTICES} vertices", where=str(path))
+    try:
+        for part in made:
+            parts.append(part)
+            count += len(part.vertices)
+            BOUNDS["mesh_vertices"].hold(count, where=str(path))
+            BOUNDS["mesh_nodes"].hold(len(parts), where=str(path))
+    except MALFORMED as error:
+        parts.clear()
+        raise BadInput(f"the file is malformed: {type(error).__name__}: {error!s:.200}", where=str(path)) from None
     if not parts:
         reason = f" ({notes[0]})" if notes else ""
         raise BadInput(f"the file has no triangles{reason}", where=str(path))

@@ -14,7 +14,10 @@ import trimesh
 from numpy.typing import NDArray
 from PIL import Image
 
+from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
+from c4s.files import read_plain
+from c4s.packs.meshes import reader_words
 from catalog.ingest.mtl import ObjResolver, glow_and_opacity
 from catalog.ingest.resolver import FolderResolver
 from catalog.ingest.surface import Surface, color_of, linear, linear_of, texture_png
@@ -91,7 +94,7 @@ class TrimeshFile:
         resolver = ObjResolver(path, root) if kind == ".obj" else FolderResolver(path, root)
         self.path, self.unit_m, self.up = path, 1.0, "y"
         if kind == ".dae":
-            head = path.read_bytes()[:20_000].decode("utf-8", errors="replace")
+            head = read_plain(path, bound=BOUNDS["mesh_bytes"])[:20_000].decode("utf-8", errors="replace")
             unit = re.search(r'<unit[^>]*\bmeter="([^"]+)"', head)
             axis = re.search(r"<up_axis>\s*([XYZ])_UP", head)
             self.unit_m = _unit(unit.group(1), path) if unit else 1.0
@@ -101,9 +104,11 @@ class TrimeshFile:
             self.scene = trimesh.load_scene(
                 _content(path), file_type=kind[1:], resolver=resolver, process=False, **options
             )
+        except BadInput:
+            raise
         except Exception as error:  # trimesh's readers raise whatever their format's parser raises
             lost = f"; missing {', '.join(resolver.missing)}" if resolver.missing else ""
-            raise BadInput(f"cannot read this mesh: {type(error).__name__}: {error}{lost}", where=str(path)) from None
+            raise BadInput(f"cannot read this mesh: {reader_words(error)}{lost}", where=str(path)) from None
         self.notes = [f"file {name!r} is missing: the plain colour is used" for name in resolver.missing]
         self.surfaces = SurfaceReader(glow_and_opacity(resolver) if isinstance(resolver, ObjResolver) else {})
 
@@ -145,7 +150,7 @@ class TrimeshFile:
 
 def _content(path: Path) -> io.BytesIO:
     """A file's bytes; of an OBJ file without byte order mark, its groups as objects if it has none of those."""
-    data = path.read_bytes()
+    data = read_plain(path, bound=BOUNDS["mesh_bytes"])
     if path.suffix.lower() == ".obj":
         data = data.removeprefix(b"\xef\xbb\xbf")
         if not re.search(rb"(?m)^o[ \t]", data):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from c4s.files import digest, digest_bytes, write_bytes
 from c4s.folders import beside
-from c4s.home import checked_id
+from c4s.names import checked_id
 from c4s.packs.meshes import Mesh
 from c4s.records.pack import MANIFEST, Asset, CollisionBody, Material, MaterialSlot, Pack
 from catalog.build import glb
@@ -77,7 +77,7 @@ class PackWriter:
     def material(self, surface: Surface) -> str:
         """Path of the material of a surface; surfaces that look alike share one."""
         record = Material(
-            path="",
+            path="/Game/M",
             base_color=surface.color,
             roughness=surface.roughness,
             metallic=surface.metallic,

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import os
 import re
+import socket
 import sys
+import threading
 import time
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from c4s.agents.clients import confined
+from c4s.agents.clients import confined, inside
 from c4s.agents.clients.limits import ClientLimits
+from c4s.engine.confine import leftovers
+from c4s.engine.confine.confinement import Limits
 from c4s.engine.confine.sandbox import faults
 from c4s.errors import AgentFault
 
@@ -78,6 +82,11 @@ ATTACKS = {
         "CPU time",
     ),
     "many files": ("for n in range(1000): open(f'/home/agent/f{n}', 'w')" + WAIT, "files"),
+    "much on the disk without a name": (
+        "import os\nheld = []\nfor n in range(6):\n held.append(open('f', 'wb', 0)); os.unlink('f')"
+        "\n held[-1].write(b'x' * (20 << 20))" + WAIT,
+        "MiB",
+    ),
     "much on the disk": ("for n in range(6): open(f'/home/agent/f{n}', 'wb').write(b'x' * (20 << 20))" + WAIT, "MiB"),
 }
 
@@ -102,12 +111,74 @@ def test_a_client_that_passes_a_limit_is_ended_with_all_it_started(tmp_path: Pat
         ("open('/dev/shm/big', 'wb').write(b'x' * (20 << 20))", "No space left"),
         ("open('/dev/big', 'wb')", "Read-only"),
         ("held = [open('/dev/null') for _ in range(300)]", "Too many open files"),
+        (
+            "import ctypes as c, os\nfallocate = c.CDLL(None, use_errno=True).fallocate\n"
+            "fallocate(os.open('r', 66), 1, c.c_long(), c.c_long(2 << 40))"
+            "\nraise OSError(c.get_errno(), 'x')",
+            "Errno 95",
+        ),
+        ("import fcntl, os\nfcntl.ioctl(os.open('r', 66), 0x40305828, bytes(48))", "Operation not permitted"),
+        (
+            "import ctypes as c\nc.CDLL(None, use_errno=True).syscall(425, 8, bytes(120))\n"
+            "raise OSError(c.get_errno(), 'x')",
+            "Errno 1]",
+        ),
         ("import resource as r\nr.setrlimit(r.RLIMIT_DATA, (8 << 30, 8 << 30))", "ValueError|PermissionError"),
     ],
 )
 def test_what_the_kernel_refuses_one_process(tmp_path: Path, script: str, error: str) -> None:
     status, told = run(tmp_path, script, replace(SMALL, cpu_s=60))
     assert status != 0 and re.search(error, told), told
+
+
+def test_what_a_client_leaves_in_its_home_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(leftovers, "KEPT", Limits(files=50))
+    assert run(tmp_path, "for n in range(60): open(f'f{n}', 'w')")[0] == 0
+    assert list((tmp_path / "home").iterdir()) == []
+    assert "50 files" in (tmp_path / "home.trimmed.json").read_text()
+
+
+def test_a_flood_through_a_door_costs_the_host_few_connections(tmp_path: Path) -> None:
+    """The server sees no more than the door carries; what it closes is closed, though the client keeps its end."""
+    most = 0
+    held: list[socket.socket] = []
+    with socket.create_server(("127.0.0.1", 0), backlog=256) as listener:
+        port = listener.getsockname()[1]
+
+        def serve() -> None:
+            nonlocal most
+            while True:
+                connection = listener.accept()[0]
+                held.append(connection)
+                most = max(most, len(held))
+                if connection.recv(4) == b"free":
+                    while held:
+                        held.pop().close()
+                    return
+
+        script = f"""
+import socket
+def there():
+    return socket.create_connection(('127.0.0.1', {port}))
+first = [there() for _ in range(300)]
+alive = []
+for one in first[:10]:
+    one.sendall(b'ping'); alive.append(one)
+first[10].sendall(b'free')
+while first[10].recv(1): pass
+print(sum(not one.recv(1) for one in alive))
+"""
+        thread = threading.Thread(target=serve)
+        thread.start()
+        home = tmp_path / "home"
+        home.mkdir()
+        python = Path(sys.executable).resolve()
+        runtime = () if python.is_relative_to("/usr") else (python.parents[1],)
+        command = confined.Command([str(python), "-c", script], {}, runtime)
+        status = confined.run(command, home, tmp_path / "out", servers=[f"http://127.0.0.1:{port}"])
+        thread.join()
+    told = (tmp_path / "out.stdout").read_text() + (tmp_path / "out.stderr").read_text()
+    assert (status, told) == (0, "10\n") and 11 <= most <= inside.MOST_CARRIED
 
 
 def test_what_keeps_the_limits_is_left_alone(tmp_path: Path) -> None:

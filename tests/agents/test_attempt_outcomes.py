@@ -11,6 +11,7 @@ from made_case import make_case, mesh_actor
 
 from c4s.agents import base
 from c4s.agents.base import AgentContext, AgentReport
+from c4s.engine.confine.sandbox import backend
 from c4s.errors import AgentFault, BadInput
 from c4s.files import json_lines
 from c4s.records.attempt import AttemptOutcome
@@ -61,6 +62,8 @@ def test_noop_saves_the_start_scene_and_is_not_run_twice(tmp_path: Path, pack: P
     manifest = json.loads((folder / "manifest.json").read_text())
     assert "test-pack" in manifest["packs"]
     assert manifest["engine"] == "headless" and manifest["engine_version"]
+    assert manifest["sandbox"] == AttemptOutcome.read(folder / "outcome.json").sandbox == backend()
+    assert manifest["client_sandbox"] == ""
     before = (folder / "outcome.json").stat().st_mtime_ns
     assert attempt(tmp_path, pack, "noop")[0] == outcome
     assert (folder / "outcome.json").stat().st_mtime_ns == before
@@ -158,7 +161,7 @@ def test_agent_code_that_kills_the_engine_is_the_agents_doing(
 ) -> None:
     use(monkeypatch, Kills)
     outcome, _ = attempt(tmp_path, pack, "local")
-    assert outcome.ended_by == "agent_error" and "ended the engine" in outcome.message
+    assert outcome.ended_by == "agent_error" and "broke the engine" in outcome.message
     assert outcome.submission == "/Game/SavedScenes/early"
 
 

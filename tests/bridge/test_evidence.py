@@ -106,7 +106,7 @@ def test_a_look_is_by_the_engine_that_exported(tmp_path: Path, submission: Path)
     write_json(out / "snapshot.json", {**snapshot, "c4s": {**snapshot["c4s"], "engine": "unreal"}})
     with pytest.raises(MachineryFault, match="this one is headless"):
         look(**given, out=out, cameras=in_front)
-    with pytest.raises(BadInput, match="choose one of: headless"):
+    with pytest.raises(BadInput, match="there is headless"):
         export_evidence(**{**given, "engine": "unreal"}, out=out)
 
 

@@ -160,7 +160,7 @@ def test_a_packed_repair_scores_the_same(repair_trial: tuple[TrialFolder, Path],
     }
     score = same(folder, tmp_path / "out")
     assert score.components["repair_f1"] is not None and 0 < score.components["repair_f1"] < 1
-    with pytest.raises(BadInput, match="not empty"):
+    with pytest.raises(BadInput, match="no new or empty folder"):
         pack_trial(folder, tmp_path / "out", withheld=withheld)
     with pytest.raises(BadInput, match="needs the case's withheld folder"):
         pack_trial(folder, tmp_path / "other")

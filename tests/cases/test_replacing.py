@@ -75,7 +75,7 @@ def test_a_sound_suite_is_kept_and_another_is_refused_or_replaced(at_home: Path,
 def test_a_folder_that_is_no_suite_is_never_replaced(at_home: Path, tmp_path: Path) -> None:
     (tmp_path / "scene").mkdir()
     (tmp_path / "scene/scene.level.json").write_text("{}")
-    with pytest.raises(BadInput, match="holds something that is no suite"):
+    with pytest.raises(BadInput, match="c4s did not make"):
         build_suite(small(), tmp_path / "scene", at_home / "packs", quiet, replace=True)
     assert (tmp_path / "scene/scene.level.json").read_text() == "{}"
 
@@ -146,7 +146,7 @@ def test_a_place_is_never_empty_while_folders_change_places(tmp_path: Path) -> N
             made = tmp_path / f"made-{number}"
             made.mkdir()
             (made / "file").write_text(str(number))
-            put_folder(made, place)
+            put_folder(made, place, marker="file")
         done.set()
 
     worker = threading.Thread(target=swap)

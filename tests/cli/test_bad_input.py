@@ -51,7 +51,7 @@ TASK = (
         (("verify", "physics", "--snapshot", "/nowhere.json"), "no such snapshot"),
         (("score", "--batch", "/nowhere.jsonl"), "no such file"),
         (("sql", "SELECT nosuch"), "no warehouse"),
-        (("catalog", "show", "nosuch"), "no pack"),
+        (("catalog", "show", "nosuch"), "unknown pack"),
     ],
 )
 def test_one_line_and_exit_2(tmp_path: Path, arguments: tuple[str, ...], expected: str) -> None:
@@ -63,12 +63,12 @@ def test_one_line_and_exit_2(tmp_path: Path, arguments: tuple[str, ...], expecte
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("id: [unclosed", "malformed task.yaml"),
+        ("id: [unclosed", "not valid YAML"),
         ("just text", "not a mapping"),
         (TASK.replace("kind: scene_generation", "kind: painting"), "unknown kind"),
         (TASK.replace("  size_m: 200\n", ""), "'inputs.size_m' is missing"),
         (TASK.replace("tool_calls: 10", "tool_calls: many"), "'inputs.budget.tool_calls' is not a positive number"),
-        (TASK.replace("id: yard", "id: ../../etc"), "not a plain name"),
+        (TASK.replace("id: yard", "id: ../../etc"), "is no name"),
         (TASK.replace("1x1x1 m", "big"), "palette line cannot be read"),
         (TASK.replace("ASSET PALETTE", "NOTHING"), "no asset palette"),
     ],

@@ -357,6 +357,14 @@ def edited(s: Scene) -> None:
     assert low == pytest.approx([0, 0], abs=0.01)
 
 
+def in_place(s: Scene) -> None:
+    assert s.near("Crate_01", 0, 0, 50) and s.near("Cube", 200, 0, 50) and s.near("Cube2", 400, 0, 50)
+    assert s.turned("Cube2") == pytest.approx([0, 30, 0]) and s.near("Crate_02", 0, 0, 150)
+    assert sorted(s.actors["Crate_02"]["actor_tags"]) == ["crate", "stacked"]
+    assert s.exposure == {"Mood": 0.75}
+    assert s.actors["Fog"]["properties"]["fog_density"] == pytest.approx(0.02)
+
+
 OUTCOMES: dict[str, Callable[[Scene], None]] = {
     "s01_village_street": village,
     "s02_lighting_rig": rig,
@@ -394,6 +402,7 @@ OUTCOMES: dict[str, Callable[[Scene], None]] = {
     "s34_evening_mood": mood,
     "s35_material_library": library,
     "s36_mass_edit": edited,
+    "s37_mood_in_place": in_place,
 }
 
 

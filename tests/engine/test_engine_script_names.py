@@ -16,7 +16,7 @@ def unreal(tmp_path: Path):
 
 def test_paths(unreal, tmp_path):
     project = tmp_path / "project"
-    assert unreal.Paths.get_project_file_path() == f"{project.as_posix()}/project.uproject"
+    assert unreal.Paths.get_project_file_path() == f"{project.as_posix()}/Content/Content.uproject"
     assert unreal.Paths.combine(["/a/", "b", "c.png"]) == "/a/b/c.png"
     assert unreal.Paths.directory_exists(str(project)) and not unreal.Paths.directory_exists(str(project / "none"))
     assert unreal.Paths.get_path("/a/b/c.d.png") == "/a/b"

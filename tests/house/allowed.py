@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-RUN_FILES: dict[str, set[str]] = {"bench/attacks.py": {"trajectory.jsonl"}}
-"""An attack tries to write there from inside of an engine, as agent code would spell it."""
+RUN_FILES: dict[str, set[str]] = {
+    "bench/attacks/trial.py": {"submission", "trajectory.jsonl"},
+    "bench/attacks/writing.py": {"manifest.json", "outcome.json", "trajectory.jsonl"},
+    "c4s/errors.py": {"faults.jsonl"},
+}
+"""An attack tries to write there from inside of an engine, as agent code would spell it; advice names a file."""
 
 SETTINGS: dict[str, set[str]] = {}
 
@@ -12,7 +16,9 @@ VERIFIERS: dict[str, set[str]] = {
     "bench/scored_run.py": {"repair"},
     "c4s/bundle/writing.py": {"overview", "physics"},
     "c4s/records/policy.py": {"overview"},
+    "c4s/run/drive.py": {"integrity"},
     "c4s/run/limits.py": {"integrity"},
+    "c4s/run/repeats.py": {"integrity"},
     "c4s/run/trial.py": {"integrity"},
     "c4s/score/batch.py": {"detailed", "overview", "physics"},
     "flows/trial.py": {"integrity"},
@@ -21,7 +27,7 @@ VERIFIERS: dict[str, set[str]] = {
 the published rows."""
 
 BACKENDS: dict[str, set[str]] = {
-    "bench/attacks.py": {"c4s.engine.headless.host.session"},
+    "bench/attacks/trial.py": {"c4s.engine.headless.host.session"},
     "bench/pictures.py": {
         "c4s.engine.headless.pictures",
         "c4s.engine.headless.process.boot",
@@ -31,6 +37,12 @@ BACKENDS: dict[str, set[str]] = {
     "bench/session.py": {"c4s.engine.headless.host.session"},
 }
 """Benchmarks that measure the inside of one engine."""
+
+REMOVALS: dict[str, set[str]] = {"c4s/engine/confine/leftovers.py": {"rmdir"}, "c4s/run/lease.py": {"rmdir"}}
+"""Empty folders: of a tree too deep to be removed by paths, and of a run that another process may just have begun."""
+
+PRINTS: dict[str, set[str]] = {"c4s/cli/batches.py": {"sys.stdout.write"}}
+"""JSON lines, as they come; their characters are ASCII."""
 
 FILES: dict[str, set[str]] = {
     "cases/starter/outdoor_texts.py": {"whole"},

@@ -15,7 +15,7 @@ from tests.house.tree import Source, packages, source, sources
 
 RUN_FILES = (
     *("outcome.json", "trajectory.jsonl", "usage.jsonl", "snapshot.json", "dependencies.json", "captures.json"),
-    *("digests.json", "score.json", "stages.jsonl", "manifest.json", "integrity.json", "plan.json"),
+    *("digests.json", "score.json", "stages.jsonl", "faults.jsonl", "manifest.json", "integrity.json", "plan.json"),
     *("spending.jsonl", "saves.jsonl", "contacts.json", "support.json", "submission.digests.json"),
 )
 RUN_FOLDERS = ("submission", "evidence", "verdicts")
@@ -25,7 +25,9 @@ FOLDER = re.compile(rf"(?:^|/)({'|'.join(RUN_FOLDERS)})(?=/)")
 SETTING = re.compile(r"text-to-scene|image-to-scene(?:/\w+)?")
 VERIFIER = re.compile(r"(?:physics|repair|detailed|overview|integrity)")
 BACKEND = re.compile(rf"\b(?:{'|'.join(map(re.escape, BACKENDS))})\b[\w.]*")
+REMOVALS = ("rmtree", "removedirs", "rmdir")
 MOST_FILE_LINES = 400
+SAMPLE = "c4s/cli/sample.py"
 
 
 def run_files(file: Source) -> set[str]:
@@ -79,6 +81,35 @@ def backends(file: Source) -> set[str]:
     return {name for name in modules if not any(other != name and name.startswith(f"{other}.") for other in modules)}
 
 
+def removals(file: Source) -> set[str]:
+    """Names by which a tree is removed or a folder moved, called, handed on or imported."""
+    return {
+        name
+        for node in file.nodes
+        for name in (
+            [node.attr]
+            if isinstance(node, ast.Attribute)
+            else [alias.name for alias in node.names]
+            if isinstance(node, ast.ImportFrom) and node.module in ("shutil", "os")
+            else []
+        )
+        if name in REMOVALS
+    }
+
+
+def prints(file: Source) -> set[str]:
+    """Ways to write to a terminal that are called."""
+    called = [node.func for node in file.nodes if isinstance(node, ast.Call)]
+    names = {
+        one.id if isinstance(one, ast.Name) else one.attr for one in called if isinstance(one, ast.Name | ast.Attribute)
+    }
+    written = {ast.unparse(one) for one in called if isinstance(one, ast.Attribute)} & {
+        "sys.stdout.write",
+        "sys.stderr.write",
+    }
+    return names & {"print", "echo", "secho"} | written
+
+
 def long_files(file: Source) -> set[str]:
     """The file as a whole, where it has too many lines."""
     return {"whole"} if len(file.text.splitlines()) > MOST_FILE_LINES else set()
@@ -127,6 +158,20 @@ RULES = {
         "run('-m', 'c4s.engine.headless.process.main')\n",
         {"c4s.engine.headless"},
     ),
+    "a tree is removed in one place": Rule(
+        removals,
+        ("c4s/folders.py", "tests"),
+        allowed.REMOVALS,
+        "import shutil\nfrom os import rmdir\natexit.register(shutil.rmtree, 1)\n",
+        {"rmdir", "rmtree"},
+    ),
+    "the command line prints in one place": Rule(
+        lambda file: prints(file) if file.within("c4s/cli") else set(),
+        ("c4s/cli/output.py", "tests"),
+        allowed.PRINTS,
+        "print(1)\nconsole.print(2)\ntyper.echo(3)\nsys.stderr.write(4)\n",
+        {"echo", "print", "sys.stderr.write"},
+    ),
     "a file has at most 400 lines": Rule(long_files, (), allowed.FILES, "pass\n" * 401, {"whole"}),
 }
 
@@ -151,7 +196,7 @@ def test_no_file_breaks_a_rule_but_those_that_are_listed(name: str) -> None:
 
 @pytest.mark.parametrize("name", RULES)
 def test_each_rule_sees_what_breaks_it(name: str) -> None:
-    assert RULES[name].find(source("c4s/sample.py", RULES[name].sample)) == RULES[name].told
+    assert RULES[name].find(source(SAMPLE, RULES[name].sample)) == RULES[name].told
 
 
 def test_no_two_public_classes_have_one_name_but_those_that_are_listed() -> None:

@@ -184,7 +184,7 @@ def test_a_trial_score_says_what_its_status_says(status: Any, score: Any) -> Non
         )
 
 
-@pytest.mark.parametrize("name", ["../escaped", "./noop", "a/b", "", ".hidden", "a\nb", "x" * 81])
+@pytest.mark.parametrize("name", ["../escaped", "./noop", "a/b", "", ".hidden", "a\nb", "x" * 121])
 def test_a_name_that_becomes_a_folder_is_one(name: str) -> None:
     with pytest.raises(BadInput, match="name"):
         Configuration.parse({"name": name, "client": "noop"})

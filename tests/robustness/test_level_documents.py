@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -10,11 +11,15 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from limited import cost
 from odd import wrong
 
+from c4s.bounds import BOUNDS
 from c4s.engine.headless.process.boot import boot
-from c4s.engine.headless.world import documents
+from c4s.engine.headless.unreal.components import ABSTRACT_COMPONENTS
+from c4s.engine.headless.unreal.subsystems.spawning import ABSTRACT
 from c4s.errors import BadInput
+from c4s.records.level import Level
 
 PACKAGE = "/Game/Start/Odd"
 
@@ -168,14 +173,108 @@ def test_a_million_actors_get_a_clear_answer_within_bounds(tmp_path: Path) -> No
     path = tmp_path / "many.level.json"
     with path.open("wb") as file:
         file.truncate(200 << 20)
-    with pytest.raises(BadInput, match="200 MiB, more than 64"):
-        documents.read(path)
+    with pytest.raises(BadInput, match="200 MiB, more than 32 MiB"):
+        Level.read(path)
     plain = '{"name":"A","label":"A","class_path":"C","guid":""},'
     for count, answer in (
-        (1_000_000, "1000001 records, more than 600000"),
-        (100_001, "100001 actors, more than 100000"),
+        (500_000, "500,001 records, more than 400,000 records"),
+        (30_001, "30,001 actors, more than 30,000 actors"),
     ):
         path.write_text(json.dumps(document([])).replace("[]", "[" + (plain * count)[:-1] + "]"))
-        assert path.stat().st_size < documents.MOST_BYTES
+        assert path.stat().st_size < BOUNDS["level_bytes"].most
         with pytest.raises(BadInput, match=answer):
-            documents.read(path)
+            Level.read(path)
+
+
+def part(kind: str, **changes: Any) -> dict[str, Any]:
+    """A component of a class."""
+    return {"name": "Part", "class_path": f"/Script/Engine.{kind}"} | changes
+
+
+def light(number: int, **properties: Any) -> dict[str, Any]:
+    return {
+        "name": f"Light_{number}",
+        "label": "Light",
+        "class_path": "/Script/Engine.PointLight",
+        "guid": "F" * 32,
+        "components": [part("PointLightComponent", name="LightComponent0", properties=properties)],
+    }
+
+
+def dynamic(**material: Any) -> dict[str, Any]:
+    return {"dynamic_materials": {"0": {"name": "M", "parent": ""} | material}}
+
+
+ENGINE_COMPONENTS = sorted(ABSTRACT_COMPONENTS - {"SceneCaptureComponent"})
+
+
+@pytest.mark.parametrize(
+    ("actors", "answer"),
+    [
+        ([actor(1, label="x" * 1024)], "label: .* at most 1023"),
+        ([actor(1, tags=["t"] * 1001)], "tags: .* at most 1000"),
+        ([actor(1, folder="f" * 2000)], "folder: .* at most 1023"),
+        ([light(1, intensity_units="x" * 70_000)], "70,0.. characters, more than 65,536"),
+        ([light(1, **{f"p{n}": 1 for n in range(20_000)})], "characters, more than 65,536"),
+        ([light(1, intensity=[[[[[[[[[[1]]]]]]]]]])], "levels of nesting"),
+        ([light(1, attenuation_radius=1e308)], "at most 1e[+]15"),
+        ([light(1, attenuation_radius=float("nan"))], "finite"),
+        (
+            [actor(1, components=[part("StaticMeshComponent", properties=dynamic(vectors={"C": [1e308] * 4}))])],
+            "1e[+]15",
+        ),
+        ([actor(1, components=[part("StaticMeshComponent", materials=dict.fromkeys(range(1001), "/Game/M"))])], "1000"),
+        ([actor(1, components=[part("SceneComponent")] * 10_001)], "components: .* at most 10000"),
+        ([light(number) for number in range(1001)], "1,001 lights, more than 1,000"),
+        (
+            [actor(1, components=[part("InstancedStaticMeshComponent", instances=[{}] * 100_001)])],
+            "100,001 mesh instances, more than 100,000",
+        ),
+        *(([actor(1, components=[part(kind)])], "abstract class") for kind in ENGINE_COMPONENTS),
+        *(([actor(1, class_path=f"/Script/Engine.{kind}")], "abstract class") for kind in ABSTRACT[:3]),
+    ],
+)
+def test_what_is_too_much_in_a_level_is_refused_in_one_short_line(actors: list[dict[str, Any]], answer: str) -> None:
+    with pytest.raises(BadInput, match=answer) as refused:
+        opened(json.dumps(document(actors)).encode())
+    assert len(refused.value.line()) < 400 and "\n" not in refused.value.line()
+
+
+def test_a_chain_of_material_parents_ends(tmp_path: Path) -> None:
+    made = tmp_path / "Game"
+    made.mkdir()
+    kind = "/Script/Engine.MaterialInstanceConstant"
+    for number in range(1500):
+        asset = {
+            "path": f"/Game/M{number}.M{number}",
+            "class_path": kind,
+            "parent": f"/Game/M{number + 1}.M{number + 1}",
+        }
+        (made / f"M{number}.asset.json").write_text(json.dumps(asset))
+    worn = actor(1, components=[part("StaticMeshComponent", materials={"0": "/Game/M0.M0"})])
+    (made / "Odd.level.json").write_text(json.dumps(document([worn], package="/Game/Odd")))
+    with pytest.raises(BadInput, match="more than 32 parents"):
+        boot([], tmp_path, [], "/Game/Odd")
+    boot([], tmp_path, [], None).load_asset("/Game/M1480")
+    (made / "M1499.asset.json").write_bytes(b" " * (300 << 10))
+    with pytest.raises(BadInput, match="a saved asset has 300 KiB, more than 256 KiB"):
+        boot([], tmp_path, [], None).load_asset("/Game/M1499")
+
+
+HUGE = {
+    "newlines": ("b'\\n' * (200 << 20)", "200 MiB, more than 32 MiB"),
+    "empty lists": ("b'[' + b'[],' * (10 << 20) + b'0]'", "values, more than 2,000,000 values"),
+    "lists in lists": ("b'[' * (1 << 20)", "level document is wrong at value"),
+    "long text": ("b'{\"package\": \"' + b'x' * (31 << 20) + b'\"}'", "package: .* at most 1023"),
+    "long number": ("b'{\"package\": ' + b'9' * (31 << 20) + b'}'", "a number has too many digits"),
+    "many keys": ("b'{' + b','.join(b'\"%d\":1' % n for n in range(300_000)) + b'}'", "300,00. fields are wrong"),
+}
+
+
+@pytest.mark.parametrize("name", HUGE)
+def test_a_huge_document_costs_little(name: str) -> None:
+    made, answer = HUGE[name]
+    script = f"from c4s.records.level import Level\ndata = {made}\ntold(lambda: Level.from_text(data, where='level'))"
+    found = cost(script, memory_mib=2048, cpu_s=20)
+    assert re.search(answer, found.answer) and len(found.answer) < 400
+    assert found.memory_mib < 1024

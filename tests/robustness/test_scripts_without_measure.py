@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import importlib
 import json
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import pytest
 
+from c4s.bounds import BOUNDS
 from c4s.engine.headless.process.boot import boot
 from c4s.engine.headless.world import documents
 
@@ -120,12 +122,13 @@ def test_a_level_that_could_not_be_read_is_not_written(unreal, capfd, monkeypatc
     for _ in range(4):
         cube(unreal)
     for limit, complaint in (
-        ("MOST_ACTORS", "4 actors, more than 3"),
-        ("MOST_RECORDS", "records, more than 3"),
-        ("MOST_BYTES", "more than 0"),
+        ("level_actors", "4 actors, more than 3"),
+        ("level_records", "records, more than 3"),
+        ("level_bytes", "more than 3"),
+        ("level_values", "values, more than 3"),
     ):
         with monkeypatch.context() as small:
-            small.setattr(documents, limit, 3)
+            small.setitem(BOUNDS, limit, replace(BOUNDS[limit], most=3))
             assert not save(unreal)
         assert complaint in capfd.readouterr().out
     assert save(unreal)

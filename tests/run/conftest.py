@@ -43,9 +43,10 @@ def environment(home: Path) -> dict[str, str]:
 
 
 def apart(root: Path, home: Path) -> Path:
-    """Another home with the same packs and suites, where nothing has run."""
+    """Another home with the same packs, suites and compiled code, where nothing has run."""
     root.mkdir(parents=True)
-    for name in ("packs", "suites"):
+    (home / "cache").mkdir(exist_ok=True)
+    for name in ("packs", "suites", "cache"):
         (root / name).symlink_to(home / name)
     return root
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import signal
@@ -11,6 +12,7 @@ import tempfile
 from pathlib import Path
 from typing import NoReturn
 
+from c4s.engine.bridge import BridgeFault
 from c4s.errors import BadInput
 
 
@@ -76,3 +78,45 @@ def child_without_parent(path: Path) -> None:
     path.write_text(told.stdout.decode())
     while True:
         pass
+
+
+def note_and_raise(path: Path, error: BaseException) -> NoReturn:
+    """Write down which process ran this; then raise."""
+    with path.open("a") as told:
+        told.write(f"{os.getpid()}\n")
+    raise error
+
+
+def fill_the_disk(path: Path) -> NoReturn:
+    """Find the disk full behind another error, as a bridge does."""
+    try:
+        note_and_raise(path, OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path)))
+    except OSError as full:
+        raise BridgeFault("cannot reach the engine") from full
+
+
+class _ReadHere:
+    """Is read by any process but one."""
+
+    def __init__(self, parent: int) -> None:
+        self.parent = parent
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _read, (self.parent,)
+
+
+def _read(parent: int) -> _ReadHere:
+    if os.getpid() == parent:
+        raise RuntimeError("not here")
+    return _ReadHere(parent)
+
+
+class _Unreadable(Exception):
+    """An error that holds such a thing."""
+
+
+def fail_to_be_read(parent: int, returned: bool) -> _ReadHere:
+    """Return or raise what this process can read again, and its parent cannot."""
+    if returned:
+        return _ReadHere(parent)
+    raise _Unreadable(_ReadHere(parent))

@@ -199,9 +199,19 @@ def test_a_second_run_finds_everything_done_and_a_rebuild_gives_the_same(ran: Pa
     assert {key: row["score"] for key, row in _scores(ran).items()} == before
 
 
-def test_another_plan_under_the_same_name_is_refused(ran: Path, c4s: Command) -> None:
-    refused = c4s("run", "small", "-a", "noop")
-    assert refused.returncode == 2 and "another plan" in refused.stderr and refused.stderr.count("\n") == 1
+def test_another_judgement_under_the_same_name_is_refused(ran: Path, c4s: Command) -> None:
+    refused = c4s("run", "small", "-a", "noop", "--policy", "repair-only")
+    assert refused.returncode == 2 and "another policy" in refused.stderr and refused.stderr.count("\n") == 1
+
+
+def test_a_part_of_what_is_done_is_reused_and_another_run_id_tells_who_holds_it(ran: Path, c4s: Command) -> None:
+    plan = (ran / "runs/small/plan.json").read_bytes()
+    part = c4s("run", "small", "-a", "noop", "-a", "planner")
+    assert part.returncode == 0 and "0 trials run" in part.stdout and "6 trials are done and reused" in part.stdout
+    assert (ran / "runs/small/plan.json").read_bytes() == plan
+    other = c4s("run", "small", "-a", "noop", "--run-id", "other")
+    assert other.returncode == 0 and "3 trials are done and reused from run 'small'" in other.stdout
+    assert (ran / "runs/other/plan.json").is_file() and not (ran / "runs/other/noop").exists()
 
 
 def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c4s: Command, tmp_path: Path) -> None:
@@ -216,7 +226,12 @@ def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c
         f"asyncio.run(evaluate('small', [{str(agent)!r}], run_id='absent', cases={CASES!r}))"
     )
     failed = subprocess.run(
-        [sys.executable, "-c", flow], env=environment(home), text=True, capture_output=True, timeout=200, check=False
+        [sys.executable, "-c", flow],
+        env=environment(home) | OFFLINE,
+        text=True,
+        capture_output=True,
+        timeout=200,
+        check=False,
     )
     told = [line for line in failed.stderr.splitlines() if line.startswith("c4s.errors.BadInput: ")]
     assert failed.returncode != 0 and told and "npm install" in told[0], failed.stderr

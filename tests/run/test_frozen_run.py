@@ -214,11 +214,12 @@ def test_sound_evidence_of_another_scene_is_told(gated: Path, trial: Trial, tmp_
     shutil.copytree(tmp_path / "kept", evidence)
 
 
-def test_the_trial_is_completed_once_all_is_as_it_was(gated: Path, c4s: Command, trial: Trial) -> None:
-    with changed(trial.folder.evidence.snapshot, flipped):
-        done = c4s("run", "small", "-a", "noop", "--case", REPAIR, "--run-id", RUN, home=gated)
-    assert done.returncode == 2 and "snapshot.json" in done.stderr and not trial.folder.score.exists()
+def test_changed_evidence_is_taken_again_from_the_submission(gated: Path, c4s: Command, trial: Trial) -> None:
+    snapshot = trial.folder.evidence.snapshot
+    before = snapshot.read_bytes()
+    snapshot.write_bytes(flipped(before))
     done = c4s("run", "small", "-a", "noop", "--case", REPAIR, "--run-id", RUN, home=gated)
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == 0 and "evidence.torn-" in done.stderr, done.stderr
+    assert snapshot.read_bytes() == before
     assert TrialScore.read(trial.folder.score).status == "measured"
     assert AttemptOutcome.read(trial.folder.attempt(1).outcome).submission

@@ -22,8 +22,8 @@ from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.configurations import configuration
+from c4s.run.inputs import inputs
 from c4s.run.plan import Trial, make_plan, open_run, trials
-from c4s.run.stages import inputs
 from c4s.trees import digests
 from tests.run.conftest import Command
 from tests.run.frozen import changed, edited, flipped
@@ -247,7 +247,7 @@ def test_a_suite_that_was_built_again_is_not_mixed_into_a_run(at_home: Path, tmp
         assert suite_changes(suite) == []
         with pytest.raises(BadInput, match="not the files that were frozen"):
             inputs(next(t for t in trials_of(at_home, plan) if t.case.case_id == REPAIR))
-        with pytest.raises(BadInput, match="another plan"):
+        with pytest.raises(BadInput, match="another content of its suite"):
             open_run(tmp_path / "run", plan_of(at_home))
     finally:
         shutil.rmtree(suite.root)

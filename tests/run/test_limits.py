@@ -15,7 +15,8 @@ from typing import Any
 import pytest
 
 from c4s.errors import BadInput, MachineryFault, OverLimit
-from c4s.run.limits import LIMITS, Limit, SceneTooLarge
+from c4s.run.faults import SceneFault
+from c4s.run.limits import LIMITS, Limit
 from c4s.run.pool import Pool
 from c4s.run.processes import WorkerDied, _family
 from tests.run.conftest import apart, environment
@@ -76,7 +77,7 @@ def test_a_stage_over_its_time_is_ended_with_its_children(tmp_path: Path, job: C
     async def work(pool: Pool) -> None:
         with pytest.raises(OverLimit, match="longer than 3 s") as raised:
             await pool.run(SOON, job, tmp_path / "child")
-        assert raised.value.exit_code == 3 and not isinstance(raised.value, SceneTooLarge)
+        assert raised.value.exit_code == 3 and not isinstance(raised.value, SceneFault)
         assert (await pool.run(LONG, pow, 3, 2))[0] == 9
 
     in_pool(work)
@@ -92,7 +93,7 @@ def test_what_the_scene_causes_is_an_outcome_after_a_second_fresh_worker(
     async def work(pool: Pool) -> None:
         await asyncio.gather(*(pool.run(LONG, pow, number, 2) for number in range(3)))
         idle = {process.process.pid for process in pool._idle}
-        with pytest.raises(SceneTooLarge, match=reason):
+        with pytest.raises(SceneFault, match=reason):
             await pool.run(limit, note_process, tmp_path / "pids", how)
         first, second = map(int, (tmp_path / "pids").read_text().split())
         assert first in idle and second not in idle
@@ -102,12 +103,12 @@ def test_what_the_scene_causes_is_an_outcome_after_a_second_fresh_worker(
 
 def test_an_engine_over_its_limits_is_an_outcome_too(tmp_path: Path) -> None:
     async def work(pool: Pool) -> None:
-        with pytest.raises(SceneTooLarge, match="more than 512 MiB of memory"):
+        with pytest.raises(SceneFault, match="more than 512 MiB of memory"):
             await pool.run(Limit("engine", 120.0, of_scene=True), engine_that_grows, tmp_path)
         assert len(set((tmp_path / "pids").read_text().split())) == 2
         with pytest.raises(OverLimit) as raised:
             await pool.run(LONG, engine_that_grows, tmp_path)
-        assert not isinstance(raised.value, SceneTooLarge) and raised.value.exit_code == 3
+        assert not isinstance(raised.value, SceneFault) and raised.value.exit_code == 3
 
     in_pool(work)
 

@@ -17,7 +17,8 @@ from c4s.protocol.settings import SETTINGS, Setting
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.verdict import Verdict
 from c4s.run.drive import run_trials
-from c4s.run.limits import Limit, SceneTooLarge, Stage
+from c4s.run.faults import SceneFault
+from c4s.run.limits import Limit, Stage
 from c4s.run.plan import Trial, trials
 from c4s.run.pool import Pool
 from c4s.run.slots import Slots
@@ -32,6 +33,7 @@ LIMITS: dict[Stage, Limit] = {
     "look": Limit("engine", 1.0),
     "judge": Limit("processor", 1.0),
     "verify": Limit("processor", 1.0),
+    "control": Limit("engine", 1.0),
     "score": Limit("processor", 1.0),
     "persist": Limit("processor", 1.0),
 }
@@ -226,7 +228,7 @@ def test_a_fault_costs_its_trial_after_what_runs_beside_it_has_ended(tmp_path: P
 def test_what_a_scene_too_large_for_the_judge_costs_is_the_judged_verdicts(tmp_path: Path) -> None:
     async def run(stage: Stage, *arguments: Any) -> Any:
         if stage == "judge":
-            raise SceneTooLarge("it took longer than 900 s", where="judge of it")
+            raise SceneFault("it took longer than 900 s", code="resource_limit", where="judge of it")
         return True
 
     told = order_of(tmp_path, "text-to-scene", run)

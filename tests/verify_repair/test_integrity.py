@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from c4s.verify.integrity.verdict import ManifestDigests, unloadable, verify_integrity
+from c4s.verify.integrity.verdict import ManifestDigests, refused, verify_integrity
 from tests.verify_repair.repair_scenes import actor, scene
 
 PACKS = {"office": "a" * 64}
@@ -75,7 +75,7 @@ def test_missing_evidence_is_the_evaluators_fault() -> None:
     assert verify_integrity(SCENE, None, 1, AGREED).status == "error"
     failed = SCENE | {"export_metadata": {"status": "error"}}
     assert verify_integrity(failed, RESOLVED, 1, AGREED).status == "error"
-    assert unloadable("the level names no world").status == "invalid"
+    assert refused("unloadable", "the level names no world").status == "invalid"
 
 
 def test_a_scorer_with_other_content_is_never_the_agents_zero() -> None:

@@ -78,7 +78,15 @@ def test_a_text_trial_has_a_semantic_score_and_a_repair_has_none(stored: Path) -
     seen = set()
     for path in sorted(stored.rglob("score.json")):
         score = TrialScore.read(path)
-        key = {"trial_id": "t", "run_id": "r", "suite": "s", "configuration": "c", "case_id": "x", "repeat": 1}
+        digests = {"suite_digest": "d", "configuration_digest": "e"}
+        key = {
+            "trial_id": "t",
+            "run_id": "r",
+            "suite": "s",
+            "configuration": "c",
+            "case_id": "x",
+            "repeat": 1,
+        } | digests
         found = {(row.verifier, row.name): row.value for row in component_rows([], score, key)}
         seen.add((score.setting, score.status))
         if score.setting == "text-to-scene":

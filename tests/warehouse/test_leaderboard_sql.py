@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from c4s.errors import BadInput
 from c4s.protocol.settings import SETTINGS
 from c4s.score.aggregate import aggregate
+from warehouse import database
 from warehouse.database import ask, rebuild, rows
 from warehouse.frames import export
 from warehouse.parquet import write_part
@@ -24,15 +25,23 @@ SCORES = st.sampled_from([None, 0.0, 0.2, 0.25, 1.0, 0.123456])
 
 
 def _store(
-    root: Path, scores: dict[tuple[str, str, int], float | None], *, judge: str = "rule", unranked: tuple[str, ...] = ()
+    root: Path,
+    scores: dict[tuple[str, str, int], float | None],
+    *,
+    judge: str = "rule",
+    unranked: tuple[str, ...] = (),
+    content: str = "",
+    build: tuple[str, str] = ("d", "2026-01-01"),
 ) -> None:
     for (agent, setting, number), score in scores.items():
-        key = f"{agent}-{setting.replace('/', '-')}-{number}-{judge}"
+        key = f"{agent}-{setting.replace('/', '-')}-{number}-{judge}-{content}-{build[0]}"
         base = {
             "trial_id": key,
             "run_id": "run",
             "suite": "s",
+            "suite_digest": build[0],
             "configuration": agent,
+            "configuration_digest": content or agent,
             "repeat": 1,
             "case_id": f"{setting}-{number}",
         }
@@ -42,7 +51,6 @@ def _store(
             "policy": "p",
             "judge": judge,
             "engine": "headless",
-            "suite_digest": "d",
             "ranked": agent not in unranked,
         }
         write_part(
@@ -52,6 +60,7 @@ def _store(
                 ScheduleRow(
                     **base,
                     **shared,
+                    planned_at=build[1],
                     client=agent,
                     model=None,
                     title="",
@@ -198,3 +207,86 @@ def test_rows_leave_as_a_file_for_pandas(tmp_path: Path) -> None:
         assert list(found["configuration"]) == list(AGENTS) and set(found["model_score"]) == {0.25}
     with pytest.raises(BadInput, match="cannot write"):
         export(tmp_path, "SELECT 1", tmp_path / "rows.docx")
+
+
+def test_two_contents_of_one_name_are_two_rows(tmp_path: Path) -> None:
+    """A configuration that took the name of a good one has its own score."""
+    good, bad = dict.fromkeys(_grid(), 0.9), dict.fromkeys([key for key in _grid() if key[0] == "alpha"], 0.1)
+    _store(tmp_path, good, content="1" * 64)
+    _store(tmp_path, bad, content="2" * 64)
+    board = {row["configuration"]: row for row in rows(tmp_path, "SELECT * FROM leaderboard")}
+    assert {name: row["model_score"] for name, row in board.items()} == pytest.approx(
+        {"alpha @111111": 0.9, "alpha @222222": 0.1, "beta": 0.9, "gamma": 0.9}
+    )
+    assert board["alpha @222222"]["rank"] == 4 and board["alpha @222222"]["configuration_digest"] == "2" * 64
+    for question in ("coverage", "sanity_ladder", "case_scores", "setting_means"):
+        names = {row["configuration"] for row in rows(tmp_path, f"SELECT * FROM {question}")}
+        assert names == set(board), question
+
+
+def test_contents_whose_digests_begin_alike_are_not_one_row(tmp_path: Path) -> None:
+    scores = [dict.fromkeys([key for key in _grid() if key[0] == "alpha"], value) for value in (0.25, 0.75)]
+    for number, values in enumerate(scores):
+        _store(tmp_path, values, content="111111" + str(number) * 58)
+    found = rows(tmp_path, "SELECT * FROM leaderboard")
+    assert sorted(row["model_score"] for row in found) == pytest.approx([0.25, 0.75])
+    ladder = rows(tmp_path, "SELECT trials FROM sanity_ladder")
+    assert [row["trials"] for row in ladder] == [9, 9]
+
+
+def test_the_leaderboard_is_of_the_latest_build_and_no_two_builds_are_mixed(tmp_path: Path) -> None:
+    _store(tmp_path, dict.fromkeys(_grid(), 1.0), build=("old", "2026-01-01T10:00:00.000+00:00"))
+    _store(tmp_path, dict.fromkeys(_grid(), 0.5), build=("new", "2026-03-01T10:00:00.000+00:00"))
+    latest = rows(tmp_path, "SELECT * FROM leaderboard")
+    assert {row["suite_digest"] for row in latest} == {"new"}
+    assert {row["model_score"] for row in latest} == {0.5} and {row["planned"] for row in latest} == {9}
+    every = rows(tmp_path, "SELECT suite_digest, latest, configuration, model_score, rank FROM leaderboards")
+    assert [(row["suite_digest"], row["latest"], row["model_score"], row["rank"]) for row in every] == (
+        [("new", True, 0.5, 1)] * 3 + [("old", False, 1.0, 1)] * 3
+    )
+    assert {row["build"] for row in rows(tmp_path, "SELECT * FROM coverage")} == {"old", "new"}
+    assert {row["highest_repair_score"] for row in rows(tmp_path, "SELECT * FROM sanity_ladder")} == {0.5}
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "SELECT * FROM read_csv('/etc/passwd')",
+        "SELECT * FROM '/etc/passwd'",
+        "SELECT content FROM read_text('/etc/passwd')",
+        "SELECT content FROM read_text('{root}/../secret')",
+        "SELECT * FROM glob('/etc/*')",
+        "SELECT * FROM query('SELECT * FROM read_text(''/etc/passwd'')')",
+        "COPY outcomes TO '{root}/outcomes/forged.parquet'",
+        "COPY (SELECT 1) TO '/tmp/c4s-never.csv'",
+        "EXPORT DATABASE '{root}/all'",
+        "ATTACH '/tmp/c4s-never.db'",
+        "INSTALL httpfs",
+        "LOAD httpfs",
+        "SET enable_external_access = true",
+        "SELECT 1; SET lock_configuration = false",
+        "SELECT 1; SELECT 2",
+        "CREATE TEMP TABLE outcomes AS SELECT 1",
+        "DROP VIEW leaderboard",
+        "PRAGMA database_list",
+        "CALL force_checkpoint()",
+        "SELECT * FROM columns",
+        "",
+        "-- nothing",
+        "SELECT count(*) FROM (SELECT DISTINCT a, hash(a) FROM range(1000000000) AS t(a))",
+    ],
+)
+def test_a_question_reads_the_warehouse_and_nothing_else(
+    tmp_path: Path, query: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = tmp_path / "warehouse"
+    _store(root, {("alpha", "text-to-scene", 0): 0.5})
+    (tmp_path / "secret").write_text("truth")
+    before = sorted(root.rglob("*"))
+    monkeypatch.setitem(database._LIMITS, "memory_limit", "100MB")
+    with pytest.raises(BadInput) as caught:
+        ask(root, query.format(root=root))
+    assert "\n" not in caught.value.line()
+    assert sorted(root.rglob("*")) == before
+    assert len(ask(root, "EXPLAIN SELECT * FROM leaderboard")[1]) > 0
+    assert ask(root, "SELECT count(*) FROM outcomes")[1] == [(1,)]

@@ -1,6 +1,6 @@
 -- How complete is each configuration, and why is a contribution zero?
 SELECT
-    suite, policy, judge, engine, configuration, setting,
+    suite, left(suite_digest, 12) AS build, policy, judge, engine, configuration, setting,
     count(*) AS planned,
     count(*) FILTER (WHERE score IS NOT NULL) AS resolved,
     count(*) FILTER (WHERE status = 'pending') AS pending,
@@ -9,4 +9,5 @@ SELECT
     count(*) FILTER (WHERE status = 'zero_missing_submission') AS no_submission,
     count(*) FILTER (WHERE status = 'zero_missing_result') AS no_result
 FROM case_scores
-GROUP BY ALL
+GROUP BY suite, suite_digest, policy, judge, engine, configuration, configuration_digest, setting
+ORDER BY suite, suite_digest, policy, judge, engine, configuration, configuration_digest, setting

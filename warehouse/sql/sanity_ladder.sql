@@ -1,5 +1,5 @@
 -- Does the evaluator put the baselines where they belong? The oracle saves the truth, noop edits nothing, vandal
--- deletes everything, planner and random build and edit without a model.
+-- deletes everything, planner and random build and edit without a model. On the latest build of each suite.
 SELECT
     suite, configuration,
     count(*) FILTER (WHERE NOT construction) AS repair_cases,
@@ -12,5 +12,6 @@ SELECT
     count(*) FILTER (WHERE status IN ('measured', 'measured_with_missing_zero')) AS valid,
     count(*) AS trials
 FROM case_scores JOIN settings USING (setting)
-GROUP BY ALL
-ORDER BY suite, mean_text_score DESC NULLS LAST, configuration
+WHERE latest
+GROUP BY suite, configuration, configuration_digest
+ORDER BY suite, mean_text_score DESC NULLS LAST, configuration, configuration_digest

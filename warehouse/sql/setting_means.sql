@@ -1,6 +1,6 @@
 -- The mean of each setting over its scheduled cases; null until every contribution is resolved.
 SELECT
-    suite, policy, judge, engine, configuration, ranked, setting,
+    suite, suite_digest, latest, policy, judge, engine, configuration, configuration_digest, ranked, setting,
     count(*) AS cases,
     count(score) AS resolved,
     CASE WHEN count(score) = count(*) THEN avg(score) END AS mean_score,

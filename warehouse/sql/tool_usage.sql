@@ -1,7 +1,7 @@
 -- How many tool calls does a recorded run make, status checks left out? Means over recorded runs, runs without a
 -- call included, with the split into Python and other tools.
 SELECT
-    a.suite, a.configuration, s.setting, count(*) AS runs,
+    t.suite, left(t.suite_digest, 12) AS build, t.configuration, t.setting, count(*) AS runs,
     avg(a.tool_calls - a.polling_calls) AS mean_calls,
     avg(a.python_calls) AS mean_python_calls,
     avg(a.tool_calls - a.polling_calls - a.python_calls) AS mean_other_calls,
@@ -9,7 +9,7 @@ SELECT
     sum(a.failed_calls) AS failed_calls,
     sum(a.named_transform_calls) AS named_transform_calls
 FROM attempts AS a
-JOIN schedule AS s USING (trial_id)
+JOIN trials AS t USING (trial_id)
 WHERE a.recorded
-GROUP BY ALL
-ORDER BY a.suite, s.setting, mean_calls DESC, a.configuration
+GROUP BY t.suite, t.suite_digest, t.configuration, t.configuration_digest, t.setting
+ORDER BY t.suite, t.suite_digest, t.setting, mean_calls DESC, t.configuration, t.configuration_digest

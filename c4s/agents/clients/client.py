@@ -61,6 +61,8 @@ class ExternalClient(ABC):
     """How it is installed."""
     wire: ClassVar[str]
     """The wire format that it speaks to its model."""
+    sandbox: ClassVar[str] = "bubblewrap"
+    """What confines its processes, for the attempt's manifest."""
     endpoint: ClassVar[str]
     """The model endpoint where the configuration names none."""
 

@@ -17,12 +17,14 @@ import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import BinaryIO
 from urllib.parse import urlsplit
 
 from c4s.agents.clients import inside
 from c4s.agents.clients.limits import ClientLimits, ClientWatch
+from c4s.engine.confine import leftovers, seccomp
 from c4s.engine.confine.sandbox import faults
 from c4s.errors import AgentFault, MachineryFault
 
@@ -90,7 +92,8 @@ def run(
 ) -> int:
     """Run a command to its end, or until ``stop`` says so; its exit status, or -9 where it was killed.
 
-    One that passes a limit is killed with all that it started: ``AgentFault``.
+    One that passes a limit is killed with all that it started: ``AgentFault``. What it leaves in its home is kept up to
+    ``leftovers.KEPT``, else removed, with a note beside its output.
 
     Args:
         command: what to run.
@@ -122,6 +125,7 @@ def run(
             process.kill()
             status = process.wait()
             feeder.join()
+            leftovers.trim(home, out.with_name("home.trimmed.json"))
         return -signal.SIGKILL if status < 0 else status
 
 
@@ -175,14 +179,18 @@ def _start(
         f"NOFILE={limits.open_files}",
         f"NPROC={2 * limits.threads}",
     ]
-    return subprocess.Popen(
-        [*line, "--", *command.arguments],
-        stdin=subprocess.PIPE,
-        stdout=told,
-        stderr=errors,
-        env={},
-        start_new_session=True,
-    )
+    (folder / "filter").write_bytes(seccomp.client_program())
+    with (folder / "filter").open("rb") as program:
+        line[1:1] = ["--seccomp", str(program.fileno())]
+        return subprocess.Popen(
+            [*line, "--", *command.arguments],
+            stdin=subprocess.PIPE,
+            stdout=told,
+            stderr=errors,
+            env={},
+            pass_fds=[program.fileno()],
+            start_new_session=True,
+        )
 
 
 def _feed(process: subprocess.Popen[bytes], text: bytes) -> None:
@@ -217,17 +225,18 @@ async def _carry(doors: Mapping[int, Path], started: threading.Event, stopping: 
     open_doors: set[asyncio.Task[None]] = set()
 
     def opener(port: int) -> Callable[[asyncio.StreamReader, asyncio.StreamWriter], None]:
-        async def join(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-            await inside.join(reader, writer, await asyncio.open_connection("127.0.0.1", port))
+        door = inside.Door(partial(asyncio.open_connection, "127.0.0.1", port))
 
         def opened(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-            task = asyncio.ensure_future(join(reader, writer))
+            task = asyncio.ensure_future(door.open(reader, writer))
             open_doors.add(task)
             task.add_done_callback(open_doors.discard)
 
         return opened
 
-    servers = [await asyncio.start_unix_server(opener(port), path) for port, path in doors.items()]
+    servers = [
+        await asyncio.start_unix_server(opener(port), path, backlog=inside.MOST_CARRIED) for port, path in doors.items()
+    ]
     started.set()
     await asyncio.to_thread(stopping.wait)
     for server in servers:

@@ -11,6 +11,8 @@ import asyncio
 import os
 import resource
 import sys
+from collections.abc import Awaitable, Callable
+from functools import partial
 
 NICENESS = 5
 """The client yields to the gateway, which serves it, and to the watch over it."""
@@ -26,14 +28,35 @@ async def _carry(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> 
         writer.transport.abort()
 
 
-async def join(
-    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, other: tuple[asyncio.StreamReader, asyncio.StreamWriter]
-) -> None:
-    """Carry bytes both ways until both directions are closed; an end that is gone closes the other."""
-    other_reader, other_writer = other
-    await asyncio.gather(_carry(reader, other_writer), _carry(other_reader, writer))
-    writer.close()
-    other_writer.close()
+MOST_CARRIED = 64
+"""Connections through one door at a time; one more is closed at once."""
+
+
+class Door:
+    """Carries the connections of one door to the other side, which ``reach`` opens."""
+
+    def __init__(self, reach: Callable[[], Awaitable[tuple[asyncio.StreamReader, asyncio.StreamWriter]]]) -> None:
+        self._reach, self._carried = reach, 0
+
+    async def open(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        """Carry bytes both ways until the server's side has closed, or the client's is gone."""
+        if self._carried >= MOST_CARRIED:
+            writer.transport.abort()
+            return
+        self._carried += 1
+        try:
+            server_reader, server_writer = await self._reach()
+            asking = asyncio.ensure_future(_carry(reader, server_writer))
+            try:
+                await _carry(server_reader, writer)
+            finally:
+                asking.cancel()
+                server_writer.close()
+        except OSError:
+            pass  # the server takes no more: the client sees its connection closed
+        finally:
+            self._carried -= 1
+            writer.close()
 
 
 def _limit(limits: list[str]) -> None:
@@ -47,29 +70,23 @@ def _limit(limits: list[str]) -> None:
     os.nice(NICENESS)
 
 
-async def main(doors: list[str], limits: list[str], command: list[str]) -> int:
-    """Open the doors, run the command, return its exit status (128 + signal where it was killed)."""
+async def main(doors: list[str], limits: list[str], command: list[str]) -> None:
+    """Open the doors, run the command, end with its exit status (128 + signal where it was killed)."""
     for door in doors:
         port, _, path = door.partition("=")
-
-        async def open_door(reader: asyncio.StreamReader, writer: asyncio.StreamWriter, path: str = path) -> None:
-            await join(reader, writer, await asyncio.open_unix_connection(path))
-
-        await asyncio.start_server(open_door, "127.0.0.1", int(port))
+        await asyncio.start_server(
+            Door(partial(asyncio.open_unix_connection, path)).open, "127.0.0.1", int(port), backlog=MOST_CARRIED
+        )
     process = await asyncio.create_subprocess_exec(*command, preexec_fn=lambda: _limit(limits))
     status = await process.wait()
-    return status if status >= 0 else 128 - status
+    os._exit(status if status >= 0 else 128 - status)
 
 
 if __name__ == "__main__":
     split = sys.argv.index("--")
     told = sys.argv[1:split]
-    os._exit(
-        asyncio.run(
-            main(
-                [one for one in told if one[0].isdigit()],
-                [one for one in told if one[0].isalpha()],
-                sys.argv[split + 1 :],
-            )
+    asyncio.run(
+        main(
+            [one for one in told if one[0].isdigit()], [one for one in told if one[0].isalpha()], sys.argv[split + 1 :]
         )
     )

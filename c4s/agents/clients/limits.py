@@ -7,12 +7,11 @@ watched from outside. Address space is not limited: Node and other runtimes rese
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from c4s.engine.confine.confinement import Limits
-from c4s.engine.confine.watch import overfull
+from c4s.engine.confine.watch import hidden_bytes, overfull, tree
 
 _PAGE = os.sysconf("SC_PAGE_SIZE")
 _TICKS = os.sysconf("SC_CLK_TCK")
@@ -49,8 +48,10 @@ class ClientWatch:
     def breach(self) -> str | None:
         """The first limit that is passed, as text; None while all are kept."""
         limits = self._limits
-        memory = threads = ticks = 0
-        for folder in _tree(self._process, limits.threads):
+        memory = threads = ticks = hidden = 0
+        self._looks += 1
+        disk_look = self._looks % LOOKS_A_DISK_LOOK == 0
+        for folder in tree(self._process, limits.threads):
             try:
                 memory += int((folder / "statm").read_text().split()[1]) * _PAGE
                 fields = (folder / "stat").read_text().rpartition(")")[2].split()
@@ -58,27 +59,13 @@ class ClientWatch:
                 continue  # it has just ended
             ticks += sum(map(int, fields[11:15]))
             threads += int(fields[17])
+            hidden += hidden_bytes(folder) if disk_look else 0
         if memory > limits.memory:
             return f"it used more than {limits.memory >> 20} MiB of memory"
         if threads > limits.threads:
             return f"it started more than {limits.threads} processes and threads"
         if ticks > limits.cpu_s * _TICKS:
             return f"it used more than {limits.cpu_s} s of CPU time"
-        self._looks += 1
-        if self._looks % LOOKS_A_DISK_LOOK == 0:
-            return overfull(self._home, Limits(files=limits.files, disk=limits.disk))
+        if disk_look:
+            return overfull([self._home], Limits(files=limits.files, disk=limits.disk), hidden)
         return None
-
-
-def _tree(process: int, most: int) -> Iterator[Path]:
-    """``/proc`` folders of a process and of all below it; not many more than ``most``, which is then passed."""
-    waiting, seen = [process], 0
-    while waiting and seen <= most:
-        folder = Path("/proc", str(waiting.pop()))
-        seen += 1
-        yield folder
-        try:
-            for task in (folder / "task").iterdir():
-                waiting += map(int, (task / "children").read_text().split())
-        except (FileNotFoundError, ProcessLookupError):
-            continue  # it has just ended

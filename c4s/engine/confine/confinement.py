@@ -21,29 +21,33 @@ from c4s.engine.confine import landlock, seccomp
 
 Backend = Literal["bubblewrap", "landlock", "none"]
 """``none`` keeps the limits, and dies with the host; it hides nothing."""
-_SET_PDEATHSIG, _SET_DUMPABLE, _CAPBSET_DROP, _SET_NO_NEW_PRIVS = 1, 4, 24, 38
+_SET_PDEATHSIG, _CAPBSET_DROP, _SET_NO_NEW_PRIVS = 1, 24, 38
 _CAP_AMBIENT, _CAP_AMBIENT_CLEAR_ALL = 47, 4
 _CAPSET = {"x86_64": 126, "aarch64": 91}
 _CAPABILITY_VERSION_3 = 0x20080522
 _LAST_CAPABILITY = 63
+_NO_CORE = 1
+"""A limit of one byte: no core is written, and, unlike with 0, none is piped into a program of the system either."""
 
 
 @dataclass(frozen=True)
 class Limits:
     """Limits of one engine process. Sizes in bytes, CPU time in seconds over all its threads.
 
-    The kernel enforces the first four; ``c4s.engine.confine.watch`` ends an engine that passes one of the others,
-    which are about resident memory, threads, and the number and size of all files in the folders that it may write to.
+    The kernel enforces the first four; ``c4s.engine.confine.watch`` ends an engine that passes one of the others:
+    resident memory, threads, number and size of its files (in all folders that it may write to, and without a name),
+    and what it writes to the disk in its whole life.
     """
 
     address_space: int = 8 << 30
     cpu_s: int = 8 * 3600
-    file_size: int = 1 << 30
+    file_size: int = 256 << 20
     open_files: int = 256
     memory: int = 6 << 30
     threads: int = 256
     files: int = 20_000
-    disk: int = 4 << 30
+    disk: int = 2 << 30
+    written: int = 32 << 30
 
 
 @dataclass(frozen=True)
@@ -76,7 +80,7 @@ def confine(rules: Confinement) -> None:
         (resource.RLIMIT_CPU, limits.cpu_s),
         (resource.RLIMIT_FSIZE, limits.file_size),
         (resource.RLIMIT_NOFILE, limits.open_files),
-        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_CORE, _NO_CORE),
     ):
         _limit(name, value)
     _prctl(_SET_NO_NEW_PRIVS, 1)
@@ -105,7 +109,6 @@ def _die_with(parent: int) -> None:
 
 def _drop_capabilities() -> None:
     """Give up every capability, so that a host that runs as root lends the engine nothing but its user id."""
-    _prctl(_SET_DUMPABLE, 0)
     _prctl(_CAP_AMBIENT, _CAP_AMBIENT_CLEAR_ALL)
     libc = ctypes.CDLL(None, use_errno=True)
     for capability in range(_LAST_CAPABILITY + 1):

@@ -22,7 +22,7 @@ _FILE_RIGHTS = _EXECUTE | _WRITE_FILE | _READ_FILE | _TRUNCATE | _IOCTL_DEV
 _NET_TCP = 0b11
 _SCOPE_ALL = 0b11
 _PATH_RULE = 1
-_DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom", "/dev/random")
+DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom", "/dev/random")
 
 
 def abi() -> int:
@@ -44,7 +44,7 @@ def restrict(read_only: Iterable[Path], read_write: Iterable[Path]) -> None:
     ruleset = _call(_CREATE, attributes, len(attributes), 0)
     writable = handled & ~(_EXECUTE | _MAKE_CHAR | _MAKE_SOCK | _MAKE_FIFO | _MAKE_BLOCK | _IOCTL_DEV)
     rules = [(path, _READ_FILE | _READ_DIR) for path in read_only] + [(path, writable) for path in read_write]
-    rules += [(Path(device), _READ_FILE | _WRITE_FILE) for device in _DEVICES]
+    rules += [(Path(device), _READ_FILE | _WRITE_FILE) for device in DEVICES]
     for path, rights in rules:
         if path.exists():
             _allow(ruleset, path, rights & handled)

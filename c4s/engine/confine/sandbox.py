@@ -118,8 +118,9 @@ _NAMESPACES = (
     "--hostname",
     "engine",
     "--clearenv",
-    "--dev",
+    "--tmpfs",
     "/dev",
+    *(word for device in landlock.DEVICES for word in ("--dev-bind", device, device)),
 )
 _SEALED = ("--remount-ro", "/dev", "--remount-ro", "/")
 

@@ -1,11 +1,10 @@
 """The system-call filter of the engine process: classic BPF, built in plain Python, for x86-64 and AArch64.
 
 The filter refuses what a scene script never needs: sockets of any kind, new processes and programs, signals to
-others, tracing, namespaces, mounts, keys, kernel modules, shared memory, outliving
-the host. It is a list of refusals on top of a mount
+others, tracing, namespaces, mounts, keys, kernel modules, shared memory, reserving space, being told of changes
+to files, outliving the host. It is a list of refusals on top of a mount
 namespace or Landlock, which already decide what the file system shows; threads stay allowed. Links and special files
 are refused too: a host that copies a submission must never follow one to a file that the engine cannot see.
-System-call numbers: the kernel's ``syscall_64.tbl`` and ``asm-generic/unistd.h``.
 """
 
 from __future__ import annotations
@@ -15,8 +14,10 @@ import errno
 import os
 import platform
 import struct
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
+
+from c4s.engine.confine.call_numbers import AARCH64, COMMON, LAST_KNOWN, X86_64
 
 _ALLOW, _KILL, _ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
 _LOAD, _EQUAL, _AT_LEAST, _HAS_BITS, _RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
@@ -25,257 +26,6 @@ _CLONE_THREAD = 0x00010000
 _X32_BIT = 0x40000000
 _SET_SECCOMP, _FILTER_MODE = 22, 2
 
-_COMMON = {
-    "clone3": 435,
-    "pidfd_send_signal": 424,
-    "io_uring_setup": 425,
-    "io_uring_enter": 426,
-    "io_uring_register": 427,
-    "open_tree": 428,
-    "move_mount": 429,
-    "fsopen": 430,
-    "fsconfig": 431,
-    "fsmount": 432,
-    "pidfd_open": 434,
-    "pidfd_getfd": 438,
-    "process_madvise": 440,
-    "mount_setattr": 442,
-    "fchmodat2": 452,
-    "setxattrat": 463,
-    "removexattrat": 466,
-    "file_setattr": 469,
-    "openat2": 437,
-    "memfd_secret": 447,
-    "quotactl_fd": 443,
-    "map_shadow_stack": 453,
-    "open_tree_attr": 467,
-}
-_X86_64 = _COMMON | {
-    "socket": 41,
-    "connect": 42,
-    "accept": 43,
-    "accept4": 288,
-    "bind": 49,
-    "listen": 50,
-    "socketpair": 53,
-    "clone": 56,
-    "fork": 57,
-    "vfork": 58,
-    "execve": 59,
-    "execveat": 322,
-    "kill": 62,
-    "tkill": 200,
-    "tgkill": 234,
-    "rt_sigqueueinfo": 129,
-    "rt_tgsigqueueinfo": 297,
-    "ptrace": 101,
-    "setpgid": 109,
-    "setsid": 112,
-    "pivot_root": 155,
-    "chroot": 161,
-    "mount": 165,
-    "umount2": 166,
-    "swapon": 167,
-    "reboot": 169,
-    "init_module": 175,
-    "finit_module": 313,
-    "kexec_load": 246,
-    "add_key": 248,
-    "request_key": 249,
-    "keyctl": 250,
-    "unshare": 272,
-    "setns": 308,
-    "perf_event_open": 298,
-    "name_to_handle_at": 303,
-    "open_by_handle_at": 304,
-    "process_vm_readv": 310,
-    "process_vm_writev": 311,
-    "kcmp": 312,
-    "bpf": 321,
-    "userfaultfd": 323,
-    "shmget": 29,
-    "shmat": 30,
-    "semget": 64,
-    "msgget": 68,
-    "mq_open": 240,
-    "link": 86,
-    "linkat": 265,
-    "symlink": 88,
-    "symlinkat": 266,
-    "mknod": 133,
-    "mknodat": 259,
-    "setpriority": 141,
-    "sched_setparam": 142,
-    "sched_setscheduler": 144,
-    "sched_setattr": 314,
-    "sched_setaffinity": 203,
-    "prlimit64": 302,
-    "chmod": 90,
-    "fchmod": 91,
-    "fchmodat": 268,
-    "chown": 92,
-    "fchown": 93,
-    "lchown": 94,
-    "fchownat": 260,
-    "utime": 132,
-    "utimes": 235,
-    "futimesat": 261,
-    "utimensat": 280,
-    "setxattr": 188,
-    "lsetxattr": 189,
-    "fsetxattr": 190,
-    "removexattr": 197,
-    "lremovexattr": 198,
-    "fremovexattr": 199,
-    "memfd_create": 319,
-    "fcntl": 72,
-    "ioctl": 16,
-    "prctl": 157,
-    "open": 2,
-    "creat": 85,
-    "openat": 257,
-    "acct": 163,
-    "settimeofday": 164,
-    "clock_settime": 227,
-    "clock_adjtime": 305,
-    "adjtimex": 159,
-    "sethostname": 170,
-    "setdomainname": 171,
-    "iopl": 172,
-    "ioperm": 173,
-    "delete_module": 176,
-    "quotactl": 179,
-    "swapoff": 168,
-    "syslog": 103,
-    "vhangup": 153,
-    "kexec_file_load": 320,
-    "fanotify_init": 300,
-    "move_pages": 279,
-    "migrate_pages": 256,
-    "modify_ldt": 154,
-    "personality": 135,
-    "mq_unlink": 241,
-    "msgsnd": 69,
-    "semop": 65,
-    "shmctl": 31,
-    "ioprio_set": 251,
-    "setuid": 105,
-    "setgid": 106,
-    "setreuid": 113,
-    "setregid": 114,
-    "setgroups": 116,
-    "setresuid": 117,
-    "setresgid": 119,
-    "setfsuid": 122,
-    "setfsgid": 123,
-    "capset": 126,
-    "lookup_dcookie": 212,
-}
-_AARCH64 = _COMMON | {
-    "socket": 198,
-    "socketpair": 199,
-    "bind": 200,
-    "listen": 201,
-    "accept": 202,
-    "accept4": 242,
-    "connect": 203,
-    "clone": 220,
-    "execve": 221,
-    "execveat": 281,
-    "kill": 129,
-    "tkill": 130,
-    "tgkill": 131,
-    "rt_sigqueueinfo": 138,
-    "rt_tgsigqueueinfo": 240,
-    "ptrace": 117,
-    "setpgid": 154,
-    "setsid": 157,
-    "pivot_root": 41,
-    "chroot": 51,
-    "mount": 40,
-    "umount2": 39,
-    "swapon": 224,
-    "reboot": 142,
-    "init_module": 105,
-    "finit_module": 273,
-    "kexec_load": 104,
-    "add_key": 217,
-    "request_key": 218,
-    "keyctl": 219,
-    "unshare": 97,
-    "setns": 268,
-    "perf_event_open": 241,
-    "name_to_handle_at": 264,
-    "open_by_handle_at": 265,
-    "process_vm_readv": 270,
-    "process_vm_writev": 271,
-    "kcmp": 272,
-    "bpf": 280,
-    "userfaultfd": 282,
-    "shmget": 194,
-    "shmat": 196,
-    "semget": 190,
-    "msgget": 186,
-    "mq_open": 180,
-    "linkat": 37,
-    "symlinkat": 36,
-    "mknodat": 33,
-    "setpriority": 140,
-    "sched_setparam": 118,
-    "sched_setscheduler": 119,
-    "sched_setattr": 274,
-    "sched_setaffinity": 122,
-    "prlimit64": 261,
-    "fchmod": 52,
-    "fchmodat": 53,
-    "fchownat": 54,
-    "fchown": 55,
-    "utimensat": 88,
-    "setxattr": 5,
-    "lsetxattr": 6,
-    "fsetxattr": 7,
-    "removexattr": 14,
-    "lremovexattr": 15,
-    "fremovexattr": 16,
-    "memfd_create": 279,
-    "fcntl": 25,
-    "ioctl": 29,
-    "prctl": 167,
-    "openat": 56,
-    "acct": 89,
-    "settimeofday": 170,
-    "clock_settime": 112,
-    "clock_adjtime": 266,
-    "adjtimex": 171,
-    "sethostname": 161,
-    "setdomainname": 162,
-    "delete_module": 106,
-    "quotactl": 60,
-    "swapoff": 225,
-    "syslog": 116,
-    "vhangup": 58,
-    "kexec_file_load": 294,
-    "fanotify_init": 262,
-    "move_pages": 239,
-    "migrate_pages": 238,
-    "personality": 92,
-    "mq_unlink": 181,
-    "msgsnd": 189,
-    "semop": 193,
-    "shmctl": 195,
-    "ioprio_set": 30,
-    "setuid": 146,
-    "setgid": 144,
-    "setreuid": 145,
-    "setregid": 143,
-    "setgroups": 159,
-    "setresuid": 147,
-    "setresgid": 149,
-    "setfsuid": 151,
-    "setfsgid": 152,
-    "capset": 91,
-    "lookup_dcookie": 18,
-}
 _METADATA = frozenset(
     {
         "chmod",
@@ -305,17 +55,65 @@ _METADATA = frozenset(
 file that the engine leaves behind must not be hidden from the host or run with the host's rights."""
 _UNKNOWN = frozenset({"clone3", "openat2"})
 """Calls whose arguments a filter cannot read: they are said not to exist, and libraries use the older ones."""
+_UNSUPPORTED = frozenset({"fallocate"})
+"""Said to be what the file system does not do: it takes space faster than any watch can look, and past the limit of a
+file's size. C libraries write instead."""
 _OWN_PROCESS_ONLY = frozenset({"prlimit64", "sched_setaffinity"})
 _SETUID_BITS = 0o6000
 _CREATES = {"open": 2, "creat": 1, "openat": 3}
 """Position of the mode of a new file among the arguments."""
-_REFUSED_VALUES = {
+_REFUSED_VALUES: dict[str, tuple[int, tuple[int, ...]]] = {
     "prctl": (0, (1, 4, 0x59616D61)),  # the signal at the host's death, being traced
     "fcntl": (1, (8, 10, 15)),  # F_SETOWN, F_SETSIG, F_SETOWN_EX: a signal to another process
-    "ioctl": (1, (0x8901, 0x8902, 0x5410, 0x5412, 0x541C)),  # the same for sockets, and typing into a terminal
 }
 """Calls of which some values of one argument (its position, the values) are refused."""
-_PLATFORMS = {"x86_64": (0xC000003E, _X86_64), "aarch64": (0xC00000B7, _AARCH64)}
+_TERMINAL_SIZE, _TERMINAL_STATE, _NOT_BLOCKING, _UNREAD, _NOT_AT_EXEC, _AT_EXEC = (
+    0x5413,
+    0x5401,
+    0x5421,
+    0x541B,
+    0x5451,
+    0x5450,
+)
+_ALLOWED_VALUES: dict[str, tuple[int, tuple[int, ...]]] = {
+    "ioctl": (1, (_TERMINAL_SIZE, _TERMINAL_STATE, _NOT_BLOCKING, _UNREAD, _NOT_AT_EXEC, _AT_EXEC))
+}
+"""Calls of which some values of one argument alone are allowed. The others of ``ioctl`` type into a terminal, reserve
+space, change a file's flags, steer devices."""
+_CLIENT_REFUSED = frozenset(
+    {name for name in COMMON if name.startswith("io_uring")}
+    | {"open_tree", "move_mount", "fsopen", "fsconfig", "fsmount", "mount_setattr", "open_tree_attr", "pidfd_getfd"}
+    | {
+        "mount",
+        "umount2",
+        "pivot_root",
+        "chroot",
+        "unshare",
+        "setns",
+        "swapon",
+        "swapoff",
+        "reboot",
+        "acct",
+        "quotactl",
+    }
+    | {
+        "init_module",
+        "finit_module",
+        "delete_module",
+        "kexec_load",
+        "kexec_file_load",
+        "bpf",
+        "perf_event_open",
+        "syslog",
+    }
+    | {"userfaultfd", "add_key", "request_key", "keyctl", "ptrace", "process_vm_readv", "process_vm_writev", "kcmp"}
+    | {"name_to_handle_at", "open_by_handle_at", "fanotify_init", "settimeofday", "clock_settime", "clock_adjtime"}
+    | {"adjtimex", "iopl", "ioperm", "modify_ldt", "vhangup", "lookup_dcookie", "quotactl_fd", "move_pages"}
+)
+"""What no agent client needs. It may open sockets (its network has nothing on it) and start programs."""
+_CLIENT_IOCTLS = (0x40305828, 0x4030582A, 0x40305839, 0x5412, 0x541C)
+"""Reserving space, typing into a terminal."""
+_PLATFORMS = {"x86_64": (0xC000003E, X86_64), "aarch64": (0xC00000B7, AARCH64)}
 
 
 class _Program(ctypes.Structure):
@@ -337,15 +135,7 @@ def supported() -> bool:
 def filter_program(machine: str | None = None) -> bytes:
     """The filter as ``struct sock_filter`` records."""
     arch, numbers = _PLATFORMS[machine or platform.machine()]
-    refused = _Step(_RETURN, 0, 0, _ERRNO | errno.EPERM)
-    steps = [
-        _Step(_LOAD, 0, 0, _ARCH_OFFSET),
-        _Step(_EQUAL, 1, 0, arch),
-        _Step(_RETURN, 0, 0, _KILL),
-        _Step(_LOAD, 0, 0, _NUMBER_OFFSET),
-    ]
-    if numbers is _X86_64:
-        steps += [_Step(_AT_LEAST, 0, 1, _X32_BIT), refused]
+    steps = _opening(arch, numbers)
     for name, number in sorted(numbers.items()):
         if name in _METADATA:
             steps += [_Step(_EQUAL, 0, 1, number), _Step(_RETURN, 0, 0, _ERRNO)]
@@ -355,14 +145,48 @@ def filter_program(machine: str | None = None) -> bytes:
             steps += _argument(number, 0, [(_EQUAL, 0)], allowed=True)
         elif name in _CREATES:
             steps += _argument(number, _CREATES[name], [(_HAS_BITS, _SETUID_BITS)], allowed=False)
+        elif name in _ALLOWED_VALUES:
+            position, values = _ALLOWED_VALUES[name]
+            steps += _argument(number, position, [(_EQUAL, value) for value in values], allowed=True)
         elif name in _REFUSED_VALUES:
             position, values = _REFUSED_VALUES[name]
             steps += _argument(number, position, [(_EQUAL, value) for value in values], allowed=False)
         else:
-            answer = errno.ENOSYS if name in _UNKNOWN else errno.EPERM
+            answer = errno.ENOSYS if name in _UNKNOWN else errno.EOPNOTSUPP if name in _UNSUPPORTED else errno.EPERM
             steps += [_Step(_EQUAL, 0, 1, number), _Step(_RETURN, 0, 0, _ERRNO | answer)]
-    steps.append(_Step(_RETURN, 0, 0, _ALLOW))
-    return b"".join(struct.pack("HBBI", *step) for step in steps)
+    return _closed(steps)
+
+
+def client_program(machine: str | None = None) -> bytes:
+    """The filter of an agent client's processes, which bubblewrap installs, as ``struct sock_filter`` records."""
+    arch, numbers = _PLATFORMS[machine or platform.machine()]
+    steps = _opening(arch, numbers)
+    for name, number in sorted(numbers.items()):
+        if name in _CLIENT_REFUSED:
+            steps += [_Step(_EQUAL, 0, 1, number), _Step(_RETURN, 0, 0, _ERRNO | errno.EPERM)]
+        elif name in _UNSUPPORTED:
+            steps += [_Step(_EQUAL, 0, 1, number), _Step(_RETURN, 0, 0, _ERRNO | errno.EOPNOTSUPP)]
+        elif name == "ioctl":
+            steps += _argument(number, 1, [(_EQUAL, value) for value in _CLIENT_IOCTLS], allowed=False)
+    return _closed(steps)
+
+
+def _opening(arch: int, numbers: Mapping[str, int]) -> list[_Step]:
+    """The steps that refuse calls of other processors, of the x32 kind, and newer than the list; then the number."""
+    steps = [
+        _Step(_LOAD, 0, 0, _ARCH_OFFSET),
+        _Step(_EQUAL, 1, 0, arch),
+        _Step(_RETURN, 0, 0, _KILL),
+        _Step(_LOAD, 0, 0, _NUMBER_OFFSET),
+    ]
+    if numbers is X86_64:
+        steps += [_Step(_AT_LEAST, 0, 1, _X32_BIT), _Step(_RETURN, 0, 0, _ERRNO | errno.EPERM)]
+    return [*steps, _Step(_AT_LEAST, 0, 1, LAST_KNOWN + 1), _Step(_RETURN, 0, 0, _ERRNO | errno.ENOSYS)]
+
+
+def _closed(steps: Sequence[_Step]) -> bytes:
+    """The program: what no step has decided is allowed."""
+    return b"".join(struct.pack("HBBI", *step) for step in (*steps, _Step(_RETURN, 0, 0, _ALLOW)))
 
 
 def _argument(number: int, position: int, tests: Sequence[tuple[int, int]], *, allowed: bool) -> list[_Step]:

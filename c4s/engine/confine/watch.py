@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+import stat
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from c4s.engine.confine.confinement import Limits
+from c4s.errors import shortage
 
 _PAGE = os.sysconf("SC_PAGE_SIZE")
+_GONE = (FileNotFoundError, ProcessLookupError)
+_UNSEEN = (*_GONE, PermissionError)
 
 
 class Watch:
@@ -20,49 +24,98 @@ class Watch:
     def breach(self) -> str | None:
         """The first limit that is passed, as text; None while all are kept."""
         limits = self._limits
-        memory, threads = self._usage()
+        memory = threads = hidden = written = 0
+        for folder in tree(self._process, limits.threads):
+            try:
+                memory += int((folder / "statm").read_text().split()[1]) * _PAGE
+                threads += len(list((folder / "task").iterdir()))
+            except _GONE:
+                continue  # it has just ended
+            hidden += hidden_bytes(folder, mapped_as=limits.file_size)
+            written += written_bytes(folder)
         if memory > limits.memory:
             return f"it used more than {limits.memory >> 20} MiB of memory"
         if threads > limits.threads:
             return f"it started more than {limits.threads} threads"
-        return next((found for folder in self._folders if (found := overfull(folder, limits)) is not None), None)
-
-    def _usage(self) -> tuple[int, int]:
-        """Resident memory (bytes) and threads of the process and all below it."""
-        memory = threads = 0
-        waiting = [self._process]
-        while waiting:
-            folder = Path("/proc", str(waiting.pop()))
-            try:
-                memory += int((folder / "statm").read_text().split()[1]) * _PAGE
-                tasks = list((folder / "task").iterdir())
-                threads += len(tasks)
-                waiting += [int(child) for task in tasks[:4] for child in (task / "children").read_text().split()]
-            except (FileNotFoundError, ProcessLookupError):
-                continue  # it has just ended
-        return memory, threads
+        if written > limits.written:
+            return f"it wrote more than {limits.written >> 20} MiB in all"
+        return overfull(self._folders, limits, hidden)
 
 
-def overfull(folder: Path, limits: Limits) -> str | None:
-    """The limit that the files below a folder pass. Links are not followed; what has just gone is left out."""
-    size = count = 0
-    waiting = [str(folder)]
-    while waiting:
+def tree(process: int, most: int) -> Iterator[Path]:
+    """``/proc`` folders of a process and of all below it; not many more than ``most``."""
+    waiting, seen = [process], 0
+    while waiting and seen <= most:
+        folder = Path("/proc", str(waiting.pop()))
+        seen += 1
+        yield folder
         try:
-            with os.scandir(waiting.pop()) as found:
-                entries = list(found)
-        except FileNotFoundError:
+            for task in (folder / "task").iterdir():
+                waiting += map(int, (task / "children").read_text().split())
+        except _GONE:
+            continue  # it has just ended
+
+
+def hidden_bytes(process: Path, mapped_as: int = 0) -> int:
+    """Bytes on the disk of the files that a process (its ``/proc`` folder) has open or mapped but that have no name.
+
+    How much of the disk one takes that is only mapped cannot be asked: it counts as ``mapped_as``. Nothing is seen of a
+    process of another user.
+    """
+    found: dict[tuple[int, int], int] = {}
+    try:
+        handles = [entry.path for entry in os.scandir(process / "fd")]
+        for line in (process / "maps").read_text(errors="replace").splitlines():
+            fields = line.split(maxsplit=5)
+            if line.endswith(" (deleted)") and fields[5].startswith("/") and fields[3] != "00:01":
+                major, minor = fields[3].split(":")
+                found[os.makedev(int(major, 16), int(minor, 16)), int(fields[4])] = mapped_as
+    except _UNSEEN:
+        return 0
+    for handle in handles:
+        try:
+            told = os.stat(handle)  # noqa: PTH116 - follows the link to a file that has no path
+        except _UNSEEN:
             continue
-        except OSError as error:
-            return f"its files cannot be looked at: {error.strerror}"
-        count += len(entries)
-        size += sum(_size(entry) for entry in entries)
+        if stat.S_ISREG(told.st_mode) and not told.st_nlink:
+            found[told.st_dev, told.st_ino] = told.st_blocks * 512
+    return sum(found.values())
+
+
+def written_bytes(process: Path) -> int:
+    """Bytes that a process has written to disks since it started; 0 where the kernel does not count them."""
+    try:
+        lines = (process / "io").read_text().splitlines()
+    except _UNSEEN:
+        return 0
+    return next((int(line.split()[1]) for line in lines if line.startswith("write_bytes:")), 0)
+
+
+def overfull(folders: Sequence[Path], limits: Limits, hidden: int = 0) -> str | None:
+    """The limit that the files below some folders pass together, with bytes of files that have no name.
+
+    Links are not followed; what has just gone is left out. ``OSError`` where it is the machine that cannot look.
+    """
+    size, count = hidden, 0
+    waiting = list(map(str, folders))
+    while True:
         if count > limits.files:
             return f"it wrote more than {limits.files} files"
         if size > limits.disk:
             return f"its files take more than {limits.disk >> 20} MiB"
+        if not waiting:
+            return None
+        try:
+            with os.scandir(waiting.pop()) as found:
+                entries = list(found)
+            count, size = count + len(entries), size + sum(map(_size, entries))
+        except FileNotFoundError:
+            continue
+        except OSError as error:
+            if shortage(error) is not None:
+                raise
+            return f"its files cannot be looked at: {error.strerror}"
         waiting += [entry.path for entry in entries if entry.is_dir(follow_symlinks=False)]
-    return None
 
 
 def _size(entry: os.DirEntry[str]) -> int:

@@ -2,9 +2,4 @@
 
 from __future__ import annotations
 
-DEPARTURES: dict[str, dict[str, str]] = {
-    "headless": {
-        "struct-properties-refer-to-their-owner": "the headless engine gives copies of structs",
-        "container-properties-refer-to-their-owner": "the headless engine gives copies of containers",
-    }
-}
+DEPARTURES: dict[str, dict[str, str]] = {}

@@ -13,7 +13,7 @@ from c4s.engine.conformance import bridge, pictures, saving, scene
 from c4s.engine.conformance.check import Check, Failed
 from c4s.engine.conformance.departures import DEPARTURES
 from c4s.engine.conformance.ground import Ground
-from c4s.errors import BadInput, C4SError
+from c4s.errors import C4SError, unknown
 
 Status = Literal["passed", "failed", "departs"]
 
@@ -44,9 +44,10 @@ def run(kind: str, only: Sequence[str] = (), progress: Callable[[Result], None] 
     """
     backend(kind)
     chosen = [check for check in all_checks() if not only or check.name in only]
-    unknown = sorted(set(only) - {check.name for check in chosen})
-    if unknown:
-        raise BadInput(f"no check {unknown[0]!r}", where="conformance", todo="leave --only out to see all of them")
+    known = [check.name for check in all_checks()]
+    for name in only:
+        if name not in known:
+            raise unknown("check", name, known, todo="leave --only out to run all of them")
     results = []
     with tempfile.TemporaryDirectory(prefix="c4s-conformance-") as folder:
         ground = Ground(kind, Path(folder))

@@ -44,9 +44,10 @@ def open_session(
 
 def asset_paths(level: Path) -> list[str]:
     """Paths of all assets and Blueprint classes that a level document names, sorted."""
-    from c4s.engine.headless.world.documents import read, references
+    from c4s.engine.headless.world.documents import references
+    from c4s.records.level import Level
 
-    return references(read(level))
+    return references(Level.read(level))
 
 
 def export_glb(level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:

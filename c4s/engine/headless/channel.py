@@ -11,8 +11,9 @@ import socket
 import struct
 from collections.abc import Iterator
 
+from c4s.bounds import BOUNDS
+
 _LENGTH = struct.Struct("!Q")
-MAX_MESSAGE_BYTES = 512 << 20
 _CHUNK = 1 << 20
 
 
@@ -56,8 +57,9 @@ class Incoming:
         self._buffer += data
         while len(self._buffer) >= _LENGTH.size:
             size = _LENGTH.unpack_from(self._buffer)[0]
-            if size > MAX_MESSAGE_BYTES:
-                raise ValueError(f"a message of {size} bytes")
+            fault = BOUNDS["answer_bytes"].fault(size)
+            if fault is not None:
+                raise ValueError(f"a message of {size} bytes: {fault}")
             if len(self._buffer) < _LENGTH.size + size:
                 return
             message = bytes(self._buffer[_LENGTH.size : _LENGTH.size + size])

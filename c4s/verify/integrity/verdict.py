@@ -15,23 +15,25 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any, Literal, TypeAlias
 
+from c4s import errors
 from c4s.protocol.rules import ENGINE_ROOTS, INTEGRITY_POLICY
 from c4s.records.evidence import ManifestDigests
 from c4s.records.snapshot_faults import snapshot_fault
 from c4s.records.verdict import Verdict
 from c4s.verify.actors.kinds import is_semantic, short_class
 
-ReasonCode: TypeAlias = Literal[
-    "unloadable",
-    "resource_limit",
-    "snapshot_schema",
-    "minimum_actors",
-    "unresolved_dependencies",
-    "manifest_disagreement",
-    "scorer_manifest",
-    "evidence_missing",
-    "export_failed",
-]
+ReasonCode: TypeAlias = (
+    errors.ReasonCode
+    | Literal[
+        "snapshot_schema",
+        "minimum_actors",
+        "unresolved_dependencies",
+        "manifest_disagreement",
+        "scorer_manifest",
+        "evidence_missing",
+        "export_failed",
+    ]
+)
 _EVALUATOR_FAULTS = frozenset({"scorer_manifest", "evidence_missing", "export_failed"})
 _ENGINE_OWNED = frozenset({"worldsettings", "brush", "defaultphysicsvolume", "levelbounds"})
 _LISTED = 20
@@ -96,14 +98,9 @@ def _failed(code: ReasonCode, text: str, measurements: dict[str, Any], inputs: M
     )
 
 
-def unloadable(reason: str, inputs: Mapping[str, str] | None = None) -> Verdict:
-    """The verdict of a saved scene that a clean engine refuses to load."""
-    return _failed("unloadable", reason, {}, inputs or {})
-
-
-def too_large(reason: str) -> Verdict:
-    """The verdict of a saved scene that a clean engine or the gate itself cannot handle within its limits."""
-    return _failed("resource_limit", reason, {}, {})
+def refused(code: errors.ReasonCode, reason: str) -> Verdict:
+    """The verdict of a saved scene that no clean engine loads, exports or draws, or the gate itself cannot handle."""
+    return _failed(code, reason, {}, {})
 
 
 def verify_integrity(

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from c4s.collision import NOISE_CM, Contact, scene_contacts
+from c4s.errors import BadInput
 from c4s.protocol.rules import FIXED_TOLERANCE_CM, GAP_CM, I2S_FLOATING_METRIC, NEAR_BODIES_METRIC, T2S_FLOATING_METRIC
 from c4s.protocol.settings import Setting
 from c4s.verify.actors.roles import bounds_of, needs_no_support
@@ -38,15 +39,18 @@ def measure_contacts(
 
 
 def contacts_of(scene: PhysicsScene) -> ContactsRecord:
-    """``measure_contacts`` of a scene that is already read."""
+    """``measure_contacts`` of a scene that is already read; a scene beyond the bounds of contacts is ``crowded``."""
     tolerances = tolerances_cm(scene.actors, scene.role, scene.chosen, adaptive=scene.whole)
-    found = scene_contacts(
-        scene.snapshot,
-        scene.bodies,
-        minimum_depth_cm=FIXED_TOLERANCE_CM,
-        actors=None if scene.whole else scene.chosen,
-        rule=contact_rule(scene.actors, scene.role, tolerances),
-    )
+    try:
+        found = scene_contacts(
+            scene.snapshot,
+            scene.bodies,
+            minimum_depth_cm=FIXED_TOLERANCE_CM,
+            actors=None if scene.whole else scene.chosen,
+            rule=contact_rule(scene.actors, scene.role, tolerances),
+        )
+    except BadInput as crowded:
+        return {**_contacts(scene, [], NOISE_CM, scene.bodies.unresolved), "crowded": crowded.what}
     return _contacts(scene, found, NOISE_CM, scene.bodies.unresolved)
 
 

@@ -57,6 +57,8 @@ class ContactsRecord(TypedDict):
     """Actors that have collision bodies."""
     unknown: list[UnknownBodies]
     contacts: list[ContactRow]
+    crowded: NotRequired[str]
+    """Why there are too many to be measured; then none is listed."""
 
 
 class SupportRow(TypedDict):

@@ -101,7 +101,12 @@ def _judged(scene: PhysicsScene, contacts: ContactsRecord, support: SupportRecor
         tolerances=tolerances,
         noise_cm=contacts["noise_cm"],
     )
-    solid = _penetration_leaf(actors, chosen, judged, whole)
+    crowded = contacts.get("crowded", "")
+    solid = (
+        _unmeasured_leaf(len(tolerances), f"too crowded to be measured: {crowded}")
+        if crowded
+        else _penetration_leaf(actors, chosen, judged, whole)
+    )
     leaves = {"leaf_results": [floating, solid], "leaf_score_directions": DIRECTIONS}
     total = physics_from_report({"report_id": "physical_safety", "status": "measured", "metrics": leaves})
     scored = [i for i in chosen if role[i] == "scored_solid"]
@@ -137,20 +142,7 @@ def _withheld(actors: Sequence[Mapping[str, Any]], reason: str) -> Verdict:
     leaves = {
         "leaf_results": [
             _floating("not_evaluated", None, 0, 0, [], metric=I2S_FLOATING_METRIC, reason=reason),
-            _leaf(
-                "solid_penetration",
-                "not_evaluated",
-                None,
-                "higher_is_better",
-                metric=PENETRATION_METRIC,
-                evaluated=0,
-                unresolved=0,
-                failed=0,
-                violations=[],
-                unresolved_actors=[],
-                actors=[],
-                reason=reason,
-            ),
+            _unmeasured_leaf(0, reason),
         ],
         "leaf_score_directions": DIRECTIONS,
     }
@@ -169,6 +161,24 @@ def _withheld(actors: Sequence[Mapping[str, Any]], reason: str) -> Verdict:
             "roles": {},
         },
         population={"actors": len(actors)},
+    )
+
+
+def _unmeasured_leaf(unresolved: int, reason: str) -> Leaf:
+    """A leaf without a number, which is worth zero."""
+    return _leaf(
+        "solid_penetration",
+        "not_evaluated",
+        None,
+        "higher_is_better",
+        metric=PENETRATION_METRIC,
+        evaluated=0,
+        unresolved=unresolved,
+        failed=0,
+        violations=[],
+        unresolved_actors=[],
+        actors=[],
+        reason=reason,
     )
 
 

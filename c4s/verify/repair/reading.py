@@ -15,7 +15,7 @@ from typing import Any
 import msgspec
 
 from c4s.errors import BadInput
-from c4s.files import digest_bytes, parse_json
+from c4s.files import digest_bytes, parse_json, read_plain
 from c4s.verify.actors.entries import read_texts
 from c4s.verify.repair.actors import RepairScene
 
@@ -38,15 +38,6 @@ def without_cycle_search() -> Iterator[None]:
     finally:
         if enabled:
             gc.enable()
-
-
-def _read(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except FileNotFoundError:
-        raise BadInput("no such snapshot", where=str(path)) from None
-    except OSError as error:
-        raise BadInput(f"cannot read this snapshot: {error}", where=str(path)) from None
 
 
 def _as_text(data: bytes, known: dict[bytes, bytes]) -> RepairScene | None:
@@ -76,7 +67,7 @@ def read_snapshots(paths: dict[str, Path]) -> tuple[dict[str, Any], dict[str, st
     a second thread while the first one parses. Raises ``BadInput`` with one clear line.
     """
     with ThreadPoolExecutor(max_workers=1) as hashing:
-        data = {name: _read(path) for name, path in paths.items()}
+        data = {name: read_plain(path, "snapshot") for name, path in paths.items()}
         digests = {name: hashing.submit(digest_bytes, content) for name, content in data.items()}
         known: dict[bytes, bytes] = {}
         values = {name: _parse(content, paths[name], known) for name, content in data.items()}

@@ -20,7 +20,7 @@ from c4s.verify.verifier import Verifier
 
 
 def _judgements(evidence: Evidence) -> Judgements:
-    return Judgements.parse(evidence.json("judgements"), where=str(evidence.path("judgements")))
+    return Judgements.opened(evidence.json("judgements"), where=str(evidence.path("judgements")))
 
 
 def _verify_detailed(evidence: Evidence) -> Verdict:

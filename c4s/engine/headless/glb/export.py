@@ -9,13 +9,14 @@ from typing import Any
 
 from c4s.engine.headless.glb.level import write_glb
 from c4s.engine.headless.process.boot import boot
-from c4s.engine.headless.world.documents import read, references
+from c4s.engine.headless.world.documents import references
 from c4s.engine.headless.world.state import world
+from c4s.records.level import Level
 
 
 def export(level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:
     """Write ``level`` to ``glb``: what it holds by count, and under ``unresolved`` the assets that no pack holds."""
-    document = read(level)
+    document = Level.read(level)
     with tempfile.TemporaryDirectory(prefix="c4s-glb-") as folder:
         content = _content_root(level, document.package)
         boot(

@@ -25,6 +25,7 @@ from c4s.errors import BadInput
 from c4s.files import write_bytes
 from c4s.geometry.transform import Array
 from c4s.packs.meshes import Mesh
+from c4s.packs.pictures import open_picture
 from c4s.records.pack import Material
 
 _METRE_CM = 100.0
@@ -126,7 +127,7 @@ class _Scene:
     def _geometries(self, part: Drawable) -> Iterator[str]:
         mesh = self._store.mesh(part.mesh)
         for slot in np.unique(mesh.face_slots):
-            surface = part.materials[slot] if slot < len(part.materials) else Material(path="")
+            surface = part.materials[slot] if slot < len(part.materials) else Material(path="/Engine/Default.Default")
             material_key, material = self._material(surface, self._pictures(part.component, int(slot)))
             key = (part.mesh, int(slot), material_key)
             if key not in self.geometries:
@@ -170,7 +171,7 @@ class _Scene:
         if file is None:
             return None
         if (file, alpha) not in self._opened:
-            self._opened[file, alpha] = Image.open(file).convert("RGBA" if alpha else "RGB")
+            self._opened[file, alpha] = open_picture(file, where=str(file)).convert("RGBA" if alpha else "RGB")
         return self._opened[file, alpha]
 
     def bytes(self) -> bytes:

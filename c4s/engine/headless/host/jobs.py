@@ -23,18 +23,22 @@ from typing import Any
 
 import orjson
 
+from c4s.bounds import BOUNDS
 from c4s.engine.headless import channel
 from c4s.engine.headless.host.joblog import JobLog
-from c4s.garbage import put_off
+from c4s.errors import MachineShort, shortage
+from c4s.files import parse_bounded
 
 KEPT_JOBS = 512
 KEPT_VALUES = 16
 """Jobs whose value can still be read; the values of older ones are dropped."""
-MAX_LOG_BYTES = 256 << 20
-WATCH_S = 0.5
+MAX_PRINTED_BYTES = 1 << 30
+"""What an engine and its jobs may print together."""
 _SEND_S = 60.0
 _CHUNK = 1 << 18
 _TAIL_BYTES = 4000
+_HEAD_BYTES = 1 << 20
+"""Of a message, up to the value that a job returned: its number, and an error with its traceback."""
 
 
 class EngineJob:
@@ -85,20 +89,12 @@ class JobBoard:
         connection: the host's end of the channel.
         output: the read end of the pipe that the engine's own output goes to between jobs.
         folder: where the logs lie; no engine sees it.
-        watch: called about twice a second; a text that it returns ends the engine and says why.
         end: waits for the process (no longer than a moment, not at all when told True), kills it if it still runs,
             and says how it ended.
     """
 
-    def __init__(
-        self,
-        connection: socket.socket,
-        output: int,
-        folder: Path,
-        watch: Callable[[], str | None],
-        end: Callable[[bool], str],
-    ) -> None:
-        self._connection, self._output, self._folder, self._watch, self._end = connection, output, folder, watch, end
+    def __init__(self, connection: socket.socket, output: int, folder: Path, end: Callable[[bool], str]) -> None:
+        self._connection, self._output, self._folder, self._end = connection, output, folder, end
         self.log = JobLog(folder / "engine.log")
         """What the engine prints outside of jobs."""
         self.ready = threading.Event()
@@ -107,15 +103,20 @@ class JobBoard:
         """The bad input for which the engine did not start."""
         self.version = ""
         """What the engine calls its version, told when it is ready."""
-        self.over_limit = False
-        """Whether it was ended for what ``watch`` saw."""
+        self._reason: str | None = None
+        """Why somebody else ended the engine."""
+        self.short: MachineShort | None = None
+        """What this machine was short of when the engine was ended."""
         self.gone: str | None = None
         """How the engine ended; None while it runs."""
         self.running: EngineJob | None = None
         self._waiting: deque[EngineJob] = deque()
         self._jobs: OrderedDict[str, EngineJob] = OrderedDict()
         self._lock = threading.Lock()
+        self._failure: OSError | None = None
         self._count, self._stopping, self._printing = 0, False, -1
+        self._printed = 0
+        """Bytes that finished jobs have printed."""
         self._incoming = channel.Incoming()
         self._sending = threading.Lock()
         connection.settimeout(_SEND_S)
@@ -186,6 +187,25 @@ class JobBoard:
                 self._stopping = True
                 os.write(self._wake, b"s")
 
+    @property
+    def over_limit(self) -> bool:
+        """Whether the engine was ended for a limit that it passed."""
+        return self._reason is not None
+
+    def end(self, reason: str) -> None:
+        """Note why the engine is being ended for a limit that it passed; whoever says so ends it."""
+        with self._lock:
+            if self.gone is None and self._reason is None:
+                self._reason = reason
+                os.write(self._wake, b"e")
+
+    def fail(self, error: OSError) -> None:
+        """End the engine: the host cannot serve it any more."""
+        with self._lock:
+            if self.gone is None:
+                self._failure = error
+                os.write(self._wake, b"f")
+
     def join(self) -> None:
         """Wait until the engine has ended and all that it printed is kept."""
         self._thread.join()
@@ -197,29 +217,28 @@ class JobBoard:
                     selector.register(source, selectors.EVENT_READ)
                 self._serve(selector)
         except (EngineGone, ValueError, OSError) as why:
-            reason = str(why)
+            reason, self.short = self._reason or str(why), shortage(why)
         self._bury(reason)
 
     def _serve(self, selector: selectors.BaseSelector) -> None:
         """Until the engine is gone: start jobs, keep what they print, take their results."""
-        watched = time.monotonic()
         while True:
-            ready = {key.fd for key, _ in selector.select(WATCH_S)}
-            if time.monotonic() - watched >= WATCH_S:
-                watched = time.monotonic()
-                reason = self._watch()
-                if reason is not None:
-                    self.over_limit = True
-                    raise EngineGone(reason)
+            ready = {key.fd for key, _ in selector.select()}
+            if self._reason is not None:
+                raise EngineGone(self._reason)
             if self._wake_end in ready:
                 os.read(self._wake_end, _CHUNK)
+            if self._failure is not None:
+                raise self._failure
             if self._output in ready and not _pour(self._output, self.log):
                 selector.unregister(self._output)
             if self._printing in ready and self.running is not None and not _pour(self._printing, self.running.log):
                 selector.unregister(self._printing)
             for log in (self.log, *([self.running.log] if self.running else [])):
-                if log.size > MAX_LOG_BYTES:
-                    raise EngineGone(f"it printed more than {MAX_LOG_BYTES >> 20} MiB")
+                if log.size > BOUNDS["log_bytes"].most:
+                    raise EngineGone(f"it printed more than {BOUNDS['log_bytes'].told()}")
+            if self.log.size + self._printed + (self.running.log.size if self.running else 0) > MAX_PRINTED_BYTES:
+                raise EngineGone(f"it printed more than {MAX_PRINTED_BYTES >> 20} MiB in all")
             if self._connection.fileno() in ready:
                 data = self._connection.recv(_CHUNK)
                 if not data:
@@ -266,23 +285,27 @@ class JobBoard:
         job.error, job.fault = (None if text is None else str(text) for text in (error, fault))
         if error is None:
             try:
-                with put_off():
-                    orjson.loads(value)
+                parse_bounded(value, BOUNDS["answer_bytes"], BOUNDS["answer_values"], plain=True)
                 job.value = value
-            except orjson.JSONDecodeError as wrong:
+            except ValueError as wrong:
                 job.error, job.fault = f"the value that it returned is not JSON: {wrong}", "ValueError"
         job.ended = ended
         job.log.close()
+        self._printed += job.log.size
         job.done.set()
 
     def _bury(self, reason: str) -> None:
         """The engine has ended, or must: take what it still printed, and give every job its answer."""
         how = self._end(bool(reason))
         running = self.running
-        if self._printing >= 0 and running is not None:
-            _pour(self._printing, running.log, _available(self._printing))
+        try:
+            if self._printing >= 0 and running is not None:
+                _pour(self._printing, running.log, _available(self._printing))
+            _pour(self._output, self.log, _available(self._output))
+        except OSError as error:
+            self.short = self.short or shortage(error)
+        if self._printing >= 0:
             channel.close(self._printing)
-        _pour(self._output, self.log, _available(self._output))
         tails = [log.tail(_TAIL_BYTES) for log in ([running.log] if running else []) + [self.log]]
         with self._lock:
             self.gone = " ".join(
@@ -301,6 +324,8 @@ class JobBoard:
 
 def _object(message: bytes) -> dict[str, Any]:
     """A message as its fields. ``ValueError`` when it is none."""
+    if len(message) > _HEAD_BYTES:
+        raise ValueError("the head of a message is too long")
     value = orjson.loads(message)
     if not isinstance(value, dict):
         raise ValueError("the engine sent what is no message")

@@ -9,7 +9,6 @@ from __future__ import annotations
 import fcntl
 import importlib.metadata
 import os
-import shutil
 import subprocess
 import sys
 from collections.abc import Mapping
@@ -18,6 +17,7 @@ from pathlib import Path
 import c4s
 from c4s.errors import MachineryFault
 from c4s.files import digest, write_text
+from c4s.folders import remove_tree
 from c4s.home import cache_root, home
 
 _PACKAGE = Path(c4s.__file__).resolve().parent
@@ -83,7 +83,7 @@ def _stamp() -> str:
 def linked(shared: Path, scratch: Path) -> Mapping[str, str]:
     """Make ``scratch/kernels`` a private view of the shared folder; the variables that point the renderer at it."""
     private = scratch / "kernels"
-    shutil.rmtree(private, ignore_errors=True)
+    remove_tree(private, inside=scratch, at_best=True)
     private.mkdir(parents=True)
     for source in shared.rglob("*"):
         target = private / shared.name / source.relative_to(shared)

@@ -67,10 +67,10 @@ class BridgeServer:
             while True:
                 try:
                     connection, _ = self._listener.accept()
-                except OSError:
-                    if self._closed:
-                        return
-                    raise
+                except OSError as error:
+                    if not self._closed:
+                        self._board.fail(error)
+                    return
                 self._places.acquire()
                 threading.Thread(target=self._serve, args=(connection,), name="bridge-request", daemon=True).start()
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import socket
 import subprocess
 import tempfile
+import threading
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack, suppress
@@ -16,16 +16,22 @@ from types import TracebackType
 from typing import Any
 
 from c4s.engine.bridge import FAILED, BridgeFault, SocketBridge
-from c4s.engine.confine import sandbox
+from c4s.engine.confine import leftovers
 from c4s.engine.confine.confinement import Backend, Limits
+from c4s.engine.confine.sandbox import Mounts
+from c4s.engine.confine.sandbox import backend as choose_sandbox
+from c4s.engine.confine.sandbox import start as start_confined
 from c4s.engine.confine.watch import Watch
 from c4s.engine.faults import EngineCallError, EngineDied, EngineOverLimit
 from c4s.engine.headless.host import kernels
 from c4s.engine.headless.host.jobs import JobBoard
 from c4s.engine.headless.host.server import BridgeServer
-from c4s.errors import BadInput, MachineryFault
+from c4s.errors import BadInput, MachineryFault, shortage
+from c4s.folders import remove_tree
 
 START_TIMEOUT_S = 120.0
+WATCH_S = 0.25
+"""Seconds between two looks at what an engine uses."""
 _STOP_TIMEOUT_S = 5.0
 _POLL_S = 10.0
 _SOCKET = "bridge.sock"
@@ -43,17 +49,22 @@ class EngineSession:
         listener: socket.socket,
         connection: socket.socket,
         output: int,
-        paths: sandbox.Mounts,
+        paths: Mounts,
         folders: tuple[Path, Path],
         limits: Limits,
+        sandbox: Backend,
     ) -> None:
+        self.sandbox = sandbox
+        """What confines the process."""
         self._process, self._socket_folder, self.logs = process, *folders
         """``logs`` holds ``engine.log`` and ``job-<n>.log``; the engine cannot reach it."""
         self.bridge = SocketBridge(self._socket_folder / _SOCKET)
-        self._board = JobBoard(
-            connection, output, self.logs, Watch(process.pid, paths.read_write, limits).breach, self._end
-        )
+        self._scratch = paths.work
+        self._board = JobBoard(connection, output, self.logs, self._end)
         self._server = BridgeServer(listener, self._board, paths.work)
+        self._watch, self._closed = Watch(process.pid, paths.read_write, limits), threading.Event()
+        self._watching = threading.Thread(target=self._look, name="engine-watch", daemon=True)
+        self._watching.start()
 
     @classmethod
     def start(
@@ -81,12 +92,12 @@ class EngineSession:
         _check(packs, levels, content, scratch, logs)
         for folder in (content, scratch, logs):
             folder.mkdir(parents=True, exist_ok=True)
-        chosen, limits, compiled = use or sandbox.backend(), limits or Limits(), kernels.compiled()
+        chosen, limits, compiled = use or choose_sandbox(), limits or Limits(), kernels.compiled()
         readable = (*packs, *levels, compiled, *((content,) if content_read_only else ()))
-        paths = sandbox.Mounts(readable, (scratch,) if content_read_only else (content, scratch), scratch)
+        paths = Mounts(readable, (scratch,) if content_read_only else (content, scratch), scratch)
         with ExitStack() as undo:
             socket_folder = Path(tempfile.mkdtemp(prefix="c4s-"))
-            undo.callback(shutil.rmtree, socket_folder)
+            undo.callback(remove_tree, socket_folder, inside=socket_folder.parent)
             listener = undo.enter_context(socket.socket(socket.AF_UNIX))
             listener.bind(str(socket_folder / _SOCKET))
             listener.listen(64)
@@ -95,7 +106,7 @@ class EngineSession:
             output, writing = os.pipe()
             undo.callback(os.close, output)
             try:
-                process = sandbox.start(
+                process = start_confined(
                     "c4s.engine.headless.process.main",
                     {
                         "channel": far.fileno(),
@@ -116,13 +127,29 @@ class EngineSession:
                 far.close()
                 os.close(writing)
             undo.pop_all()
-        session = cls(process, listener, near, output, paths, (socket_folder, logs), limits)
+        session = cls(process, listener, near, output, paths, (socket_folder, logs), limits, chosen)
         try:
             session._wait_until_ready()
         except BaseException:
             session.kill()
             raise
         return session
+
+    def _look(self) -> None:
+        """Watch the process, whatever else waits for it, and end it when it passes a limit."""
+        while not self._closed.wait(WATCH_S) and self.alive:
+            try:
+                reason = self._watch.breach()
+            except OSError as error:
+                if shortage(error) is not None:
+                    self._board.fail(error)
+                    self._end_group()
+                    return
+                reason = f"it cannot be watched: {error.strerror}"
+            if reason is not None:
+                self._board.end(reason)
+                self._end_group()
+                return
 
     def _wait_until_ready(self) -> None:
         if not self._board.ready.wait(START_TIMEOUT_S):
@@ -153,14 +180,17 @@ class EngineSession:
         try:
             reply = self.bridge.request(kind, params, timeout_s=timeout_s)
         except BridgeFault as fault:
-            if self._board.gone is None:
+            if self._board.gone is None and self._board.short is None:
                 raise
-            raise self._dead(self._board.gone, kind) from fault
+            raise self._dead(self._board.gone or "", kind) from fault
         if reply.get("engine_ended") or reply.get("state") == "dead":
             raise self._dead(str(reply["error"]), kind, reply.get("result", {}).get("python_logs", ()))
         return reply
 
-    def _dead(self, what: str, during: str, lines: Sequence[str] = ()) -> EngineDied:
+    def _dead(self, what: str, during: str, lines: Sequence[str] = ()) -> MachineryFault:
+        """What the end of the engine is: what this machine was short of, where that ended it."""
+        if self._board.short is not None:
+            return self._board.short
         kind = EngineOverLimit if self._board.over_limit else EngineDied
         return kind(what, during=during, where=str(self.logs), lines=lines)
 
@@ -174,11 +204,11 @@ class EngineSession:
     def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
         """Run ``c4s.editor.<module>.<function>(**params)`` in the engine and return its value.
 
-        Raises ``EngineCallError`` when the function raised, ``MachineryFault`` when it took longer than ``timeout_s``.
+        Raises ``EngineCallError`` when the function raised, ``BridgeFault`` when it took longer than ``timeout_s``.
         """
         reply = self._run("call_function", {"function": function, "params": params}, timeout_s)
         if reply["status"] == "running":
-            raise MachineryFault(f"no result in {timeout_s:g} s", where=function)
+            raise BridgeFault(f"no result in {timeout_s:g} s", where=function)
         if reply["status"] in FAILED:
             raise EngineCallError(str(reply.get("error")), function=function, kind=str(reply.get("fault")))
         return reply.get("value")
@@ -212,12 +242,18 @@ class EngineSession:
         self.kill()
 
     def kill(self) -> None:
-        """End the process at once and remove its socket; what it printed is kept."""
+        """End the process at once and remove its socket.
+
+        What it printed is kept; what it left in ``scratch`` is, unless that is too much (``leftovers.KEPT``).
+        """
+        self._closed.set()
         self._end_group()
         self._process.wait()
         self._board.join()
         self._server.close()
-        shutil.rmtree(self._socket_folder, ignore_errors=True)
+        self._watching.join()
+        remove_tree(self._socket_folder, inside=self._socket_folder.parent, at_best=True)
+        leftovers.trim(self._scratch, self.logs / "trimmed.json")
 
     def _end_group(self) -> None:
         """Kill the process and what it started; it may have ended just now, and another thread may have seen that."""

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from c4s.engine.headless.pictures.air import Air, air_of, through_air
+from c4s.geometry.transform import WORLD_CM
 from c4s.render import Fog, Grade, Lights, LocalLight, Sky, Sun
 from c4s.render.textures import decode_table
 from c4s.render.types import Point, Rgb
@@ -172,11 +173,11 @@ def _local(source: LightSource) -> LocalLight:
         source.pose.location,
         light_colour(source),
         intensity if by_exponent else candela,
-        float(properties["attenuation_radius"]),
+        min(float(properties["attenuation_radius"]), WORLD_CM),
         _axis(source, 0),
         inner,
         outer,
-        _source_radius(properties),
+        min(_source_radius(properties), WORLD_CM),
         across,
         upwards,
         float(properties["light_falloff_exponent"]) if by_exponent else 0.0,
@@ -218,16 +219,18 @@ def grade_at(sources: Sequence[LightSource], location_cm: Point) -> Grade:
 def _holds(volume: LightSource, location_cm: Point) -> bool:
     if volume.properties["unbound"]:
         return True
-    local = np.linalg.solve(volume.pose.matrix(), np.array([*location_cm, 1.0]))[:3]
+    matrix = volume.pose.matrix()
+    if np.linalg.det(matrix[:3, :3]) == 0:
+        return False
+    local = np.linalg.solve(matrix, np.array([*location_cm, 1.0]))[:3]
     return bool((np.abs(local) <= 100.0).all())
 
 
 def overridden(settings: Any) -> dict[str, Any]:
     """The values of post-process settings whose ``override_`` flag is set."""
-    names = [name.removeprefix("override_") for name in settings._fields if name.startswith("override_")]
-    return {
-        name: settings.get_editor_property(name) for name in names if settings.get_editor_property(f"override_{name}")
-    }
+    flags = [name for name in settings._fields if name.startswith("override_") and settings.get_editor_property(name)]
+    names = [flag.removeprefix("override_") for flag in flags]
+    return {name: settings.get_editor_property(name) for name in names if name in settings._fields}
 
 
 def grade_of(chosen: Mapping[str, Any]) -> Grade:

@@ -14,6 +14,7 @@ from PIL import Image
 
 from c4s.engine.headless.pictures.lights import grade_at, lights_of
 from c4s.packs.meshes import Mesh
+from c4s.packs.pictures import open_picture
 from c4s.packs.store import PackStore
 from c4s.render import Camera, Instance, Lights, LocalLight, Picture, Renderer, SurfaceMaterial
 
@@ -36,6 +37,10 @@ class DrawnScene:
     labels: tuple[str, ...]
     sources: tuple[LightSource, ...]
     """Lights, fog and post-process volumes."""
+
+
+MOST_LABEL = 200
+"""Characters of a label in a mask: its table takes the longest for each actor."""
 
 
 def take(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool) -> list[dict[str, Any]]:
@@ -74,7 +79,7 @@ def write_mask(path: Path, picture: Picture, scene: DrawnScene) -> None:
             actor=picture.actor,
             depth_cm=picture.depth_cm.astype(np.float32),
             names=np.array(scene.names, dtype=np.str_),
-            labels=np.array(scene.labels, dtype=np.str_),
+            labels=np.array([label[:MOST_LABEL] for label in scene.labels], dtype=np.str_),
         )
 
 
@@ -187,7 +192,7 @@ class _Surfaces:
 
 @functools.lru_cache(maxsize=256)
 def _texture(file: Path, alpha: bool) -> NDArray[np.uint8]:
-    with Image.open(file) as picture:
+    with open_picture(file, where=str(file)) as picture:
         return np.asarray(picture.convert("RGBA" if alpha else "RGB"), dtype=np.uint8)
 
 

@@ -29,7 +29,7 @@ def boot(
         content: writable root; a level ``/Game/A/B`` lies at ``<content>/Game/A/B.level.json``.
         levels: read-only level documents, known by their own package name.
         start_map: package to open; without it an untitled empty level is open.
-        scratch: the project's ``Saved`` folder (default: ``<content>/Saved``).
+        scratch: the project's ``Saved`` folder (default: ``<content>/Saved``); the folder around it is the project's.
 
     Raises:
         BadInput: a pack or level is missing or wrong, or there is no such start map.
@@ -38,9 +38,9 @@ def boot(
     world = World(PackStore(pack_folders), content, known_levels(levels), _paint)
     world.scratch = scratch if scratch is not None else content / "Saved"
     install(world)
+    module = build()  # before any level: it declares the classes that a level names
     if start_map is not None and world.load_map(start_map) is None:
         raise BadInput("no such start map", where=start_map, todo="give its level document in `levels`")
-    module = build()
     sys.modules["unreal"] = module
     return module
 

@@ -37,13 +37,15 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
     from c4s.errors import BadInput
 
     gc.disable()  # what loads now stays: looking through it again and again would take longer than loading it
+    saved = Path(settings["scratch"]) / "Saved"
+    saved.mkdir(exist_ok=True)
     try:
         boot(
             [Path(pack) for pack in settings["packs"]],
             Path(settings["content"]),
             levels=[Path(level) for level in settings["levels"]],
             start_map=settings["start_map"],
-            scratch=Path(settings["scratch"]),
+            scratch=saved,
         )
     except BadInput as error:
         refused = {"what": error.what, "where": error.where, "todo": error.todo}

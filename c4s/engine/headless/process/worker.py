@@ -21,9 +21,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TextIO
 
+from c4s.bounds import BOUNDS, values_in
 from c4s.engine.headless import channel
 
 _TICK_S = 1 / 60
+_LONGEST_ERROR = 100_000
+"""Characters at the end of an error that are told."""
 _OWN_FILES = frozenset({__file__, str(Path(__file__).with_name("main.py"))})
 
 Order = tuple[dict[str, Any], int]
@@ -103,7 +106,7 @@ class Worker:
             finally:
                 self._running = 0
         except BaseException as error:
-            result |= {"error": describe(error), "fault": type(error).__name__}
+            result |= {"error": describe(error)[-_LONGEST_ERROR:], "fault": type(error).__name__}
         self._forget_interruption()
         self._point_output(self._own_output)
         channel.send(self._connection, _json(result) + b"\n" + value)
@@ -113,8 +116,11 @@ class Worker:
             run_script(order["script"], self._namespace, f"<script {order['name']}>")
             return b"null"
         module, _, name = order["function"].partition(".")
-        value = getattr(importlib.import_module(f"c4s.editor.{module}"), name)(**order["params"])
-        return _json(value)
+        value = _json(getattr(importlib.import_module(f"c4s.editor.{module}"), name)(**order["params"]))
+        fault = BOUNDS["answer_bytes"].fault(len(value)) or BOUNDS["answer_values"].fault(values_in(value))
+        if fault is not None:
+            raise ValueError(fault)
+        return value
 
     def _point_output(self, descriptor: int) -> None:
         """Make a descriptor the standard output and error, behind all that was printed so far."""

@@ -92,6 +92,7 @@ class CineCameraComponent(CameraComponent):
         "current_aperture": Prop("float", 2.8),
         "current_focus_distance": Prop("float", get="_focus_distance", writable=False, saved=False),
         "field_of_view": Prop("float", get="_wide_deg", set="_set_wide_deg", saved=False),
+        "current_horizontal_fov": Prop("float", get="_wide_deg", attribute=False, writable=False, saved=False),
         "aspect_ratio": Prop("float", get="_aspect", writable=False, saved=False),
     }
 

@@ -150,12 +150,13 @@ class DrawDebugTrace(EnumBase):
 
 
 @public
-@unique
 class TraceTypeQuery(EnumBase):
-    """Trace channels: visibility and camera."""
+    """Trace channels: visibility and camera; also by Unreal 5.8's names."""
 
     TRACE_TYPE_QUERY1 = 0
     TRACE_TYPE_QUERY2 = 1
+    ECC_VISIBILITY = 0
+    ECC_CAMERA = 1
 
 
 @public

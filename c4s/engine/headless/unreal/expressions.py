@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.assets import VECTOR_FIELDS, Material
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Object, Prop, public
@@ -26,6 +27,10 @@ Value = tuple[float, float, float]
 CHANNELS = {"R": 0, "G": 1, "B": 2}
 
 
+class NoConstant(Exception):
+    """An expression has no value that is the same at every place of a surface."""
+
+
 @public
 class MaterialExpression(Object):
     """Base of expressions."""
@@ -38,7 +43,7 @@ class MaterialExpression(Object):
         self._wires: dict[str, tuple[MaterialExpression, str]] = {}
 
     def _value(self) -> Value:
-        raise Exception(f"{self._name}: this expression gives no value")
+        raise NoConstant(f"{self._name} gives no value that is the same everywhere")
 
     def _given(self, name: str, constant: str) -> Value:
         """What is wired to an input, else the constant that stands in for it."""
@@ -46,6 +51,12 @@ class MaterialExpression(Object):
             return output(*self._wires[name])
         value = self.get_editor_property(constant)
         return (value, value, value)
+
+    def _wired(self, name: str) -> Value:
+        """What is wired to an input that no constant stands in for."""
+        if name not in self._wires:
+            raise NoConstant(f"{self._name}: its input {name} is not connected")
+        return output(*self._wires[name])
 
     def _sources(self) -> list[MaterialExpression]:
         """This expression and all that it is made from."""
@@ -171,13 +182,119 @@ class MaterialExpressionOneMinus(MaterialExpression):
     _inputs = ("Input",)
 
     def _value(self) -> Value:
-        if "Input" not in self._wires:
-            raise Exception(f"{self._name}: its input is not connected")
-        return tuple(1 - value for value in output(*self._wires["Input"]))  # type: ignore[return-value]
+        return _all(lambda a: 1 - a, self._wired("Input"))
+
+
+def _all(of: Callable[[float], float], a: Value) -> Value:
+    return tuple(map(of, a))  # type: ignore[return-value]
 
 
 def _each(of: Callable[[float, float], float], a: Value, b: Value) -> Value:
     return tuple(of(p, q) for p, q in zip(a, b, strict=True))  # type: ignore[return-value]
+
+
+@public
+class MaterialExpressionPower(MaterialExpression):
+    """A power; of a negative base it is zero here."""
+
+    _inputs = ("Base", "Exponent")
+    _declares = {"const_exponent": Prop("float", 2.0, attribute=False)}
+
+    def _value(self) -> Value:
+        return _each(
+            lambda a, b: a**b if a > 0 else 0.0, self._wired("Base"), self._given("Exponent", "const_exponent")
+        )
+
+
+@public
+class MaterialExpressionMin(MaterialExpression):
+    """The smaller of two."""
+
+    _inputs = ("A", "B")
+    _declares = {"const_a": Prop("float", 0.0, attribute=False), "const_b": Prop("float", 1.0, attribute=False)}
+
+    def _value(self) -> Value:
+        return _each(min, self._given("A", "const_a"), self._given("B", "const_b"))
+
+
+@public
+class MaterialExpressionMax(MaterialExpression):
+    """The larger of two."""
+
+    _inputs = ("A", "B")
+    _declares = {"const_a": Prop("float", 0.0, attribute=False), "const_b": Prop("float", 1.0, attribute=False)}
+
+    def _value(self) -> Value:
+        return _each(max, self._given("A", "const_a"), self._given("B", "const_b"))
+
+
+@public
+class MaterialExpressionClamp(MaterialExpression):
+    """A value moved between two."""
+
+    _inputs = ("Input", "Min", "Max")
+    _declares = {"min_default": Prop("float", 0.0, attribute=False), "max_default": Prop("float", 1.0, attribute=False)}
+
+    def _value(self) -> Value:
+        low, high = self._given("Min", "min_default"), self._given("Max", "max_default")
+        return _each(min, _each(max, self._wired("Input"), low), high)
+
+
+@public
+class MaterialExpressionSaturate(MaterialExpression):
+    """A value moved between 0 and 1."""
+
+    _inputs = ("Input",)
+
+    def _value(self) -> Value:
+        return _all(lambda a: min(max(a, 0.0), 1.0), self._wired("Input"))
+
+
+@public
+class MaterialExpressionAbs(MaterialExpression):
+    """A value without its sign."""
+
+    _inputs = ("Input",)
+
+    def _value(self) -> Value:
+        return _all(abs, self._wired("Input"))
+
+
+@public
+class MaterialExpressionDesaturation(MaterialExpression):
+    """A colour moved towards its grey."""
+
+    _inputs = ("Input", "Fraction")
+
+    def _value(self) -> Value:
+        colour = self._wired("Input")
+        share = output(*self._wires["Fraction"])[0] if "Fraction" in self._wires else 1.0
+        grey = 0.3 * colour[0] + 0.59 * colour[1] + 0.11 * colour[2]
+        return _all(lambda a: a + (grey - a) * share, colour)
+
+
+@public
+class MaterialExpressionAppendVector(MaterialExpression):
+    """A number behind others; here a third one behind two."""
+
+    _inputs = ("A", "B")
+
+    def _value(self) -> Value:
+        a, b = self._wired("A"), self._wired("B")
+        return (a[0], a[1], b[0])
+
+
+@public
+class MaterialExpressionComponentMask(MaterialExpression):
+    """Some channels of a value."""
+
+    _inputs = ("Input",)
+    _declares = {name: Prop("bool", False, attribute=False) for name in "rgba"}
+
+    def _value(self) -> Value:
+        given = self._wired("Input")
+        kept = [value for name, value in zip("rgb", given, strict=True) if self.get_editor_property(name)]
+        return (kept * 3)[:3] if len(kept) == 1 else [*kept, 0.0, 0.0, 0.0][:3]  # type: ignore[return-value]
 
 
 @public
@@ -221,12 +338,19 @@ def links(material: Material) -> dict[str, tuple[MaterialExpression, str]]:
 def recompile(material: Material) -> None:
     """Evaluate a created material's expressions into its surface.
 
-    An instance that overrides a parameter sets what the parameter drives, without the arithmetic in between.
+    A field that no constant drives stays as it is, and the log says so. An instance that overrides a parameter sets
+    what the parameter drives, without the arithmetic in between.
     """
     update: dict[str, Any] = {}
     named: dict[str, str] = {}
     for field, (expression, name) in links(material).items():
-        value = output(expression, name)
+        if field not in SURFACE_FIELDS.values():
+            continue
+        try:
+            value = output(expression, name)
+        except NoConstant as error:
+            world().log.warning(f"'{material._path()}': {error}; its {field} stays as it is")
+            continue
         update[field] = value if field in VECTOR_FIELDS else value[0]
         named |= {
             str(each.get_editor_property("parameter_name")): field

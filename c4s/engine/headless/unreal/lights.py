@@ -9,7 +9,8 @@ from c4s.engine.headless.unreal.core import Prop, api, public, with_setters
 from c4s.engine.headless.unreal.enums import AutoExposureMethod, CollisionEnabled, ComponentMobility, LightUnits
 from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.setters import SETTERS
-from c4s.engine.headless.unreal.structs import Color, LinearColor, StructBase, Vector4
+from c4s.engine.headless.unreal.structs import ClosedStruct, Color, Later, LinearColor, Vector4
+from c4s.engine.headless.unreal.table import fields
 
 
 @public
@@ -296,7 +297,7 @@ def _grade(default: float) -> Prop:
     return Prop("Vector4", lambda: Vector4(default, default, default, default))
 
 
-_POST: dict[str, Prop] = {
+DECLARED_SETTINGS: dict[str, Prop] = {
     "auto_exposure_method": Prop("AutoExposureMethod", AutoExposureMethod.AEM_HISTOGRAM),
     "auto_exposure_bias": Prop("float", 1.0),
     "auto_exposure_min_brightness": Prop("float", -10.0),
@@ -316,13 +317,14 @@ _POST: dict[str, Prop] = {
     "film_grain_intensity": Prop("float", 0.0),
     "lens_flare_intensity": Prop("float", 1.0),
 }
+"""The settings that pictures here may show; the table has the others, and the ``override_`` flags of all."""
 
 
 @public
-class PostProcessSettings(StructBase):
+class PostProcessSettings(ClosedStruct):
     """Exposure, grading and effects; each value counts when its ``override_`` flag is set."""
 
-    _fields = {**{f"override_{name}": Prop("bool", False) for name in _POST}, **_POST}
+    _fields = Later(lambda: {**fields("PostProcessSettings"), **DECLARED_SETTINGS})
 
     def __init__(self, **kwargs: object) -> None:
         super().__init__(**kwargs)
@@ -346,26 +348,6 @@ class CameraComponent(SceneComponent):
     def set_field_of_view(self, field_of_view: float) -> None:
         """Set the horizontal field of view in degrees."""
         self.set_editor_property("field_of_view", field_of_view)
-
-
-@public
-class ShapeComponent(PrimitiveComponent):
-    """A simple shape without looks."""
-
-    _declares = {
-        "collision_enabled": Prop("CollisionEnabled", CollisionEnabled.NO_COLLISION, attribute=False, scripts=False)
-    }
-
-
-@public
-class CapsuleComponent(ShapeComponent):
-    """An upright capsule (cm)."""
-
-    _declares = {"capsule_radius": Prop("float", 40.0), "capsule_half_height": Prop("float", 92.0)}
-
-    def _local_bounds(self) -> Bounds | None:
-        r, h = self.get_editor_property("capsule_radius"), self.get_editor_property("capsule_half_height")
-        return (-r, -r, -h), (r, r, h)
 
 
 @public

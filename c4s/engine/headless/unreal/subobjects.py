@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from c4s.engine.headless.unreal.actors import Actor
-from c4s.engine.headless.unreal.components import ActorComponent, SceneComponent
+from c4s.engine.headless.unreal.components import ABSTRACT_COMPONENTS, ActorComponent, SceneComponent
 from c4s.engine.headless.unreal.containers import Array, Text
 from c4s.engine.headless.unreal.core import Object, Prop, api, as_class, public
 from c4s.engine.headless.unreal.structs import ClosedStruct, StructBase
@@ -96,6 +96,8 @@ class SubobjectDataSubsystem(Object):
         wanted = as_class(fields.new_class) if fields.new_class is not None else None
         if parent is None or wanted is None or not issubclass(wanted._python_type, ActorComponent):
             return SubobjectDataHandle(), Text("a parent and a component class are needed")
+        if wanted._python_type.__name__ in ABSTRACT_COMPONENTS:
+            return SubobjectDataHandle(), Text(f"{wanted._path()} is abstract")
         actor: Any = parent if isinstance(parent, Actor) else parent._outer
         stem = wanted._python_type.__name__.removesuffix("Component")
         taken, serial, name = {c._name for c in actor._components}, 1, stem

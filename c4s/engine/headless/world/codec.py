@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import Any
 
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.containers import Array, Name, Text
-from c4s.engine.headless.unreal.core import TYPES, EnumBase, Prop, converted, copied, need
+from c4s.engine.headless.unreal.core import TYPES, EnumBase, Object, Prop, converted, copied, need
 from c4s.engine.headless.unreal.structs import Color, Rotator, StructBase
 from c4s.errors import BadInput
+
+Find = Callable[[str], Any]
+"""The asset of a path, or None."""
 
 
 def encode(value: Any) -> Any:
@@ -25,12 +29,13 @@ def encode(value: Any) -> Any:
     if isinstance(value, StructBase):
         if all(prop.kind == "float" for prop in value._fields.values()):
             return list(value.to_tuple())
-        return {n: encode(getattr(value, n)) for n, p in value._fields.items() if getattr(value, n) != initial(p)}
+        held = value.__dict__
+        return {n: encode(held[n]) for n, p in value._fields.items() if held[n] != initial(p)}
     if isinstance(value, Array):
         return [encode(item) for item in value]
     if isinstance(value, AssetObject):
-        return value._path()
-    return value
+        return None if value._dead else value._path()
+    return None if isinstance(value, Object) else value
 
 
 def initial(prop: Prop) -> Any:
@@ -38,22 +43,22 @@ def initial(prop: Prop) -> Any:
     return prop.default() if callable(prop.default) else prop.default
 
 
-def decode(raw: Any, kind: str, where: str) -> Any:
-    """A property value of JSON data; ``BadInput`` when it does not fit the kind."""
+def decode(raw: Any, kind: str, where: str, find: Find) -> Any:
+    """A property value of JSON data; ``BadInput`` when it does not fit the kind. An asset that is gone is None."""
     try:
         json.dumps(raw, allow_nan=False)
-        return _decode(raw, kind)
+        return _decode(raw, kind, find)
     except (TypeError, ValueError, KeyError, OverflowError, AttributeError) as error:
-        raise BadInput(f"{raw!r} is no {kind}: {error}", where=where) from None
+        raise BadInput(f"{raw!r:.200} is no {kind}: {error!s:.200}", where=where) from None
 
 
-def _decode(raw: Any, kind: str) -> Any:
+def _decode(raw: Any, kind: str, find: Find) -> Any:
     if raw is None or kind in ("float", "int", "bool", "str", "Name", "Text"):
         need(raw, kind, "value")
         return converted(raw, kind) if raw is not None else None
     if kind.startswith("Sequence"):
         item = kind[len("Sequence[") : -1]
-        return Array._of(item, [_decode(v, item) for v in raw])
+        return Array._of(item, [_decode(v, item, find) for v in raw])
     found = TYPES[kind.split(" | ")[0]]
     if issubclass(found, EnumBase):
         return found[raw]
@@ -66,9 +71,12 @@ def _decode(raw: Any, kind: str) -> Any:
         if isinstance(raw, dict):
             made = found()
             for name, value in raw.items():
-                setattr(made, name, _decode(value, made._fields[name].kind))
+                made._put(name, _decode(value, made._fields[name].kind, find))
             return made
         return found(*raw)
+    if issubclass(found, Object) and isinstance(raw, str):
+        named = find(raw)
+        return named if isinstance(named, found) else None
     raise TypeError(f"a {kind} cannot be read from a document")
 
 
@@ -82,10 +90,20 @@ def stored(properties: dict[str, Prop], values: dict[str, Any]) -> dict[str, Any
     return kept
 
 
-def restore(properties: dict[str, Prop], values: dict[str, Any], raw: dict[str, Any], where: str) -> None:
+def restore(owner: Object, raw: dict[str, Any], where: str, find: Find) -> None:
     """Read a document's values back; ``BadInput`` for a property that the class does not have."""
     for name, value in raw.items():
-        prop = properties.get(name)
+        prop = owner._known(name)
         if prop is None or not prop.saved:
             raise BadInput(f"no property {name!r} that a document may hold", where=where)
-        values[name] = copied(decode(value, prop.kind, f"{where}.{name}"))
+        owner._values[name] = copied(decode(value, prop.kind, f"{where}.{name}", find))
+
+
+def asset_paths(kind: type[Object] | None, raw: dict[str, Any]) -> list[str]:
+    """Paths of the assets that an object's values name."""
+    found = []
+    for name, value in raw.items():
+        prop = kind._known(name) if kind is not None else None
+        if prop is not None and prop.kind.endswith(" | None") and isinstance(value, str):
+            found.append(value)
+    return found

@@ -5,16 +5,19 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Protocol
 
-from pydantic import Field, ValidationError
+from pydantic import Field
 
+from c4s.bounds import BOUNDS
 from c4s.engine.headless.log import EngineLog
 from c4s.engine.headless.pose import LARGEST, Pose, relative_to
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import MaterialInstanceDynamic, MaterialInterface, StaticMesh
 from c4s.engine.headless.unreal.components import (
+    ABSTRACT_COMPONENTS,
     ActorComponent,
     InstancedStaticMeshComponent,
     MeshComponent,
@@ -24,7 +27,10 @@ from c4s.engine.headless.unreal.components import (
 )
 from c4s.engine.headless.unreal.components.frames import DEEPEST
 from c4s.engine.headless.unreal.containers import Array, Name
+from c4s.engine.headless.unreal.core import TYPES, Object
 from c4s.engine.headless.unreal.enums import CollisionEnabled
+from c4s.engine.headless.unreal.lights import LightComponentBase
+from c4s.engine.headless.unreal.subsystems.spawning import ABSTRACT
 from c4s.engine.headless.world import codec
 from c4s.errors import BadInput
 from c4s.files import write_bytes
@@ -33,10 +39,6 @@ from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 
 _GUID = re.compile(r"[0-9A-Fa-f]{32}")
 _DYNAMIC = "dynamic_materials"
-MOST_BYTES = 64 << 20
-MOST_RECORDS = 600_000
-"""Actors, components, transforms and instances: what takes time and memory to read."""
-MOST_ACTORS = 100_000
 
 
 class Maker(Protocol):
@@ -75,38 +77,6 @@ def _dynamic(properties: dict[str, Any], where: str) -> dict[int, DynamicMateria
     return _DynamicMaterials.parse({"slots": properties.get(_DYNAMIC, {})}, where=where).slots
 
 
-def read(path: Path) -> Level:
-    """Read and validate a level document; ``BadInput`` when it is missing, truncated, wrong or too large."""
-    try:
-        size = path.stat().st_size
-        if size > MOST_BYTES:
-            raise BadInput(f"this level document has {size >> 20} MiB, more than {MOST_BYTES >> 20}", where=str(path))
-        data = path.read_bytes()
-        _check_size(data, str(path))
-        level = Level.model_validate_json(data)
-    except OSError as error:
-        raise BadInput(f"no such level ({error.strerror})", where=str(path)) from None
-    except ValidationError as error:
-        first = error.errors()[0]
-        field = ".".join(str(part) for part in first["loc"]) or "value"
-        raise BadInput(f"this level document is wrong at {field}: {first['msg']}", where=str(path)) from None
-    _check_count(len(level.actors), str(path))
-    return level
-
-
-def _check_size(data: bytes, where: str) -> None:
-    records = data.count(b"{")
-    if len(data) > MOST_BYTES:
-        raise BadInput(f"this level document has {len(data) >> 20} MiB, more than {MOST_BYTES >> 20}", where=where)
-    if records > MOST_RECORDS:
-        raise BadInput(f"this level document has {records} records, more than {MOST_RECORDS}", where=where)
-
-
-def _check_count(actors: int, where: str) -> None:
-    if actors > MOST_ACTORS:
-        raise BadInput(f"this level has {actors} actors, more than {MOST_ACTORS}", where=where)
-
-
 def _pose(transform: Transform, where: str = "") -> Pose:
     numbers = (*transform.location_cm, *transform.rotation_deg, *transform.scale)
     if not max(map(abs, numbers)) <= LARGEST or math.isnan(sum(numbers)):
@@ -120,6 +90,12 @@ def _plain(pose: Pose) -> dict[str, Any]:
     return {"location_cm": list(pose.location), "rotation_deg": list(pose.rotation_deg), "scale": list(pose.scale)}
 
 
+def _native(class_path: str) -> type[Object] | None:
+    """The native class of a path."""
+    found = TYPES.get(class_path.rsplit(".", 1)[-1])
+    return found if found is not None and issubclass(found, Object) else None
+
+
 def references(level: Level) -> list[str]:
     """Paths of all assets and Blueprint classes that a level document names, sorted."""
     found: set[str] = set()
@@ -127,6 +103,7 @@ def references(level: Level) -> list[str]:
         if actor.class_path.startswith("/Game/"):
             found.add(actor.class_path)
         for component in actor.components:
+            found.update(codec.asset_paths(_native(component.class_path), component.properties))
             if component.static_mesh:
                 found.add(component.static_mesh)
             found.update(component.materials.values())
@@ -163,7 +140,7 @@ def _fill(world: Maker, actor: Actor, component: ActorComponent, doc: LevelCompo
         properties.pop(_DYNAMIC, None)
     if isinstance(component, InstancedStaticMeshComponent):
         component._instances = [_pose(t, where) for t in doc.instances]
-    codec.restore(component._properties, component._values, properties, where)
+    codec.restore(component, properties, where, world.find)
     if isinstance(component, PrimitiveComponent) and not doc.collision_enabled:
         component._values["collision_enabled"] = CollisionEnabled.NO_COLLISION
     if isinstance(component, SceneComponent) and component is not actor._components[0]:
@@ -178,9 +155,11 @@ def _component_for(
     wanted = world.native_class(doc.class_path)
     if wanted is None or not issubclass(wanted, ActorComponent):
         raise BadInput(f"unknown component class {doc.class_path!r}", where=where)
+    if wanted.__name__ in ABSTRACT_COMPONENTS:
+        raise BadInput(f"no component can be of the abstract class {doc.class_path!r}", where=where)
     for match in (
-        [c for c in free if c._name == doc.name and type(c) is wanted],
-        [c for c in free if type(c) is wanted],
+        [c for c in free if c._name == doc.name and c._class_path() == doc.class_path],
+        [c for c in free if c._class_path() == doc.class_path],
     ):
         if match:
             free.remove(match[0])
@@ -198,6 +177,8 @@ def build(world: Maker, level: Level, where: str) -> dict[str, Actor]:
         spot = f"{where}: {doc.name}"
         if doc.name in actors:
             raise BadInput("two actors have this object name", where=spot)
+        if doc.class_path.rsplit(".", 1)[-1] in ABSTRACT and world.native_class(doc.class_path) is not None:
+            raise BadInput(f"no actor can be of the abstract class {doc.class_path!r}", where=spot)
         actor = world.make(doc.class_path, doc.name)
         if actor is None:
             world.log.warning(f"{spot}: failed to find class '{doc.class_path}', the actor is not loaded")
@@ -209,7 +190,7 @@ def build(world: Maker, level: Level, where: str) -> dict[str, Actor]:
             actor._values["tags"] = Array._of("Name", [Name(t) for t in doc.tags])
         if doc.hidden:
             actor._values["hidden"] = True
-        codec.restore(actor._properties, actor._values, doc.properties, spot)
+        codec.restore(actor, doc.properties, spot, world.find)
         free = list(actor._components)
         for part in doc.components:
             _fill(world, actor, _component_for(world, actor, part, free, spot), part, f"{spot}.{part.name}")
@@ -218,8 +199,15 @@ def build(world: Maker, level: Level, where: str) -> dict[str, Actor]:
         root._stale()
         root._world = root._relative
         actors[doc.name] = actor
+    _hold_lights(actors.values(), where)
     _attach(level, actors, where)
     return actors
+
+
+def _hold_lights(actors: Iterable[Actor], where: str) -> None:
+    """``BadInput`` for more lights than pictures can be taken with."""
+    lights = sum(isinstance(part, LightComponentBase) for actor in actors for part in actor._components)
+    BOUNDS["level_lights"].hold(lights, where=where)
 
 
 def _check_parents(level: Level, actors: dict[str, Actor], where: str) -> None:
@@ -326,10 +314,11 @@ def actor_plain(actor: Actor) -> dict[str, Any]:
 
 def write(path: Path, package: str, actors: list[Actor]) -> None:
     """Write the actors as a level document. ``BadInput`` for what ``read`` would refuse."""
-    _check_count(len(actors), package)
+    BOUNDS["level_actors"].hold(len(actors), where=package)
+    _hold_lights(actors, package)
     value = {"schema_version": "c4s.level.v1", "package": package, "actors": [_sound(actor) for actor in actors]}
     data = _encoded(value)
-    _check_size(data, package)
+    Level.from_text(data, where=package)
     write_bytes(path, data)
 
 

@@ -13,6 +13,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
+from c4s.bounds import BOUNDS
 from c4s.engine.headless.log import EngineLog
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.assets import (
@@ -23,12 +24,14 @@ from c4s.engine.headless.unreal.assets import (
     MaterialInterface,
     StaticMesh,
 )
-from c4s.engine.headless.unreal.core import Class
-from c4s.engine.headless.world import documents
+from c4s.engine.headless.unreal.core import Class, Object, as_class
+from c4s.engine.headless.world import codec, documents
 from c4s.errors import BadInput
-from c4s.packs.store import PackStore, object_path
+from c4s.files import read_json
+from c4s.packs.store import PackStore, bare_path, object_path
 from c4s.records import pack
 from c4s.records.base import Record
+from c4s.records.level import Level, Number
 
 _PACKAGE = re.compile(r"/Game(/[A-Za-z0-9_\-]+)+")
 _LONGEST_PATH, _LONGEST_NAME = 1000, 200
@@ -49,8 +52,10 @@ class AssetDocument(Record):
     material: pack.Material | None = None
     parameters: dict[str, str] = Field(default_factory=dict)
     """Parameters of a material by the name that a script gave them, with the field that each one drives."""
-    vectors: dict[str, tuple[float, float, float, float]] = Field(default_factory=dict)
-    scalars: dict[str, float] = Field(default_factory=dict)
+    vectors: dict[str, tuple[Number, Number, Number, Number]] = Field(default_factory=dict)
+    scalars: dict[str, Number] = Field(default_factory=dict)
+    properties: dict[str, Any] = Field(default_factory=dict)
+    """Editor properties that differ from the class defaults."""
 
 
 class AssetLibrary(ABC):
@@ -64,6 +69,8 @@ class AssetLibrary(ABC):
         self.created: dict[str, AssetObject] = {}
         """Assets made in this session, and saved ones that were loaded, by object path."""
         self._cache: dict[str, AssetObject | Class] = {}
+        self._depth = 0
+        """Assets that are being read, each for the one before it."""
         self.folders: set[str] = set()
         """Folders that scripts made."""
 
@@ -75,10 +82,13 @@ class AssetLibrary(ABC):
         return self.content / f"{package[1:]}{suffix}"
 
     def find(self, path: str) -> AssetObject | Class | None:
-        """The asset of ``/Game/A/B`` or ``/Game/A/B.B``, the class of ``/Game/A/B.B_C``, or None."""
+        """The asset of ``/Game/A/B`` or ``/Game/A/B.B``, the class of ``/Game/A/B.B_C`` or ``/Script/Module.Name``, or
+        None; each path may have the class around it that export text has."""
+        path = bare_path(str(path))
         found = self._cache.get(path)
         if found is None:
-            found = self._made(path) or self._of_pack(path)
+            native = self.native_class(path)
+            found = as_class(native) if native is not None else self._made(path) or self._of_pack(path)
             if found is not None and not (isinstance(found, AssetObject) and found._created):
                 self._cache[path] = found
         return found
@@ -90,11 +100,19 @@ class AssetLibrary(ABC):
         file = self.content_file(full.rsplit(".", 1)[0], ".asset.json")
         if file is None or not file.is_file():
             return None
-        document = AssetDocument.read(file)
+        document = AssetDocument.parse(
+            read_json(file, what="saved asset", bound=BOUNDS["asset_bytes"]), where=str(file)
+        )
         if document.path != full:
             raise BadInput(f"the document calls itself {document.path}, not {full}", where=str(file))
-        made = self._from_document(document)
+        BOUNDS["material_parents"].hold(self._depth, where=full)
+        self._depth += 1
+        try:
+            made = self._from_document(document)
+        finally:
+            self._depth -= 1
         self.created[full] = made
+        codec.restore(made, document.properties, str(file), self.find)
         made._dirty = False
         return made
 
@@ -140,7 +158,10 @@ class AssetLibrary(ABC):
     def save(self, asset: AssetObject) -> bool:
         """Write a created asset; assets of packs are read-only and need no saving (True)."""
         if not asset._created:
-            return True
+            edited = codec.stored(type(asset)._properties, asset._values)
+            if edited:
+                self.log.error(f"SaveAsset: '{asset._path()}' is read-only; not saved: {', '.join(edited)}")
+            return not edited
         file = self.content_file(asset._path().rsplit(".", 1)[0], ".asset.json")
         if file is None:
             self.log.error(f"SaveAsset: '{asset._path()}' does not lie under /Game/")
@@ -200,6 +221,10 @@ class AssetLibrary(ABC):
                 user._dirty = True
 
     @abstractmethod
+    def native_class(self, path: str) -> type[Object] | None:
+        """The type behind ``/Script/Module.Name``, or None."""
+
+    @abstractmethod
     def references(self) -> list[str]:
         """Object paths that the open level names."""
 
@@ -216,7 +241,7 @@ class AssetLibrary(ABC):
         """Object paths that a saved package names (levels, created assets, packs), or None when it is not on disk."""
         level = self.level_file(package)
         if level is not None:
-            return documents.references(documents.read(level))
+            return documents.references(Level.read(level))
         asset = self.find(package)
         if isinstance(asset, AssetObject) and (not asset._created or self._is_saved(package)):
             return asset._references()
@@ -232,7 +257,11 @@ class AssetLibrary(ABC):
 
     @staticmethod
     def _document(asset: AssetObject) -> AssetDocument:
-        common: dict[str, Any] = {"path": asset._path(), "class_path": asset._class_path()}
+        common: dict[str, Any] = {
+            "path": asset._path(),
+            "class_path": asset._class_path(),
+            "properties": codec.stored(type(asset)._properties, asset._values),
+        }
         if isinstance(asset, MaterialInstanceConstant):
             parent = asset._parent()
             return AssetDocument(

@@ -14,6 +14,7 @@ from c4s.engine.headless.log import EngineLog
 from c4s.engine.headless.pose import Pose, compose
 from c4s.engine.headless.unreal import lights
 from c4s.engine.headless.unreal.actors import Actor
+from c4s.engine.headless.unreal.asset_tools.paths import package_of
 from c4s.engine.headless.unreal.assets import AssetObject, MaterialInterface, StaticMesh
 from c4s.engine.headless.unreal.components import (
     InstancedStaticMeshComponent,
@@ -38,6 +39,7 @@ Painter = Callable[[Sequence[Mapping[str, Any]], Sequence[str], str, bool], list
 """Renders the open level: cameras, files, mode, and whether to write masks; a record a picture."""
 UNTITLED = "/Temp/Untitled_1"
 _PACKAGE = re.compile(r"/Game(/[A-Za-z0-9_\-]+)+")
+_LAST_DIGITS = re.compile(r"[0-9]{1,9}$")
 _NAME = re.compile(r"[A-Za-z0-9_\-]+")
 
 
@@ -63,7 +65,8 @@ class Drawable:
 
 @dataclass(frozen=True)
 class LightSource:
-    """One light: ``kind`` is its component's class name, ``properties`` all editor properties."""
+    """One light: ``kind`` is its component's class name, ``properties`` the editor properties that the engine
+    declares itself, not those that it only keeps."""
 
     actor: Actor
     kind: str
@@ -136,12 +139,12 @@ class World(AssetLibrary):
 
     def load_map(self, package: str) -> MapObject | None:
         """Close the level without saving and open another; None (and the old one stays) when there is none."""
-        package = package.split(".", 1)[0]
+        package = package_of(package)
         path = self.level_file(package)
         if path is None:
             self.log.error(f"LoadMap: failed to find level '{package}'")
             return None
-        level = documents.read(path)
+        level = Level.read(path)
         if level.package != package:
             raise BadInput(f"the document calls itself {level.package}, not {package}", where=str(path))
         return self._open(package, documents.build(self, level, package))
@@ -157,7 +160,7 @@ class World(AssetLibrary):
 
     def save_map(self, package: str) -> bool:
         """Save the open level under a package name and make that its own; False (and why, logged) when refused."""
-        package = package.split(".", 1)[0]
+        package = package_of(package)
         path = self.content_file(package, ".level.json")
         if path is None:
             self.log.error(f"SaveMap: '{package}' is not a package path under /Game/")
@@ -184,7 +187,7 @@ class World(AssetLibrary):
 
     def native_class(self, path: str) -> type[Object] | None:
         """The type behind ``/Script/Module.Name``, or None."""
-        found = TYPES.get(path.rsplit(".", 1)[-1]) if path.startswith("/Script/") else None
+        found: type | None = TYPES.get(path.rsplit(".", 1)[-1]) if path.startswith("/Script/") else None
         if found is None or not issubclass(found, Object) or found._class_path() != path:
             return None
         return found
@@ -223,13 +226,17 @@ class World(AssetLibrary):
         self.touch()
 
     def _fresh_label(self, stem: str) -> str:
+        """``stem``, or where it is taken the next free one: ``Cube2`` behind ``Cube``, ``Box_02`` behind ``Box_01``."""
         if not self._labels[stem]:
             return stem
-        serial = self._serials.get(f"label:{stem}", 2)
-        while self._labels[f"{stem}{serial}"]:
+        digits = _LAST_DIGITS.search(stem)
+        plain, width = (stem[: digits.start()], len(digits[0])) if digits else (stem, 1)
+        serial = max(self._serials.get(f"label:{plain}", 0), int(digits[0]) + 1 if digits else 2)
+        while self._labels[f"{plain}{serial:0{width}d}"]:
             serial += 1
-        self._serials[f"label:{stem}"] = serial + 1
-        return f"{stem}{serial}"
+        if digits is None:
+            self._serials[f"label:{plain}"] = serial
+        return f"{plain}{serial:0{width}d}"
 
     def relabel(self, actor: Actor, label: str) -> None:
         """Give an actor another label."""
@@ -255,7 +262,7 @@ class World(AssetLibrary):
         copy = documents.actor_copy(self, actor, self._fresh_name(actor._name.rsplit("_", 1)[0]))
         pose = actor._pose()
         copy._outer = self.map._level
-        copy._label = self._fresh_label(re.sub(r"\d+$", "", actor._label) or actor._label)
+        copy._label = self._fresh_label(actor._label)
         copy._move(pose.moved(tuple(a + b for a, b in zip(pose.location, offset, strict=True))))  # type: ignore[arg-type]
         self._enter(copy)
         return copy
@@ -344,7 +351,7 @@ class World(AssetLibrary):
                 pose = actor._pose() if source is actor else source._world_pose()
                 properties = {
                     name: source.get_editor_property(name)
-                    for name, prop in type(source)._properties.items()
+                    for name, prop in type(source)._declared.items()
                     if prop.scripts
                 }
                 yield LightSource(actor, type(source).__name__, pose, properties)
@@ -354,7 +361,7 @@ def known_levels(paths: Sequence[Path]) -> dict[str, Path]:
     """Level documents by the package name that they carry."""
     found: dict[str, Path] = {}
     for path in paths:
-        level: Level = documents.read(path)
+        level = Level.read(path)
         if level.package in found:
             raise BadInput(f"{level.package} is also {found[level.package]}", where=str(path))
         found[level.package] = path

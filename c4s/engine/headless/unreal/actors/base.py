@@ -37,9 +37,11 @@ class Actor(Placed):
         "can_be_damaged": Prop("bool", True),
     }
 
-    @classmethod
-    def _abstract(cls) -> bool:
-        return True
+    def __init__(self, outer: Object | None = None, name: str | Name = "None") -> None:
+        super().__init__(outer, name)
+        self._outer = None
+        self._label = self._name
+        world().log.warning(f"{self._name}: an actor made so is in no level; spawn one to have it saved")
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)
@@ -67,7 +69,7 @@ class Actor(Placed):
             for child in list(component._children):
                 child._attach(component._parent)
             component._attach(None)
-        self._components.remove(component)
+        self._components = [each for each in self._components if each is not component]
         component._dead = True
         self._changed("components")
 
@@ -84,6 +86,8 @@ class Actor(Placed):
         return self._blueprint or super()._class()
 
     def _path(self) -> str:
+        if self._outer is None:
+            return f"/Engine/Transient.{self._name}"
         return f"{world().map_path()}:PersistentLevel.{self._name}"
 
     def _get_guid(self) -> Guid:

@@ -18,7 +18,10 @@ class CameraActor(Actor):
     """A camera."""
 
     _parts = (("SceneComponent", SceneComponent), ("CameraComponent", CameraComponent))
-    _declares = {"camera_component": Prop("CameraComponent", get="_get_camera", writable=False, saved=False)}
+    _declares = {
+        "camera_component": Prop("CameraComponent", get="_get_camera", writable=False, saved=False),
+        "scene_component": Prop("SceneComponent", get="_get_root", writable=False, saved=False),
+    }
 
     def _get_camera(self) -> Any:
         return next(c for c in self._components if isinstance(c, CameraComponent))

@@ -76,6 +76,11 @@ class DirectionalLight(Light):
     """A sun."""
 
     _parts = (("LightComponent0", DirectionalLightComponent),)
+    _declares = {
+        "directional_light_component": Prop(
+            "DirectionalLightComponent", get="_get_root", attribute=False, writable=False, saved=False
+        )
+    }
 
 
 @public

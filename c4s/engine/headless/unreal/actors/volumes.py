@@ -5,16 +5,17 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.actors.base import Actor
+from c4s.engine.headless.unreal.components.shapes import CapsuleComponent, shape
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Prop, public
-from c4s.engine.headless.unreal.lights import BrushComponent, CapsuleComponent, PostProcessSettings
+from c4s.engine.headless.unreal.lights import BrushComponent, PostProcessSettings
 
 
 @public
 class PlayerStart(Actor):
     """Where a player starts."""
 
-    _parts = (("CollisionCapsule", CapsuleComponent),)
+    _parts = (("CollisionCapsule", shape(CapsuleComponent, capsule_radius=40.0, capsule_half_height=92.0)),)
     _declares = {"player_start_tag": Prop("Name", Name)}
 
 
@@ -23,6 +24,7 @@ class Volume(Actor):
     """A box in space."""
 
     _parts = (("BrushComponent0", BrushComponent),)
+    _declares = {"brush_component": Prop("BrushComponent", get="_get_root", writable=False, saved=False)}
 
 
 @public
@@ -59,3 +61,33 @@ class NavMeshBoundsVolume(Volume):
 @public
 class LightmassImportanceVolume(Volume):
     """Where baked light matters; none is baked here."""
+
+
+@public
+class PhysicsVolume(Volume):
+    """A volume with its own physics; there are none here."""
+
+
+@public
+class KillZVolume(PhysicsVolume):
+    """A volume that ends what falls into it, in play."""
+
+
+@public
+class PainCausingVolume(PhysicsVolume):
+    """A volume that hurts, in play."""
+
+
+@public
+class CameraBlockingVolume(Volume):
+    """A volume that cameras stay out of, in play."""
+
+
+@public
+class CullDistanceVolume(Volume):
+    """A volume that hides small things far away; pictures here show all of them."""
+
+
+@public
+class AudioVolume(Volume):
+    """A volume with its own sound; there is none here."""

@@ -139,9 +139,9 @@ class MaterialEditingLibrary(Object):
     def connect_material_property(
         cls, from_expression: MaterialExpression, from_output_name: str, property_: MaterialProperty
     ) -> bool:
-        """Let an expression drive an input of its material; False for inputs that a surface here does not have."""
-        material, field = from_expression._outer, SURFACE_FIELDS.get(property_.name)
-        if field is None or not isinstance(material, Material):
+        """Let an expression drive an input of its material; one that a surface here does not have changes nothing."""
+        material, field = from_expression._outer, SURFACE_FIELDS.get(property_.name, property_.name)
+        if not isinstance(material, Material):
             return False
         links(material)[field] = (from_expression, from_output_name)
         recompile(material)
@@ -167,6 +167,26 @@ class MaterialEditingLibrary(Object):
             return False
         to_expression._wires[wanted] = (from_expression, from_output_name)
         return True
+
+    @classmethod
+    @api
+    def get_material_property_input_node(
+        cls, material: Material, property_: MaterialProperty
+    ) -> MaterialExpression | None:
+        """The expression that drives an input of a material, or None."""
+        return links(material).get(SURFACE_FIELDS.get(property_.name, property_.name), (None, ""))[0]
+
+    @classmethod
+    @api
+    def get_material_property_input_node_output_name(cls, material: Material, property_: MaterialProperty) -> str:
+        """Which output drives an input of a material; empty for all, or none."""
+        return links(material).get(SURFACE_FIELDS.get(property_.name, property_.name), (None, ""))[1]
+
+    @classmethod
+    @api
+    def get_material_expression_input_names(cls, material_expression: MaterialExpression) -> Array:
+        """Names of the inputs of an expression."""
+        return Array._of("str", list(material_expression._inputs))
 
     @classmethod
     @api

@@ -5,16 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.engine.headless.editor import world
+from c4s.packs.store import package_path
 
 
 def package_of(path: str) -> str:
-    """Package of an object path."""
-    return path.split(".", 1)[0]
+    """Package of a path in any of the four forms of asset paths."""
+    return package_path(str(path))
 
 
 def load(path: str) -> Any:
     """The asset of a path, or None with a logged warning."""
-    found = world().find(str(path))
+    found = world().find(path)
     if found is None:
         world().log.warning(f"LoadAsset failed: '{path}' does not exist")
     return found

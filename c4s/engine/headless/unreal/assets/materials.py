@@ -8,9 +8,10 @@ import math
 import re
 from typing import Any
 
+from c4s.bounds import BOUNDS
 from c4s.engine.headless.unreal.assets.base import AssetObject
-from c4s.engine.headless.unreal.containers import Name
-from c4s.engine.headless.unreal.core import Object, Prop, api, public
+from c4s.engine.headless.unreal.containers import Array, Name
+from c4s.engine.headless.unreal.core import TYPES, Object, Prop, api, public
 from c4s.engine.headless.unreal.enums import BlendMode
 from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.structs import LinearColor
@@ -101,7 +102,18 @@ class Texture2D(Texture):
 class _Overriding(MaterialInterface):
     """A material given by a parent and parameter values."""
 
-    _declares = {"parent": Prop("MaterialInterface | None", get="_parent", set="_set_parent")}
+    _declares = {
+        "parent": Prop("MaterialInterface | None", get="_parent", set="_set_parent", saved=False),
+        "scalar_parameter_values": Prop(
+            "Sequence[ScalarParameterValue]", get="_scalar_rows", writable=False, saved=False
+        ),
+        "vector_parameter_values": Prop(
+            "Sequence[VectorParameterValue]", get="_vector_rows", writable=False, saved=False
+        ),
+        "texture_parameter_values": Prop(
+            "Sequence[TextureParameterValue]", get="_texture_rows", writable=False, saved=False
+        ),
+    }
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)
@@ -113,15 +125,16 @@ class _Overriding(MaterialInterface):
         return found
 
     def _may_follow(self, parent: MaterialInterface | None) -> bool:
-        """Whether taking this parent leaves no circle."""
+        """Whether taking this parent leaves no circle, and no chain that is too long to be read again."""
         above: MaterialInterface | None = parent
+        parents = 0
         while above is not None and above is not self:
-            above = above._parent() if isinstance(above, _Overriding) else None
-        return above is None
+            above, parents = above._parent() if isinstance(above, _Overriding) else None, parents + 1
+        return above is None and BOUNDS["material_parents"].fault(parents) is None
 
     def _set_parent(self, parent: MaterialInterface | None) -> None:
         if not self._may_follow(parent):
-            raise Exception(f"{self._name}: a material instance cannot be its own parent")
+            raise Exception(f"{self._name}: a material instance cannot be its own parent, nor below too many")
         self._values["parent"] = parent
 
     def _surface(self) -> pack.Material:
@@ -149,6 +162,26 @@ class _Overriding(MaterialInterface):
     def _origin_path(self) -> str:
         parent = self._parent()
         return parent._origin_path() if parent is not None else self._path()
+
+    def _rows(self, kind: str, values: dict[str, Any]) -> Array:
+        """Its own values as structs of the table; names belong to no layer."""
+        made: Any = TYPES[kind]
+        rows = []
+        for name, value in values.items():
+            row = made()
+            row.parameter_info.name = name
+            row.parameter_value = value
+            rows.append(row)
+        return Array._of(kind, rows)
+
+    def _scalar_rows(self) -> Array:
+        return self._rows("ScalarParameterValue", self._scalars)
+
+    def _vector_rows(self) -> Array:
+        return self._rows("VectorParameterValue", self._vectors)
+
+    def _texture_rows(self) -> Array:
+        return self._rows("TextureParameterValue", {})
 
     def _set_vector(self, name: object, value: LinearColor) -> bool:
         if self._field(name, True) is None or not all(math.isfinite(part) for part in value.to_tuple()):
@@ -194,6 +227,21 @@ class MaterialInstance(_Overriding):
 @public
 class MaterialInstanceConstant(MaterialInstance):
     """A material instance asset."""
+
+    @api
+    def get_vector_parameter_value(self, parameter_name: Name | str) -> LinearColor:
+        """Value of a vector parameter."""
+        return self._vector(parameter_name)
+
+    @api
+    def get_scalar_parameter_value(self, parameter_name: Name | str) -> float:
+        """Value of a scalar parameter."""
+        return self._scalar(parameter_name)
+
+    @api
+    def get_texture_parameter_value(self, parameter_name: Name | str) -> Texture | None:
+        """None: materials here have no texture parameters."""
+        return None
 
 
 @public

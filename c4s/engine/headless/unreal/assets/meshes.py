@@ -10,6 +10,7 @@ from c4s.engine.headless.editor import world
 from c4s.engine.headless.pose import Pose
 from c4s.engine.headless.unreal.assets.base import AssetObject
 from c4s.engine.headless.unreal.assets.collision import BodySetup, aggregate
+from c4s.engine.headless.unreal.assets.descriptions import StaticMeshDescription, StaticMeshSocket
 from c4s.engine.headless.unreal.assets.materials import MaterialInterface
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Object, Prop, api, public
@@ -137,3 +138,22 @@ class StaticMesh(AssetObject):
     def get_num_sections(self, lod: int) -> int:
         """Sections: one a slot."""
         return len(self._asset.slots) if lod == 0 else 0
+
+    @api
+    def get_static_mesh_description(self, lod_index: int) -> StaticMeshDescription | None:
+        """The geometry of the one level of detail; None for another, or where no pack holds it any more."""
+        mesh = self._geometry() if lod_index == 0 else None
+        if mesh is None:
+            return None
+        made: StaticMeshDescription = StaticMeshDescription._make("StaticMeshDescription_0", self)
+        return made._bind(mesh, len(self._asset.slots))  # type: ignore[no-any-return]
+
+    @api
+    def find_socket(self, socket_name: Name | str) -> StaticMeshSocket | None:
+        """None: meshes here have no sockets."""
+        return None
+
+    @api
+    def get_sockets_by_tag(self, socket_tag: str) -> Array:
+        """None: meshes here have no sockets."""
+        return Array._of("StaticMeshSocket", [])

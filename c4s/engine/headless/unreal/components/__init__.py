@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from c4s.engine.headless.unreal.components.base import ActorComponent, of_class
+from c4s.engine.headless.unreal.components.base import ABSTRACT_COMPONENTS, ActorComponent, of_class
 from c4s.engine.headless.unreal.components.frames import Bounds, finite
 from c4s.engine.headless.unreal.components.instances import (
     HierarchicalInstancedStaticMeshComponent,
@@ -13,6 +13,7 @@ from c4s.engine.headless.unreal.components.primitive import PrimitiveComponent
 from c4s.engine.headless.unreal.components.scene import SceneComponent
 
 __all__ = [
+    "ABSTRACT_COMPONENTS",
     "ActorComponent",
     "Bounds",
     "HierarchicalInstancedStaticMeshComponent",

@@ -6,8 +6,23 @@ from __future__ import annotations
 
 from typing import Any
 
+from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Class, Object, Prop, api, public
+
+ABSTRACT_COMPONENTS = frozenset(
+    {
+        "ActorComponent",
+        "LightComponent",
+        "LightComponentBase",
+        "LocalLightComponent",
+        "MeshComponent",
+        "PrimitiveComponent",
+        "SceneCaptureComponent",
+        "ShapeComponent",
+    }
+)
+"""Component classes that no actor can have: they are there for what is derived from them."""
 
 
 @public
@@ -19,9 +34,16 @@ class ActorComponent(Object):
         "is_editor_only": Prop("bool", False),
     }
 
+    def __init__(self, outer: Object | None = None, name: str | Name = "None") -> None:
+        super().__init__(outer, name)
+        owner = outer._name if outer is not None else "no actor"
+        world().log.warning(
+            f"{self._name}: a component made so is no part of {owner} and is not saved; SubobjectDataSubsystem adds one"
+        )
+
     @classmethod
     def _abstract(cls) -> bool:
-        return True
+        return cls.__name__ in ABSTRACT_COMPONENTS
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)

@@ -41,6 +41,8 @@ class Frame(ActorComponent):
 
     def _stale(self) -> None:
         self._world = None
+        if self._views:
+            self._refresh_views()
         note(self._outer)
         for child in self._children:
             child._stale()

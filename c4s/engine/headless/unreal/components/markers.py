@@ -80,7 +80,7 @@ class DecalComponent(SceneComponent):
 
     _declares = {
         "decal_size": Prop("Vector", lambda: Vector(128, 256, 256)),
-        "decal_material": Prop("MaterialInterface | None", None, saved=False),
+        "decal_material": Prop("MaterialInterface | None", None),
         "decal_color": Prop("LinearColor", lambda: LinearColor(1, 1, 1, 1)),
         "sort_order": Prop("int", 0),
     }

@@ -146,6 +146,11 @@ class SceneComponent(Moves):
         weld_simulated_bodies: bool = True,
     ) -> bool:
         """Attach; False when that would close a circle, or make a chain longer than ``DEEPEST``."""
+        if not _lasts(parent) and _lasts(self):
+            world().log.error(
+                f"AttachTo: '{parent._path()}' is in no level, so nothing in the level can be attached to it"
+            )
+            return False
         above: SceneComponent | None = parent
         length = self._height()
         while above is not None:
@@ -194,3 +199,9 @@ class SceneComponent(Moves):
                 world.scale if scale_rule is keep else own.scale,
             )
         )
+
+
+def _lasts(component: SceneComponent) -> bool:
+    """Whether a component is part of an actor that is in a level, and is saved with it."""
+    owner: Any = component._outer
+    return owner is not None and owner._outer is not None and component in owner._components

@@ -7,14 +7,19 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from c4s.engine.headless.unreal.containers.items import checked, initial, kind_name
+from c4s.engine.headless.unreal.containers.live import Live, copied, editing, finite, need_finite
 
 
-class Array:
-    """TArray: typed, iterable and indexable, but not a list. ``Array(unreal.Vector)`` is empty."""
+class Array(Live):
+    """TArray: typed, iterable and indexable, but not a list. ``Array(unreal.Vector)`` is empty.
 
-    __slots__ = ("_items", "_kind")
+    Structs leave it as copies.
+    """
+
+    __slots__ = ("_home", "_items", "_kind")
 
     def __init__(self, type: Any) -> None:
+        self._home = None
         self._kind = kind_name(type)
         self._items: list[Any] = []
 
@@ -24,6 +29,7 @@ class Array:
     @classmethod
     def _of(cls, kind: str, items: Iterable[Any]) -> Array:
         made = cls.__new__(cls)
+        made._home = None
         made._kind = kind
         made._items = list(items)
         return made
@@ -36,22 +42,33 @@ class Array:
         return made
 
     def _checked(self, value: Any) -> Any:
-        return checked(value, self._kind, "Array")
+        item = checked(value, self._kind, "Array")
+        need_finite(item, self)
+        return item
+
+    def _become(self, other: Array) -> None:
+        self._items = list(other._items)
+
+    def _finite(self) -> bool:
+        return all(map(finite, self._items))
 
     def __len__(self) -> int:
         return len(self._items)
 
     def __iter__(self) -> Iterator[Any]:
-        return iter(list(self._items))
+        items = self._items
+        return iter([item.copy() for item in items] if items and isinstance(items[0], Live) else list(items))
 
     def __getitem__(self, index: Any) -> Any:
         if isinstance(index, slice):
             return Array._of(self._kind, self._items[index])
-        return self._items[index]
+        return copied(self._items[index])
 
+    @editing
     def __setitem__(self, index: int, value: Any) -> None:
         self._items[index] = self._checked(value)
 
+    @editing
     def __delitem__(self, index: int) -> None:
         del self._items[index]
 
@@ -81,29 +98,35 @@ class Array:
         """A shallow copy."""
         return Array._of(self._kind, self._items)
 
+    @editing
     def append(self, value: Any) -> None:
         """Add at the end."""
         self._items.append(self._checked(value))
 
+    @editing
     def extend(self, values: Iterable[Any]) -> None:
         """Add all."""
         self._items.extend([self._checked(v) for v in values])
 
+    @editing
     def insert(self, index: int, value: Any) -> None:
         """Insert before ``index``."""
         self._items.insert(index, self._checked(value))
 
+    @editing
     def remove(self, value: Any) -> None:
         """Remove the first equal item; ``ValueError`` when there is none."""
         self._items.remove(value)
 
+    @editing
     def clear(self) -> None:
         """Remove all items."""
         self._items.clear()
 
+    @editing
     def pop(self, index: int = -1) -> Any:
         """Remove and return."""
-        return self._items.pop(index)
+        return copied(self._items.pop(index))
 
     def index(self, value: Any, start: int = 0, stop: int = -1) -> int:
         """Index of the first equal item."""
@@ -113,26 +136,30 @@ class Array:
         """Number of equal items."""
         return self._items.count(value)
 
+    @editing
     def reverse(self) -> None:
         """Reverse in place."""
         self._items.reverse()
 
+    @editing
     def sort(self, key: Callable[[Any], Any] | None = None, reverse: bool = False) -> None:
         """Sort in place."""
         self._items.sort(key=key, reverse=reverse)
 
+    @editing
     def resize(self, len: int) -> None:
         """Cut to ``len`` items, or fill up with defaults."""
         del self._items[len:]
         self._items += [initial(self._kind) for _ in range(len - self.__len__())]
 
 
-class FixedArray:
+class FixedArray(Live):
     """A typed array of a length that cannot change."""
 
-    __slots__ = ("_items", "_kind")
+    __slots__ = ("_home", "_items", "_kind")
 
     def __init__(self, type: Any, len: int) -> None:
+        self._home = None
         self._kind = kind_name(type)
         self._items = [initial(self._kind) for _ in range(len)]
 
@@ -152,13 +179,22 @@ class FixedArray:
         return len(self._items)
 
     def __iter__(self) -> Iterator[Any]:
-        return iter(list(self._items))
+        return iter([copied(item) for item in self._items])
 
     def __getitem__(self, index: int) -> Any:
-        return self._items[index]
+        return copied(self._items[index])
 
+    @editing
     def __setitem__(self, index: int, value: Any) -> None:
-        self._items[index] = checked(value, self._kind, "FixedArray")
+        item = checked(value, self._kind, "FixedArray")
+        need_finite(item, self)
+        self._items[index] = item
+
+    def _become(self, other: FixedArray) -> None:
+        self._items = list(other._items)
+
+    def _finite(self) -> bool:
+        return all(map(finite, self._items))
 
     def __copy__(self) -> FixedArray:
         return self.copy()
@@ -166,5 +202,5 @@ class FixedArray:
     def copy(self) -> FixedArray:
         """A shallow copy."""
         made = FixedArray.__new__(FixedArray)
-        made._kind, made._items = self._kind, list(self._items)
+        made._home, made._kind, made._items = None, self._kind, list(self._items)
         return made

@@ -7,17 +7,19 @@ from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, Va
 from typing import Any
 
 from c4s.engine.headless.unreal.containers.items import checked, kind_name
+from c4s.engine.headless.unreal.containers.live import Live, copied, editing, finite, need_finite
 from c4s.engine.headless.unreal.containers.words import Name
 
 _MISSING = object()
 
 
-class Map:
+class Map(Live):
     """TMap: typed keys and values; not a dict."""
 
-    __slots__ = ("_items", "_key", "_value")
+    __slots__ = ("_home", "_items", "_key", "_value")
 
     def __init__(self, key: Any, value: Any) -> None:
+        self._home = None
         self._key, self._value = kind_name(key), kind_name(value)
         self._items: dict[Any, Any] = {}
 
@@ -27,7 +29,7 @@ class Map:
     @classmethod
     def _of(cls, key: str, value: str, items: Mapping[Any, Any]) -> Map:
         made = cls.__new__(cls)
-        made._key, made._value, made._items = key, value, dict(items)
+        made._home, made._key, made._value, made._items = None, key, value, dict(items)
         return made
 
     @classmethod
@@ -48,6 +50,12 @@ class Map:
     def _at(self, key: Any) -> Any:
         return checked(key, self._key, "Map")
 
+    def _become(self, other: Map) -> None:
+        self._items = dict(other._items)
+
+    def _finite(self) -> bool:
+        return all(map(finite, self._items.values()))
+
     def __len__(self) -> int:
         return len(self._items)
 
@@ -58,11 +66,15 @@ class Map:
         return key in self._items or Name(key) in self._items if isinstance(key, str) else key in self._items
 
     def __getitem__(self, key: Any) -> Any:
-        return self._items[self._at(key)]
+        return copied(self._items[self._at(key)])
 
+    @editing
     def __setitem__(self, key: Any, value: Any) -> None:
-        self._items[self._at(key)] = checked(value, self._value, "Map")
+        item = checked(value, self._value, "Map")
+        need_finite(item, self)
+        self._items[self._at(key)] = item
 
+    @editing
     def __delitem__(self, key: Any) -> None:
         del self._items[self._at(key)]
 
@@ -81,13 +93,14 @@ class Map:
         """A shallow copy."""
         return Map._of(self._key, self._value, self._items)
 
+    @editing
     def clear(self) -> None:
         """Remove all pairs."""
         self._items.clear()
 
     def get(self, key: Any, default: Any = None) -> Any:
         """Value under a key, or ``default``."""
-        return self._items.get(self._at(key), default)
+        return copied(self._items.get(self._at(key), default))
 
     def setdefault(self, key: Any, default: Any = None) -> Any:
         """Value under a key, which is set when missing."""
@@ -95,10 +108,12 @@ class Map:
             self[key] = default
         return self[key]
 
+    @editing
     def pop(self, key: Any, default: Any = _MISSING) -> Any:
         """Remove a pair and give its value."""
         return self._items.pop(self._at(key)) if default is _MISSING else self._items.pop(self._at(key), default)
 
+    @editing
     def popitem(self) -> tuple[Any, Any]:
         """Remove the last pair."""
         return self._items.popitem()
@@ -110,12 +125,12 @@ class Map:
 
     def items(self) -> ItemsView[Any, Any]:
         """Pairs."""
-        return self._items.items()
+        return {key: copied(value) for key, value in self._items.items()}.items()
 
     def keys(self) -> KeysView[Any]:
         """Keys."""
-        return self._items.keys()
+        return dict(self._items).keys()
 
     def values(self) -> ValuesView[Any]:
         """Values."""
-        return self._items.values()
+        return {key: copied(value) for key, value in self._items.items()}.values()

@@ -7,14 +7,16 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from c4s.engine.headless.unreal.containers.items import checked, kind_name
+from c4s.engine.headless.unreal.containers.live import Live, copied, editing, finite, need_finite
 
 
-class Set:
+class Set(Live):
     """TSet: typed items, each once; not a Python set."""
 
-    __slots__ = ("_items", "_kind")
+    __slots__ = ("_home", "_items", "_kind")
 
     def __init__(self, type: Any) -> None:
+        self._home = None
         self._kind = kind_name(type)
         self._items: dict[Any, None] = {}
 
@@ -30,17 +32,25 @@ class Set:
 
     def _like(self, items: Iterable[Any]) -> Set:
         made = Set.__new__(Set)
-        made._kind, made._items = self._kind, dict.fromkeys(items)
+        made._home, made._kind, made._items = None, self._kind, dict.fromkeys(items)
         return made
 
     def _checked(self, value: Any) -> Any:
-        return checked(value, self._kind, "Set")
+        item = checked(value, self._kind, "Set")
+        need_finite(item, self)
+        return item
+
+    def _become(self, other: Set) -> None:
+        self._items = dict(other._items)
+
+    def _finite(self) -> bool:
+        return all(map(finite, self._items))
 
     def __len__(self) -> int:
         return len(self._items)
 
     def __iter__(self) -> Iterator[Any]:
-        return iter(list(self._items))
+        return iter([copied(item) for item in self._items])
 
     def __contains__(self, value: object) -> bool:
         return self._checked(value) in self._items
@@ -60,22 +70,27 @@ class Set:
         """A shallow copy."""
         return self._like(self._items)
 
+    @editing
     def add(self, value: Any) -> None:
         """Add an item."""
         self._items[self._checked(value)] = None
 
+    @editing
     def discard(self, value: Any) -> None:
         """Remove an item if it is there."""
         self._items.pop(self._checked(value), None)
 
+    @editing
     def remove(self, value: Any) -> None:
         """Remove an item; ``KeyError`` when it is not there."""
         del self._items[self._checked(value)]
 
+    @editing
     def pop(self) -> Any:
         """Remove some item."""
         return self._items.popitem()[0]
 
+    @editing
     def clear(self) -> None:
         """Remove all items."""
         self._items.clear()
@@ -88,6 +103,7 @@ class Set:
         others = self._others(iterable)
         return self._like(v for v in self._items if not any(v in o for o in others))
 
+    @editing
     def difference_update(self, *iterables: Iterable[Any]) -> None:
         """Keep the items that are in none of the others."""
         self._items = self.difference(*iterables)._items
@@ -97,6 +113,7 @@ class Set:
         others = self._others(iterables)
         return self._like(v for v in self._items if all(v in o for o in others))
 
+    @editing
     def intersection_update(self, *iterables: Iterable[Any]) -> None:
         """Keep the items that are in all others too."""
         self._items = self.intersection(*iterables)._items
@@ -106,6 +123,7 @@ class Set:
         theirs = self._others([other])[0]
         return self._like([*(v for v in self._items if v not in theirs), *(v for v in theirs if v not in self._items)])
 
+    @editing
     def symmetric_difference_update(self, other: Iterable[Any]) -> None:
         """Keep the items that are in one of the two."""
         self._items = self.symmetric_difference(other)._items

@@ -7,12 +7,13 @@ property an ``Exception``: as in Unreal's own Python.
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.containers.items import register
+from c4s.engine.headless.unreal.containers.live import copied
 from c4s.engine.headless.unreal.core.checks import TYPES, api, camel, deprecated, fits, need, public
 from c4s.engine.headless.unreal.core.enumeration import EnumBase
 from c4s.engine.headless.unreal.core.extending import extends
 from c4s.engine.headless.unreal.core.items import ItemRules
 from c4s.engine.headless.unreal.core.objects import Class, Object, Package, as_class, subclass_of
-from c4s.engine.headless.unreal.core.properties import ObjectBase, Prop, converted, copied
+from c4s.engine.headless.unreal.core.properties import ObjectBase, Prop, converted, named
 from c4s.engine.headless.unreal.core.setters import with_setters
 
 register(ItemRules())
@@ -33,6 +34,7 @@ __all__ = [
     "deprecated",
     "extends",
     "fits",
+    "named",
     "need",
     "public",
     "subclass_of",

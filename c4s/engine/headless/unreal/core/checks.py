@@ -10,10 +10,11 @@ from typing import Any, ParamSpec, TypeVar
 
 from c4s.engine.headless.editor import world
 from c4s.engine.headless.unreal.containers import Array, FixedArray, Map, Name, Set, Text
+from c4s.engine.headless.unreal.core.later import Types
 
 P = ParamSpec("P")
 R = TypeVar("R")
-TYPES: dict[str, type] = {}
+TYPES = Types()
 """Public classes, structs and enums by their name: what ``unreal`` shows and what annotations refer to."""
 
 _PLAIN = {

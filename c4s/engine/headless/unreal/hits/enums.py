@@ -8,9 +8,8 @@ from c4s.engine.headless.unreal.core import EnumBase, public
 
 
 @public
-@unique
 class ObjectTypeQuery(EnumBase):
-    """Object types: world static, world dynamic, pawn, physics body, vehicle, destructible."""
+    """Object types: world static, world dynamic, pawn, physics body, vehicle, destructible; by 5.8's names too."""
 
     OBJECT_TYPE_QUERY1 = 0
     OBJECT_TYPE_QUERY2 = 1
@@ -18,6 +17,12 @@ class ObjectTypeQuery(EnumBase):
     OBJECT_TYPE_QUERY4 = 3
     OBJECT_TYPE_QUERY5 = 4
     OBJECT_TYPE_QUERY6 = 5
+    ECC_WORLD_STATIC = 0
+    ECC_WORLD_DYNAMIC = 1
+    ECC_PAWN = 2
+    ECC_PHYSICS_BODY = 3
+    ECC_VEHICLE = 4
+    ECC_DESTRUCTIBLE = 5
 
 
 @public

@@ -99,8 +99,8 @@ class HitResult(ClosedStruct):
 
     def copy(self) -> Any:
         """A copy."""
-        made = HitResult.__new__(HitResult)
-        made.__dict__.update(self.__dict__)
+        made = super().copy()
+        made.__dict__["_depth"] = self._depth
         return made
 
     def export_text(self) -> str:

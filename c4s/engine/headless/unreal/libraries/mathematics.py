@@ -8,7 +8,16 @@ from types import ModuleType
 from typing import Any
 
 from c4s.engine.headless.unreal.core import Object, api, public
-from c4s.engine.headless.unreal.libraries.maths import angles, arithmetic, chance, comparisons, geometry, ranges, twins
+from c4s.engine.headless.unreal.libraries.maths import (
+    angles,
+    arithmetic,
+    chance,
+    choices,
+    comparisons,
+    geometry,
+    ranges,
+    twins,
+)
 
 
 def _functions(*parts: ModuleType) -> dict[str, Callable[..., Any]]:
@@ -25,6 +34,7 @@ class MathLibrary(Object):
     """Mathematics."""
 
 
-_OWN = _functions(arithmetic, ranges, comparisons, angles, geometry, chance, twins)
-for _name, _function in {**_OWN, **twins.TWINS}.items():
+_OWN = _functions(arithmetic, ranges, comparisons, angles, geometry, chance, choices, twins)
+_ALL = {**_OWN, **twins.TWINS, **chance.OTHER_NAMES}
+for _name, _function in _ALL.items():
     setattr(MathLibrary, _name, staticmethod(api(_function)))

@@ -13,8 +13,10 @@ from c4s.engine.headless.unreal.libraries.ticks import (
     register_slate_post_tick_callback,
     unregister_slate_post_tick_callback,
 )
+from c4s.engine.headless.unreal.libraries.utility import uclass, ufunction, uproperty
 from c4s.engine.headless.unreal.subobjects import SubobjectDataSubsystem
 from c4s.engine.headless.unreal.subsystems import EditorSubsystem
+from c4s.packs.store import bare_path
 
 
 def log(arg: object) -> None:
@@ -32,24 +34,41 @@ def log_error(arg: object) -> None:
     world().log.error(str(arg))
 
 
-def _loaded(outer: Object | None, name: str) -> Any:
-    found = world().actors.get(name.rsplit(".", 1)[-1]) if ":PersistentLevel." in name else load(name)
-    return found
+def _is_below(found: Class, base: Class | type | None) -> bool:
+    return base is None or subclass_of(found, as_class(base)._python_type)
+
+
+def _of_type(found: Any, type: Class | type | None) -> Any:
+    """An object of a class, or None."""
+    return found if found is not None and _is_below(found._class(), type) else None
+
+
+def _found(name: str) -> Any:
+    """The object of a path: an actor of the open level, one of its components, an asset, a class; or None."""
+    path = bare_path(name)
+    if ":PersistentLevel." not in path:
+        return world().find(path)
+    actor_name, _, part = path.split(":PersistentLevel.", 1)[1].partition(".")
+    actor = world().actors.get(actor_name) if package_of(path) == world().package else None
+    if actor is None or not part:
+        return actor
+    return next((component for component in actor._components if component._name == part), None)
+
+
+def _loaded(name: str) -> Any:
+    return _found(name) if ":PersistentLevel." in name else load(name)
 
 
 @api
 def load_asset(name: str, type: Class | type | None = None, follow_redirectors: bool = True) -> Any:
     """The asset of a path, or None with a logged warning."""
-    found = load(name)
-    if found is not None and type is not None and not subclass_of(found._class(), as_class(type)._python_type):
-        return None
-    return found
+    return _of_type(load(name), type)
 
 
 @api
 def find_asset(name: str, type: Class | type | None = None, follow_redirectors: bool = True) -> Any:
     """The asset of a path, or None."""
-    return world().find(name)
+    return _of_type(world().find(name), type)
 
 
 @api
@@ -57,7 +76,7 @@ def load_object(
     outer: Object | None, name: str, type: Class | type | None = None, follow_redirectors: bool = True
 ) -> Any:
     """The object of a path, or None with a logged warning."""
-    return _loaded(outer, name)
+    return _of_type(_loaded(name), type)
 
 
 @api
@@ -65,19 +84,14 @@ def find_object(
     outer: Object | None, name: str, type: Class | type | None = None, follow_redirectors: bool = True
 ) -> Any:
     """The object of a path, or None."""
-    if ":PersistentLevel." in name:
-        return world().actors.get(name.rsplit(".", 1)[-1])
-    return world().find(name)
+    return _of_type(_found(name), type)
 
 
 @api
 def load_class(outer: Object | None, name: str, type: Class | type | None = None) -> Class | None:
     """The class ``/Script/Module.Name`` or ``/Game/A/B.B_C``, or None with a logged warning."""
-    native = world().native_class(name)
-    if native is not None:
-        return as_class(native)
     found = world().find(name)
-    if not isinstance(found, Class):
+    if not isinstance(found, Class) or not _is_below(found, type):
         world().log.warning(f"LoadClass failed: '{name}' does not exist")
         return None
     return found
@@ -108,7 +122,7 @@ def get_engine_subsystem(subsystem: Class | type) -> Any:
 def new_object(
     type: Class | type, outer: Object | None = None, name: Name | str = "None", base_type: Class | type | None = None
 ) -> Any:
-    """A new object of a class that scripts may make."""
+    """A new object of a class that scripts may make. A component is no part of its actor until it is added to that."""
     return as_class(type)._python_type(outer, name)
 
 
@@ -193,6 +207,9 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
         get_engine_subsystem,
         new_object,
         is_editor,
+        uclass,
+        uproperty,
+        ufunction,
         register_slate_post_tick_callback,
         unregister_slate_post_tick_callback,
     )

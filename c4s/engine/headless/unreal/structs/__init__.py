@@ -1,9 +1,9 @@
-"""Unreal's structs: values, never references. Cm and degrees; ``Rotator(roll, pitch, yaw)``, ``Color(b, g, r, a)``."""
+"""Unreal's structs. Cm and degrees; ``Rotator(roll, pitch, yaw)``, ``Color(b, g, r, a)``."""
 
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.structs import conversions, directions  # noqa: F401  (they extend structs)
-from c4s.engine.headless.unreal.structs.base import ClosedStruct, StructBase
+from c4s.engine.headless.unreal.structs.base import ClosedStruct, Later, StructBase
 from c4s.engine.headless.unreal.structs.boxes import Box, Box2D, BoxSphereBounds, Guid
 from c4s.engine.headless.unreal.structs.colors import Color, LinearColor
 from c4s.engine.headless.unreal.structs.grids import IntPoint, IntVector, IntVector2
@@ -26,6 +26,7 @@ __all__ = [
     "IntPoint",
     "IntVector",
     "IntVector2",
+    "Later",
     "LerpInterpolationMode",
     "LinearColor",
     "Matrix",

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, ClassVar
 
 from c4s.engine.headless.unreal.containers import Name
-from c4s.engine.headless.unreal.core import TYPES, Prop, camel, converted, copied, need
+from c4s.engine.headless.unreal.containers.live import Live, Owner, finite, need_finite
+from c4s.engine.headless.unreal.core import TYPES, Prop, camel, converted, copied, named, need
 from c4s.engine.headless.unreal.core.enumeration import PropertyAccessChangeNotifyMode
 from c4s.engine.headless.unreal.structs.text import read_text, write_text
 
 
-class StructBase:
-    """Fields by declaration, in constructor order. Equality by value; not hashable."""
+class StructBase(Live):
+    """Fields by declaration, in constructor order. Equality by value; not hashable.
+
+    A field that is a struct or container is part of this one: it is filled, never replaced, so what was read of it
+    stays its own.
+    """
 
     _fields: ClassVar[dict[str, Prop]] = {}
     _takes: ClassVar[int | None] = None
@@ -89,7 +94,64 @@ class StructBase:
                 f"'{camel(name)}' for attribute '{name}' on '{owner}'",
                 name,
             )
-        object.__setattr__(self, name, converted(value, prop.kind))
+        self._fill_in(name, converted(value, prop.kind))
+
+    def _fill_in(self, name: str, value: Any) -> None:
+        """Set a field to a value of its own; nothing is set when the owner refuses."""
+        own = self.__dict__
+        old = own.get(name)
+        if self._home is None:
+            if isinstance(old, Live):
+                old._become(value)
+            else:
+                own[name] = value
+            return
+        self._ready()
+        need_finite(value, self)
+        before = copied(old)
+        if isinstance(old, Live):
+            old._become(value)
+        else:
+            own[name] = value
+        self._announce({name: before})
+
+    def _announce(self, before: Mapping[str, Any]) -> None:
+        """Tell the owner of an edit; when it refuses, the fields are as ``before`` again."""
+        try:
+            self._edited()
+        except Exception:
+            self._restore(before)
+            raise
+
+    def _restore(self, values: Mapping[str, Any]) -> None:
+        own = self.__dict__
+        for name, value in values.items():
+            if isinstance(own.get(name), Live):
+                own[name]._become(value)
+            else:
+                own[name] = value
+
+    def _become(self, other: Any) -> None:
+        self._restore({name: copied(other.__dict__[name]) for name in self._fields})
+
+    def _finite(self) -> bool:
+        return all(finite(self.__dict__[name]) for name in self._fields)
+
+    def _settle(self, owner: Owner, name: str) -> None:
+        self.__dict__["_home"] = (owner, name)
+        for part in self._parts():
+            self.__dict__[part]._settle(self, part)
+
+    def _parts(self) -> tuple[str, ...]:
+        """The fields that are structs or containers."""
+        found = type(self).__dict__.get("_live_fields")
+        if found is None:
+            found = tuple(name for name in self._fields if isinstance(self.__dict__[name], Live))
+            type(self)._live_fields = found  # type: ignore[attr-defined]
+        return found
+
+    def _member_edited(self, name: str) -> None:
+        self._edited()
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
@@ -107,26 +169,39 @@ class StructBase:
         """An independent copy."""
         made = type(self).__new__(type(self))
         for name in self._fields:
-            object.__setattr__(made, name, copied(self.__dict__[name]))
+            made.__dict__[name] = copied(self.__dict__[name])
         return made
 
     def __copy__(self) -> Any:
         return self.copy()
 
+    def __reduce__(self) -> Any:
+        return type(self)._of_fields, self.to_tuple()
+
     def assign(self, other: Any) -> None:
         """Take over all fields of a struct of the same type."""
         need(other, type(self).__name__, f"{type(self).__name__}.assign")
-        for name in self._fields:
-            object.__setattr__(self, name, copied(other.__dict__[name]))
+        self._take(other)
+
+    def _take(self, other: Any) -> Any:
+        """Become ``other``; gives this struct itself, as operators that work in place do."""
+        if self._home is None:
+            self._become(other)
+            return self
+        self._ready()
+        need_finite(other, self)
+        before = {name: copied(self.__dict__[name]) for name in self._fields}
+        self._become(other)
+        self._announce(before)
+        return self
 
     def to_tuple(self) -> tuple[Any, ...]:
         """All fields in order."""
         return tuple(self.__dict__[n] for n in self._fields)
 
     def get_editor_property(self, name: str | Name) -> Any:
-        """A field by name."""
-        self._known(name)
-        return copied(self.__dict__[str(name)])
+        """A field by its Python or C++ name; a struct or container is the field itself."""
+        return self.__dict__[self._field_name(name)]
 
     def set_editor_property(
         self,
@@ -134,15 +209,16 @@ class StructBase:
         value: Any,
         notify_mode: PropertyAccessChangeNotifyMode = PropertyAccessChangeNotifyMode.DEFAULT,
     ) -> None:
-        """Set a field by name."""
-        self._known(name)
-        self._put(str(name), value)
+        """Set a field by its Python or C++ name."""
+        self._put(self._field_name(name), value)
 
-    def _known(self, name: object) -> None:
-        prop = self._fields.get(str(name))
+    def _field_name(self, name: object) -> str:
+        own = str(name) if str(name) in self._fields else named(str(name), self._fields)
+        prop = self._fields.get(own)
         if prop is None or not prop.scripts:
             owner = type(self).__name__
             raise Exception(f"{owner}: Failed to find property '{name}' for attribute '{name}' on '{owner}'")
+        return own
 
     def set_editor_properties(self, properties: Mapping[str, Any]) -> None:
         """Set several fields by name."""
@@ -156,6 +232,17 @@ class StructBase:
     def export_text(self) -> str:
         """Unreal's text form."""
         return "(" + ",".join(f"{camel(n)}={write_text(self.__dict__[n])}" for n in self._fields) + ")"
+
+
+class Later:
+    """Fields of a struct that are made when they are first asked for."""
+
+    def __init__(self, make: Callable[[], dict[str, Prop]]) -> None:
+        self._make = make
+
+    def __get__(self, instance: object, owner: type[StructBase]) -> dict[str, Prop]:
+        owner._fields = self._make()
+        return owner._fields
 
 
 class ClosedStruct(StructBase):

@@ -31,6 +31,13 @@ class Guid(ClosedStruct):
 
 
 @public
+class SoftObjectPath(ClosedStruct):
+    """The path of an asset that need not be there."""
+
+    _fields = {"path_string": Prop("str", "", attribute=False, scripts=False)}
+
+
+@public
 class Box(StructBase):
     """An axis-aligned box."""
 

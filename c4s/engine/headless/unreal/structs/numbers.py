@@ -45,15 +45,17 @@ class Components(StructBase):
         """An independent copy."""
         made = type(self).__new__(type(self))
         made.__dict__.update(self.__dict__)
+        if self._home is not None:
+            del made.__dict__["_home"]
         return made
+
+    def _become(self, other: Any) -> None:
+        own, row = self.__dict__, other.__dict__
+        for name in self._fields:
+            own[name] = row[name]
 
     def _all(self) -> tuple[float, ...]:
         return tuple(self.__dict__[n] for n in self._fields)
-
-    def _take(self, other: Any) -> Any:
-        """Become ``other``; gives this struct itself, as operators that work in place do."""
-        self.__dict__.update(other.__dict__)
-        return self
 
     def __iter__(self) -> Iterator[float]:
         raise TypeError(f"'{type(self).__name__}' object is not iterable")

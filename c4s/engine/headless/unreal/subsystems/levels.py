@@ -10,6 +10,7 @@ from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import api, public
 from c4s.engine.headless.unreal.levels import World
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
+from c4s.packs.store import package_path
 
 
 def open_map(path: str) -> World | None:
@@ -18,20 +19,20 @@ def open_map(path: str) -> World | None:
 
 
 def new_level_at(path: str) -> bool:
-    if world().level_file(str(path).split(".", 1)[0]) is not None:
+    if world().level_file(package_path(str(path))) is not None:
         world().log.error(f"NewLevel: '{path}' exists already")
         return False
-    if world().content_file(str(path).split(".", 1)[0], ".level.json") is None or world().exists(str(path)):
+    if world().content_file(package_path(str(path)), ".level.json") is None or world().exists(str(path)):
         world().log.error(f"NewLevel: '{path}' cannot be a level")
         return False
-    world().new_map(str(path).split(".", 1)[0])
+    world().new_map(package_path(str(path)))
     return world().save_map(str(path))
 
 
 def new_level_like(path: str, template: str) -> bool:
     """Open and save a copy of a level; False, and nothing is opened, when that cannot be."""
-    package = str(path).split(".", 1)[0]
-    if world().level_file(str(template).split(".", 1)[0]) is None or world().level_file(package) is not None:
+    package = package_path(str(path))
+    if world().level_file(package_path(str(template))) is None or world().level_file(package) is not None:
         world().log.error(f"NewLevelFromTemplate: '{template}' cannot become '{path}'")
         return False
     return world().load_map(str(template)) is not None and world().save_map(package)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, TypeVar
 
-from c4s.engine.headless.unreal.actors import Actor
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.unreal.actors import Actor, StaticMeshActor
 from c4s.engine.headless.unreal.assets import MaterialInterface, StaticMesh
 from c4s.engine.headless.unreal.components import MeshComponent, StaticMeshComponent
 from c4s.engine.headless.unreal.core import Object, api, deprecated, public
@@ -12,6 +14,13 @@ from c4s.engine.headless.unreal.enums import CollisionTraceFlag
 from c4s.engine.headless.unreal.subsystems.base import EditorSubsystem
 from c4s.engine.headless.unreal.subsystems.replacing import parts_of, replace_materials, replace_meshes
 from c4s.records.pack import HullBody
+
+if TYPE_CHECKING:  # types of the table
+    from typing import Any as JoinStaticMeshActorsOptions
+    from typing import Any as MergeStaticMeshActorsOptions
+    from typing import Any as ScriptCollisionShapeType
+
+_R = TypeVar("_R")
 
 
 @public
@@ -52,6 +61,39 @@ class StaticMeshEditorSubsystem(EditorSubsystem):
         return 1
 
     @api
+    def add_simple_collisions(self, static_mesh: StaticMesh, shape_type: ScriptCollisionShapeType) -> int:
+        """Not offered: -1, and the log says so."""
+        return _refused("AddSimpleCollisions", static_mesh, -1)
+
+    @api
+    def remove_collisions(self, static_mesh: StaticMesh) -> bool:
+        """Not offered: False, and the log says so."""
+        return _refused("RemoveCollisions", static_mesh, False)
+
+    @api
+    def set_convex_decomposition_collisions(
+        self, static_mesh: StaticMesh, hull_count: int, max_hull_verts: int, hull_precision: int
+    ) -> bool:
+        """Not offered: False, and the log says so."""
+        return _refused("SetConvexDecompositionCollisions", static_mesh, False)
+
+    @api
+    def merge_static_mesh_actors(
+        self, actors_to_merge: Sequence[StaticMeshActor], merge_options: MergeStaticMeshActorsOptions
+    ) -> StaticMeshActor | None:
+        """Not offered: None, and the log says so."""
+        _unmerged("MergeStaticMeshActors")
+        return None
+
+    @api
+    def join_static_mesh_actors(
+        self, actors_to_join: Sequence[StaticMeshActor], join_options: JoinStaticMeshActorsOptions
+    ) -> Actor | None:
+        """Not offered: None, and the log says so."""
+        _unmerged("JoinStaticMeshActors")
+        return None
+
+    @api
     def replace_mesh_components_meshes(
         self,
         mesh_components: Sequence[StaticMeshComponent],
@@ -90,6 +132,15 @@ class StaticMeshEditorSubsystem(EditorSubsystem):
 
 
 _OLD = "The Editor Scripting Utilities Plugin is deprecated - Use the function in Static Mesh Editor Subsystem"
+
+
+def _refused(what: str, static_mesh: StaticMesh, empty: _R) -> _R:
+    world().log.error(f"{what}: the headless engine edits no collision, '{static_mesh._path()}' stays as it is")
+    return empty
+
+
+def _unmerged(what: str) -> None:
+    world().log.error(f"{what}: the headless engine merges no meshes, all actors stay as they are")
 
 
 def _counts(static_mesh: StaticMesh) -> tuple[int, int]:
@@ -146,3 +197,26 @@ class EditorStaticMeshLibrary(Object):
     def get_lod_count(cls, static_mesh: StaticMesh) -> int:
         """Always one level of detail."""
         return 1
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def add_simple_collisions(cls, static_mesh: StaticMesh, shape_type: ScriptCollisionShapeType) -> int:
+        """Not offered: -1, and the log says so."""
+        return _refused("AddSimpleCollisions", static_mesh, -1)
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def remove_collisions(cls, static_mesh: StaticMesh) -> bool:
+        """Not offered: False, and the log says so."""
+        return _refused("RemoveCollisions", static_mesh, False)
+
+    @classmethod
+    @deprecated(_OLD)
+    @api
+    def set_convex_decomposition_collisions(
+        cls, static_mesh: StaticMesh, hull_count: int, max_hull_verts: int, hull_precision: int
+    ) -> bool:
+        """Not offered: False, and the log says so."""
+        return _refused("SetConvexDecompositionCollisions", static_mesh, False)

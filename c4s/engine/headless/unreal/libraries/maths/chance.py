@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Callable
 from typing import Any
 
 from c4s.engine.headless.unreal.core import Prop, api, public
@@ -200,3 +201,64 @@ def random_rotator_from_stream(stream: RandomStream, roll: bool) -> Rotator:
 def random_point_in_bounding_box_from_stream(stream: RandomStream, center: Vector, half_size: Vector) -> Vector:
     """A random point in the box of a centre and half size."""
     return stream.random_point_in_bounded_box(center, half_size)
+
+
+def random_unit_vector_in_cone_in_radians(cone_dir: Vector, cone_half_angle_in_radians: float) -> Vector:
+    """A random direction within radians of another."""
+    return random_unit_vector_in_cone_in_degrees(cone_dir, math.degrees(cone_half_angle_in_radians))
+
+
+def random_point_in_bounding_box_box(box: Box) -> Vector:
+    """A random point in a box."""
+    return box.random_point_in_box_extents()
+
+
+def random_point_in_bounding_box_from_stream_box(stream: RandomStream, box: Box) -> Vector:
+    """A random point in a box."""
+    return stream.random_point_in_box(box)
+
+
+def random_bool_with_weight_from_stream(random_stream: RandomStream, weight: float = 0.5) -> bool:
+    """True with a probability."""
+    return random_stream.random_bool_with_weight(weight)
+
+
+def set_random_stream_seed(stream: RandomStream, new_seed: int) -> RandomStream:
+    """A stream that starts anew from a seed."""
+    made: RandomStream = stream.copy()
+    made.set_seed(new_seed)
+    return made
+
+
+def seed_random_stream(stream: RandomStream) -> RandomStream:
+    """A stream that starts anew from a random seed."""
+    made: RandomStream = stream.copy()
+    made.generate_new_seed()
+    return made
+
+
+def reset_random_stream(stream: RandomStream) -> None:
+    """Let a stream start anew from its seed."""
+    stream.reset()
+
+
+OTHER_NAMES: dict[str, Callable[..., Any]] = {
+    "rand": random_integer,
+    "rand_range": random_integer_in_range,
+    "rand_bool": random_bool,
+    "f_rand": random_float,
+    "f_rand_range": random_float_in_range,
+    "v_rand": random_unit_vector,
+    "rot_rand": random_rotator,
+    "random_integer64": random_integer,
+    "random_integer64_in_range": random_integer_in_range,
+    "random_unit_vector_in_cone": random_unit_vector_in_cone_in_radians,
+    "rand_from_stream": random_integer_from_stream,
+    "rand_range_from_stream": random_integer_in_range_from_stream,
+    "rand_bool_from_stream": random_bool_from_stream,
+    "f_rand_from_stream": random_float_from_stream,
+    "f_rand_range_from_stream": random_float_in_range_from_stream,
+    "v_rand_from_stream": random_unit_vector_from_stream,
+    "rot_rand_from_stream": random_rotator_from_stream,
+}
+"""Functions that have a second name."""

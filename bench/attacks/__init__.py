@@ -1,0 +1,1 @@
+"""Attacks on the sandbox of agent code: the table, by theme, and the trial of each in every sandbox."""

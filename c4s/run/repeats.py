@@ -1,0 +1,69 @@
+"""What left a trial pending is recorded, and an attempt has a bounded number of repeats (policy: ``c4s.errors``)."""
+
+from __future__ import annotations
+
+import json
+import time
+from typing import Any
+
+from c4s.errors import MOST_REPEATS, Place
+from c4s.files import append_json_line
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.fault import FaultRecord
+from c4s.records.folder import TrialFolder
+from c4s.run.faults import of_machinery, whose
+from c4s.run.limits import LIMITS, Stage
+from c4s.run.plan import Trial
+from c4s.trajectory import analyse
+
+
+def note(trial: Trial, stage: Stage, arguments: tuple[Any, ...], error: Exception) -> None:
+    """Record what failed. A disk that does not take the record leaves a note on the error."""
+    attempt = arguments[0] if stage in ("attempt", "integrity") else None
+    place: Place = "attempt" if stage == "attempt" else "scene" if LIMITS[stage].of_scene else "elsewhere"
+    by_whom = whose(error, place)
+    record = FaultRecord(
+        time=round(time.time(), 3),
+        stage=stage,
+        attempt=attempt,
+        whose=by_whom,
+        counted=stage == "attempt" and by_whom == "doubt" and _acted(trial.folder, arguments[0]),
+        error=type(error).__name__,
+        line=of_machinery(error, where=trial.name).line(),
+        traceback="\n".join(getattr(error, "__notes__", ())),
+    )
+    try:
+        append_json_line(trial.folder.faults, record.plain())
+    except OSError as full:
+        error.add_note(f"and it could not be recorded: {full}")
+
+
+def spent(trial: Trial, number: int) -> bool:
+    """Whether an attempt has had all its repeats: one more failure in doubt than there are."""
+    return sum(record.counted and record.attempt == number for record in faults(trial.folder)) > MOST_REPEATS
+
+
+def end(trial: Trial, number: int) -> None:
+    """The outcome of an attempt whose repeats are spent: no submission, whatever it saved."""
+    folder = trial.folder.attempt(number)
+    causes = [record.line for record in faults(trial.folder) if record.counted and record.attempt == number]
+    AttemptOutcome(
+        attempt=number,
+        ended_by="repeats_spent",
+        submission=None,
+        tool_calls=analyse(folder.trajectory).calls,
+        message=f"{len(causes)} runs failed, the last: {causes[-1]}"[:2000],
+    ).write(folder.outcome)
+
+
+def faults(folder: TrialFolder) -> list[FaultRecord]:
+    """What is on record; a last line that a killed process did not finish is left out."""
+    if not folder.faults.is_file():
+        return []
+    lines = folder.faults.read_text(encoding="utf-8").split("\n")[:-1]
+    return [FaultRecord.parse(json.loads(line), where=str(folder.faults)) for line in lines]
+
+
+def _acted(folder: TrialFolder, number: int) -> bool:
+    """Whether the agent called a tool in the attempt that has just failed."""
+    return analyse(folder.attempt(number).trajectory).calls > 0

@@ -1,0 +1,72 @@
+"""What DuckDB refuses, in one line: a query that is wrong, or rows that cannot be read and how to have them again."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+import duckdb
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from c4s.errors import BadInput, unknown
+from c4s.files import no_place
+from warehouse.parquet import arrow_schema
+from warehouse.records import TABLES
+
+REMEDY = "delete it, then run `c4s report --from-runs`"
+_NO_TABLE = re.compile(r"Table with name (.+?) does not exist")
+
+
+def refused(root: Path, error: duckdb.Error, where: str, names: Iterable[str]) -> BadInput:
+    """What a query that DuckDB refuses comes of: rows that cannot be read, else the query itself.
+
+    For an error that may speak of types or columns only the files' schemas are looked at; else all is read.
+    """
+    if not isinstance(error, duckdb.ParserException | duckdb.CatalogException):
+        whole = not isinstance(error, duckdb.BinderException | duckdb.ConversionException)
+        damaged = broken_part(root, whole=whole)
+        if damaged is not None or "No files found" in str(error):
+            return damaged or broken_rows(root, error)
+    text = " ".join(str(error).partition("\n\nLINE")[0].split())
+    if table := _NO_TABLE.search(text):
+        return unknown("table or question", table[1], names, where=where)
+    return BadInput(_told(error), where=where)
+
+
+def broken_rows(root: Path, error: duckdb.Error) -> BadInput:
+    """What keeps the tables from being read."""
+    return broken_part(root, whole=True) or BadInput(
+        f"rows are missing: {_told(error)}", where=str(root), todo="`c4s report --from-runs` writes them anew"
+    )
+
+
+def broken_part(root: Path, *, whole: bool) -> BadInput | None:
+    """The first file of rows that cannot be read, or has other columns. ``whole``: its rows are read too."""
+    for table in TABLES:
+        columns = {field.name: field.type for field in arrow_schema(table, partitions=False)}
+        for path in sorted((root / table).glob("suite=*/configuration=*/*.parquet")):
+            try:
+                file = pq.ParquetFile(path)
+                found = {field.name: field.type for field in file.schema_arrow}
+                if whole:
+                    file.read()
+            except (pa.ArrowException, ValueError) as fault:
+                return BadInput(f"these rows cannot be read: {_told(fault)}", where=str(path), todo=REMEDY)
+            except OSError as fault:
+                return BadInput(f"these rows cannot be read: {no_place(fault)}", where=str(path), todo=REMEDY)
+            if found != columns:
+                return BadInput(
+                    f"the rows of table {table!r} have other columns: another version of c4s wrote them",
+                    where=str(path),
+                    todo="delete the warehouse, then run `c4s report --from-runs`",
+                )
+    return None
+
+
+def _told(fault: Exception) -> str:
+    """The words of DuckDB or Arrow without the kind of their error and a drawing of the place."""
+    text = " ".join(str(fault).partition("\n\nLINE")[0].split())
+    text = re.sub(r"^[A-Z][A-Za-z ]+ Error: ", "", text)
+    return re.sub(r"\b\w+(?:Error|Exception): ", "", text)

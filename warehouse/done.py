@@ -1,0 +1,38 @@
+"""What is done: a trial whose score lies sound in a run folder, with its rows in the warehouse."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from c4s.files import digest_file
+from c4s.records.folder import RunFolder
+from c4s.records.plan import Plan
+from c4s.run.plan import Trial, trial_id
+from c4s.run.torn import is_scored
+from warehouse.ingest import TRIAL_TABLES
+from warehouse.parquet import is_whole, part_path
+
+
+def held_by(trial: Trial, plan: Plan, warehouse: Path) -> str | None:
+    """Id of the run that holds the trial, mostly its own; None where it is not done.
+
+    A trial is its content, so another run of the same folder may hold it. The run folder is the truth: a row whose
+    score is not there as it was written, or without the rows of another table, counts for nothing.
+    """
+    key = trial_id(plan, trial)
+    parts = {table: part_path(warehouse, table, plan.suite_id, trial.configuration.name, key) for table in TRIAL_TABLES}
+    if not all(map(is_whole, parts.values())):
+        return None
+    try:
+        (row,) = pq.ParquetFile(parts["outcomes"]).read(["run_id", "score_sha256"]).to_pylist()
+    except (pa.ArrowException, OSError, ValueError):
+        return None
+    folder = RunFolder(trial.run.parent / str(row.get("run_id"))).trial(
+        trial.configuration.name, trial.case.case_id, trial.repeat
+    )
+    if not is_scored(folder) or digest_file(folder.score) != row.get("score_sha256"):
+        return None
+    return str(row["run_id"])
