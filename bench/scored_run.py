@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import random
 from pathlib import Path
 from typing import Any
@@ -126,10 +125,9 @@ def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: s
         verdicts=verdicts,
         policy=DEFAULT_POLICY,
     )
-    folder.verdict(GATE).parent.mkdir(parents=True)
     for name, verdict in verdicts.items():
-        folder.verdict(name).write_text(json.dumps(verdict.plain()))
-    folder.score.write_text(json.dumps(made.plain()))
+        verdict.write(folder.verdict(name))
+    made.write(folder.score)
 
 
 def make_run(root: Path, trials: int, *, configurations: int = 10, seed: int = 1) -> Plan:

@@ -93,13 +93,16 @@ BOUNDS: Final[dict[str, Bound]] = {
 """By name. Values of a text in JSON are told by its commas and brackets; a record is an object in it."""
 
 
-_LONG_NUMBER = re.compile(rb"[0-9]{4301}")
+_LONG_DIGITS = re.compile(rb"[0-9]{4301}")
 """What Python itself refuses to read as a number; others take the square of its length."""
+_TEXT_OR_LONG_DIGITS = re.compile(rb'"(?:[^"\\]|\\.)*+(?:"|\Z)|([0-9]{4301})', re.DOTALL)
 
 
 def long_number_in(text: bytes) -> bool:
-    """Whether a text has a number of thousands of digits."""
-    return _LONG_NUMBER.search(text) is not None
+    """Whether a text in JSON has a number of thousands of digits; digits within its texts are none."""
+    if _LONG_DIGITS.search(text) is None:
+        return False
+    return any(found.group(1) is not None for found in _TEXT_OR_LONG_DIGITS.finditer(text))
 
 
 def values_in(text: bytes) -> int:

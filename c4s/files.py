@@ -139,12 +139,11 @@ def parse_bounded(data: bytes, bytes_bound: Bound, values_bound: Bound, *, plain
         raise ValueError("it is nested too deeply") from None
 
 
-def parse_json(data: bytes, *, finite: bool = False) -> Any:
+def parse_json(data: bytes, *, plain: bool = False) -> Any:
     """Parse JSON; ``ValueError`` for what is none.
 
-
-    The tokens NaN and Infinity, which some exporters write, are accepted, unless all has to be ``finite``.
-    Half a surrogate pair, which is no text and cannot be written again, is refused.
+    The tokens NaN and Infinity, and halves of a surrogate pair, which other writers of scenes leave behind, are
+    accepted, unless all has to be ``plain``: what can be written again.
     """
     with put_off():
         try:
@@ -152,9 +151,8 @@ def parse_json(data: bytes, *, finite: bool = False) -> Any:
         except orjson.JSONDecodeError:
             try:
                 value = json.loads(data)
-                json.dumps(value, ensure_ascii=False).encode()
-                if finite:
-                    canonical_json(value)
+                if plain:
+                    canonical_json(value).encode()
             except UnicodeEncodeError:
                 raise ValueError("a text in it is half a surrogate pair") from None
             except UnicodeDecodeError:
@@ -196,7 +194,7 @@ def read_json_lines(path: Path, *, what: str = "file", cut: bool = False) -> lis
         if not line.strip():
             continue
         try:
-            value = parse_json(line)
+            value = parse_json(line, plain=True)
         except ValueError as error:
             if cut and number == len(lines):
                 break
@@ -207,12 +205,12 @@ def read_json_lines(path: Path, *, what: str = "file", cut: bool = False) -> lis
     return found
 
 
-def read_json(path: Path, *, what: str = "file", bound: Bound = BOUNDS["document_bytes"], finite: bool = False) -> Any:
+def read_json(path: Path, *, what: str = "file", bound: Bound = BOUNDS["document_bytes"], plain: bool = False) -> Any:
     """Read a JSON file. Raises ``BadInput`` when it is missing, truncated, not JSON, or larger than ``bound``.
 
-    ``finite``: see ``parse_json``.
+    ``plain``: see ``parse_json``.
     """
-    return _read_json(path, what, bound, finite)[0]
+    return _read_json(path, what, bound, plain)[0]
 
 
 def read_written_json(path: Path, *, what: str = "file", todo: str = "") -> Any:
@@ -223,10 +221,10 @@ def read_written_json(path: Path, *, what: str = "file", todo: str = "") -> Any:
     return value
 
 
-def _read_json(path: Path, what: str, bound: Bound, finite: bool) -> tuple[Any, bytes]:
+def _read_json(path: Path, what: str, bound: Bound, plain: bool) -> tuple[Any, bytes]:
     data = read_plain(path, what, bound)
     try:
-        return parse_json(data, finite=finite), data
+        return parse_json(data, plain=plain), data
     except ValueError as error:
         raise BadInput(f"this {what} is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
 

@@ -55,7 +55,7 @@ class Record(BaseModel):
     @classmethod
     def read(cls, path: Path) -> Self:
         """Read and validate a JSON file."""
-        return cls.parse(read_json(path, what=cls.called(), finite=True), where=str(path))
+        return cls.parse(read_json(path, what=cls.called(), plain=True), where=str(path))
 
     @classmethod
     def called(cls) -> str:

@@ -230,7 +230,7 @@ def test_bad_input_is_one_line(home, scene, tmp_path):
     for arguments, expected in (
         ((tmp_path / "none.json", "--glb", tmp_path / "a.glb"), "no such level document"),
         ((broken, "--glb", tmp_path / "a.glb"), "broken.level.json"),
-        ((scene[0], "--glb", tmp_path / "a.glb", "--pack", "nope"), "no pack 'nope'"),
+        ((scene[0], "--glb", tmp_path / "a.glb", "--pack", "nope"), "unknown pack 'nope'"),
         ((scene[0], "--glb", tmp_path / "a.obj"), "must be a .glb file"),
     ):
         done = c4s(home, *arguments)

@@ -73,7 +73,7 @@ def test_unusable_meshes_are_named(tmp_path: Path) -> None:
 
 
 def test_missing_truncated_and_doubled_packs_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(BadInput, match="no such Pack"):
+    with pytest.raises(BadInput, match="no such pack"):
         PackStore([tmp_path])
     (tmp_path / "pack.json").write_text('{"pack_id": ')
     with pytest.raises(BadInput, match="not valid JSON"):
