@@ -264,12 +264,12 @@ class AssetLibrary(ABC):
         }
         if isinstance(asset, MaterialInstanceConstant):
             parent = asset._parent()
-            return AssetDocument(
-                **common,
-                parent=parent._path() if parent is not None else None,
-                vectors=asset._vectors,
-                scalars=asset._scalars,
-            )
+            values = {
+                "parent": parent._path() if parent is not None else None,
+                "vectors": asset._vectors,
+                "scalars": asset._scalars,
+            }
+            return AssetDocument.parse({**common, **values}, where=asset._path())
         if isinstance(asset, Material):
             origin = asset._origin if asset._origin != asset._path() else None
             return AssetDocument(**common, material=asset._surface(), parent=origin, parameters=asset._named())
