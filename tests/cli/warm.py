@@ -6,8 +6,10 @@ The child has its own working directory, environment and standard streams, and c
 from __future__ import annotations
 
 import gc
+import importlib
 import json
 import os
+import pkgutil
 import resource
 import signal
 import subprocess
@@ -23,6 +25,9 @@ LIMIT_S = 60
 CPU_S, MOST_BYTES = 120, 6 << 30
 """What a call may use, so that one that runs away harms nobody."""
 HUNG = -1
+IMPORTED = ("c4s", "cases", "catalog", "warehouse", "reports")
+LEFT_OUT = ("c4s.engine.headless.", "c4s.editor")
+"""What runs beside agent code in processes of its own."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +48,7 @@ class Warm:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             cwd=Path(__file__).parents[2],
+            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
         )
         self._folder = tempfile.TemporaryDirectory(prefix="c4s-warm-")
         return self
@@ -73,6 +79,10 @@ def _serve() -> None:
     from c4s.cli.main import command, main
 
     command()
+    for root in IMPORTED:
+        for module in pkgutil.walk_packages(importlib.import_module(root).__path__, f"{root}."):
+            if not module.name.startswith(LEFT_OUT) and not module.name.endswith("__main__"):
+                importlib.import_module(module.name)
     gc.freeze()
     answers = os.fdopen(os.dup(1), "w")
     for line in sys.stdin.buffer:

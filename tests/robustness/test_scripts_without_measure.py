@@ -86,7 +86,7 @@ def test_properties_are_finite(unreal, number):
         volume.settings.auto_exposure_bias = number
     kept = unreal.PostProcessSettings()
     kept.auto_exposure_bias = number
-    with pytest.raises(Exception, match="takes? finite numbers"):
+    with pytest.raises(Exception, match=r"takes? finite numbers"):
         volume.settings = kept
     assert math.isfinite(volume.settings.auto_exposure_bias)
     box = cube(unreal).static_mesh_component
