@@ -26,7 +26,7 @@ from c4s.folders import remove_tree
 from warehouse.database import rows as stored_rows
 
 TABLES = ("outcomes", "attempts", "verdicts", "components", "findings", "schedule")
-CLOCKED = {"evaluation_s", "orchestration_s", "attempt_wall_s", "wall_s"}
+CLOCKED = {"planned_at", "evaluation_s", "orchestration_s", "attempt_wall_s", "wall_s"}
 MARK = "C4S_FAULT"
 MOST_RUNS = 3
 COLUMNS = ("fault", "rows lost or changed", "attempts repeated", "orphans", "left", "ends", "holds")

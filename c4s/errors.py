@@ -217,7 +217,10 @@ def shortage(error: BaseException) -> MachineShort | None:
 
 
 def _causes(error: BaseException | None) -> Iterator[BaseException]:
-    while error is not None:
+    """An error and what caused it. An error that is raised again from what it caused is its own cause: told once."""
+    told = set()
+    while error is not None and id(error) not in told:
+        told.add(id(error))
         yield error
         error = error.__cause__
 

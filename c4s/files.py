@@ -102,9 +102,9 @@ def open_plain(path: Path, what: str = "file") -> io.BufferedReader:
 def read_plain(path: Path, what: str = "file", bound: Bound = BOUNDS["document_bytes"]) -> bytes:
     """The bytes of a plain file; ``BadInput`` for anything else (``open_plain``), and for one larger than ``bound``."""
     with open_plain(path, what) as source:
-        bound.hold(os.fstat(source.fileno()).st_size, where=str(path))
-        data = source.read(bound.most + 1)
-    bound.hold(len(data), where=str(path))
+        size = os.fstat(source.fileno()).st_size
+        bound.hold(size, where=str(path))
+        data = source.read(size)
     return data
 
 

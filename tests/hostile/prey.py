@@ -42,7 +42,7 @@ class Prey:
         return self.client.call("execute_python_script", script=script, execution_mode="sync").data
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def prey(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Prey]:
     root = tmp_path_factory.mktemp("prey")
     pack = make_pack(root / "packs")

@@ -26,12 +26,19 @@ def _never(how: str) -> NoReturn:
             held.append(bytearray(os.urandom(1) * (32 << 20)))
 
 
-def _kill_engine(trajectory: Path) -> None:
-    """Kill the engine of this process from outside, as soon as the agent has been answered."""
-    while not trajectory.is_file() or b'"event":"call"' not in trajectory.read_bytes():
-        threading.Event().wait(0.05)
+def _kill_engine(trajectory: Path, before: int | None) -> None:
+    """Kill the engine of this process from outside, as soon as the agent has been answered.
+
+    ``before``: the file of the attempt before, which is moved away.
+    """
+    while _file(trajectory) in (None, before) or b'"event":"call"' not in trajectory.read_bytes():
+        threading.Event().wait(0.005)
     for engine in _family(os.getpid())[1:]:
         os.kill(engine, signal.SIGKILL)
+
+
+def _file(path: Path) -> int | None:
+    return path.stat().st_ino if path.is_file() else None
 
 
 def _stage(name: str, trial: Any, *given: Any) -> Any:
@@ -41,7 +48,8 @@ def _stage(name: str, trial: Any, *given: Any) -> Any:
             if how == "loses-its-engine" and given[-1] == 2:
                 continue
             if how == "loses-its-engine":
-                threading.Thread(target=_kill_engine, args=(trial.folder.attempt(1).trajectory,), daemon=True).start()
+                trajectory = trial.folder.attempt(1).trajectory
+                threading.Thread(target=_kill_engine, args=(trajectory, _file(trajectory)), daemon=True).start()
             else:
                 _never(how)
     return REAL[name](trial, *given)

@@ -108,6 +108,14 @@ def test_no_score_is_made_of_what_the_machine_is_short_of() -> None:
     assert shortage(OSError(errno.ENOENT, "")) is None and shortage(KeyError()) is None
 
 
+def test_an_error_that_is_its_own_cause_is_told() -> None:
+    first, second = EngineDied("SIGKILL", during="call", where="logs"), KeyError()
+    first.__cause__ = first
+    assert shortage(first) is None and row_of(first) is ROWS["EngineDied"]
+    first.__cause__, second.__cause__ = second, first
+    assert shortage(second) is None
+
+
 def in_pool(limit: Limit, function: Callable[..., Any], *arguments: Any) -> Any:
     async def held() -> Any:
         async with Pool(1) as pool:
