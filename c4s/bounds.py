@@ -85,6 +85,7 @@ BOUNDS: Final[dict[str, Bound]] = {
     "unpacked_values": Bound("a file of a bundle", 16_000_000, "values"),
     "row_bytes": Bound("a row", 128 << 20, "bytes"),
     "markup_bytes": Bound("a file of XML or YAML", 64 << 20, "bytes"),
+    "yaml_values": Bound("a document in YAML", 1_000_000, "values"),
     # what verifiers measure
     "bodies": Bound("a scene", 200_000, "collision bodies"),
     "box_pairs": Bound("a scene", 5_000_000, "pairs of bodies with meeting boxes"),

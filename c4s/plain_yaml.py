@@ -7,6 +7,8 @@ from typing import Any
 
 import yaml
 
+from c4s.bounds import BOUNDS
+
 
 class _Plain(yaml.SafeLoader):
     """The safe loader without what JSON cannot say."""
@@ -48,10 +50,16 @@ def parse_yaml(text: str) -> Any:
 
 
 def _check(value: Any) -> None:
-    """``ValueError`` for what JSON has no word for: binary data, sets, half a surrogate pair."""
-    waiting = [value]
+    """``ValueError`` for what JSON has no word for: binary data, sets, half a surrogate pair.
+
+    What an alias stands for counts each time: a few lines can hold more than any machine.
+    """
+    limit, found, waiting = BOUNDS["yaml_values"], 1, [value]
     while waiting:
         part = waiting.pop()
+        found += len(part) if isinstance(part, list) else 2 * len(part) if isinstance(part, dict) else 0
+        if fault := limit.fault(found):
+            raise ValueError(fault)
         if isinstance(part, dict):
             waiting += [*part, *part.values()]
         elif isinstance(part, list):

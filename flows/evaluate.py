@@ -22,6 +22,7 @@ from c4s.run.plan import make_plan, open_run, trials
 from c4s.run.pool import Pool
 from flows.server import tie
 from flows.trial import as_tasks
+from reports.site import check_place
 from tasks.publish import publish
 from warehouse.done import held_by
 from warehouse.ingest import ingest_schedule
@@ -69,6 +70,7 @@ async def evaluate(
         cases=cases,
     )
     warehouse = warehouse_root()
+    check_place(site_root())
     with holding(run) as held:
         missing = [trial for trial in trials(run, folder, plan) if held_by(trial, plan, warehouse) is None]
         if missing:

@@ -27,7 +27,7 @@ from c4s.run.inputs import inputs
 from c4s.run.lease import Held, holding
 from c4s.run.plan import Trial, make_plan, open_run, trial_id, trials
 from c4s.run.pool import Pool
-from reports.site import build_site
+from reports.site import build_site, check_place
 from warehouse.database import is_sound, rebuild
 from warehouse.done import held_by
 from warehouse.ingest import ingest_schedule, ingest_trial
@@ -91,6 +91,7 @@ def evaluate_here(
     scheduled = list(trials(run, folder, plan))
     for trial in {trial.case.case_id: trial for trial in scheduled}.values():
         inputs(trial)
+    check_place(site_root())
     page = site_root() / "index.html"
     with holding(run, wait=print_line if wait else None) as held:
         holders = [held_by(trial, plan, warehouse) for trial in scheduled]

@@ -30,6 +30,8 @@ KINDS: dict[str, bytes] = {
     "twice": b'{"actors": [], "actors": 7}',
     "tagged": b"!!python/object/apply:os.system ['true']\n",
     "anchors": b"a: &a [x, x]\nb: &b [*a, *a]\nc: *nosuch\n",
+    "aliases": b"a0: &a0 x\n"
+    + b"".join(b"a%d: &a%d [%s]\n" % (n, n, b", ".join([b"*a%d" % (n - 1)] * 10)) for n in range(1, 13)),
     "tab": b"name:\n\t- x\n",
     "gzip": b"\x1f\x8b\x08\x00" + b"\x00" * 12,
     "html": b"<!DOCTYPE html><html><body>404</body></html>",
