@@ -90,6 +90,7 @@ BOUNDS: Final[dict[str, Bound]] = {
     "bodies": Bound("a scene", 200_000, "collision bodies"),
     "box_pairs": Bound("a scene", 5_000_000, "pairs of bodies with meeting boxes"),
     "measured_pairs": Bound("a scene", 300_000, "overlapping pairs of bodies"),
+    "line_pairs": Bound("a scene", 30_000_000, "pairs of a line and a body above or below it"),
 }
 """By name. Values of a text in JSON are told by its commas and brackets; a record is an object in it."""
 

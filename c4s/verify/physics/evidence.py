@@ -120,7 +120,7 @@ def measure_support(
 
 
 def support_of(scene: PhysicsScene, meshes: MeshSource | None = None, *, alone: bool = False) -> SupportRecord:
-    """``measure_support`` of a scene that is already read."""
+    """``measure_support`` of a scene that is already read; in one beyond the bounds of support nothing is resolved."""
     return _whole(scene) if scene.whole else _edited(scene, meshes, alone)
 
 
@@ -155,7 +155,11 @@ def _edited(scene: PhysicsScene, meshes: MeshSource | None, alone: bool) -> Supp
     actors = scene.actors
     tested = [i for i in scene.chosen if not needs_no_support(actors[i])]
     groups = {i: frozenset([i]) for i in scene.order} if alone else groups_of(scene.order)
-    footing = edited_footing(actors, tested, groups, Surfaces(scene.snapshot, scene.bodies, meshes))
+    try:
+        footing = edited_footing(actors, tested, groups, Surfaces(scene.snapshot, scene.bodies, meshes))
+    except BadInput as crowded:
+        reason = f"too crowded to be measured: {crowded.what}"
+        footing = {index: Footing("unresolved", reason=reason) for index in tested}
     return {
         "schema_version": SUPPORT_VERSION,
         "scene": scene_record(scene),
@@ -190,5 +194,8 @@ def _near_bodies(scene: PhysicsScene, tested: Sequence[int]) -> list[NearState]:
     }
     anywhere = np.full(3, -math.inf), np.full(3, math.inf)
     unknown = [boxes.get(i, anywhere) for i in scene.bodies.unresolved if i in solid]
-    states = held_by_bodies(scene.bodies, tested, solid, unknown, {i: boxes[i] for i in tested if i in boxes})
+    try:
+        states = held_by_bodies(scene.bodies, tested, solid, unknown, {i: boxes[i] for i in tested if i in boxes})
+    except BadInput:
+        states = dict.fromkeys(tested, "unresolved")
     return [{"index": index, "state": state} for index, state in states.items()]

@@ -19,7 +19,8 @@ from typing import Any, Literal
 import numpy as np
 import shapely
 
-from c4s.collision.contacts import CHUNK, MOST_PAIRS, DepthMeter
+from c4s.bounds import BOUNDS
+from c4s.collision.contacts import CHUNK, MOST_HITS, MOST_PAIRS, DepthMeter
 from c4s.collision.depth import BodyTable
 from c4s.collision.scene import SceneBodies
 from c4s.collision.shapes import Array, Body, box_body
@@ -195,6 +196,8 @@ def held_by_bodies(
         unknown_boxes: world boxes (low, high in cm) of solid actors whose bodies are not known: near one of them a
             missing support proves nothing.
         boxes: world boxes (low, high) of the edited actors: the stand-in for one whose meshes have no collision body.
+
+    Raises ``BadInput`` for a scene so crowded that it is beyond ``box_pairs`` or ``measured_pairs``.
     """
     own: dict[int, list[Body]] = {}
     holders = [i for i, owner in enumerate(scene.owners) if owner in solid]
@@ -207,14 +210,15 @@ def held_by_bodies(
         for index in edited
         if index not in scene.unresolved
     }
-    standing = _standing_on(tested, bodies, owners, tree)
+    effort = _Effort()
+    standing = _standing_on(tested, bodies, owners, tree, effort)
     meter = DepthMeter()
     states: dict[int, EditedState] = {}
     for index in edited:
         mine = tested.get(index)
         if not mine:
             states[index] = "unresolved"
-        elif index in standing or any(_held(body, bodies, owners, index, tree, meter) for body in mine):
+        elif index in standing or any(_held(body, bodies, owners, index, tree, meter, effort) for body in mine):
             states[index] = "supported"
         else:
             blocked = any(
@@ -226,8 +230,29 @@ def held_by_bodies(
     return states
 
 
+class _Effort:
+    """How much was looked at, held to the bounds of a scene."""
+
+    def __init__(self) -> None:
+        self._boxes = self._pairs = 0
+
+    def boxes(self, count: int) -> None:
+        """So many more bodies with boxes above or below one."""
+        self._boxes += count
+        BOUNDS["box_pairs"].hold(self._boxes, where="support")
+
+    def pairs(self, count: int) -> None:
+        """So many more pairs to measure."""
+        self._pairs += count
+        BOUNDS["measured_pairs"].hold(self._pairs, where="support")
+
+
 def _standing_on(
-    tested: Mapping[int, Sequence[Body]], others: Sequence[Body], owners: Sequence[int], tree: shapely.STRtree
+    tested: Mapping[int, Sequence[Body]],
+    others: Sequence[Body],
+    owners: Sequence[int],
+    tree: shapely.STRtree,
+    effort: _Effort,
 ) -> set[int]:
     """Actors with a body that overlaps another actor's after the whole way down: nearly all of a sound scene."""
     down = DIRECTIONS[0] * (GAP_CM + TOUCH_CM)
@@ -236,9 +261,11 @@ def _standing_on(
     mine = np.array([index for index, _ in moved], dtype=np.int64)
     theirs, count = np.array(owners, dtype=np.int64), len(moved)
     held: set[int] = set()
-    for start in range(0, count, CHUNK):
-        part = np.arange(start, min(start + CHUNK, count))
+    chunk = max(1, min(CHUNK, MOST_HITS // max(len(others), 1)))
+    for start in range(0, count, chunk):
+        part = np.arange(start, min(start + chunk, count))
         hit, j = tree.query(shapely.box(*table.low[part, :2].T, *table.high[part, :2].T))
+        effort.boxes(len(hit))
         i = part[hit]
         keep = mine[i] != theirs[j]
         i, j = i[keep], j[keep] + count
@@ -249,18 +276,26 @@ def _standing_on(
             some = slice(first, first + MOST_PAIRS)
             open_pairs = ~np.isin(mine[i[some]], np.fromiter(held, np.int64, len(held)))
             a, b = i[some][open_pairs], j[some][open_pairs]
+            effort.pairs(len(a))
             depth, _ = table.depths(a, b, push_out[some][open_pairs], OVERLAP_CM)
             held.update(mine[a[depth > 0]].tolist())
     return held
 
 
 def _held(
-    body: Body, others: Sequence[Body], owners: Sequence[int], owner: int, tree: shapely.STRtree, meter: DepthMeter
+    body: Body,
+    others: Sequence[Body],
+    owners: Sequence[int],
+    owner: int,
+    tree: shapely.STRtree,
+    meter: DepthMeter,
+    effort: _Effort,
 ) -> bool:
     """Whether a body meets a body of another actor on a way of 5 cm down or sideways."""
     margin = GAP_CM + TOUCH_CM
     plan = shapely.box(*(body.low[:2] - margin), *(body.high[:2] + margin))
     near = [others[i] for i in tree.query(plan).tolist() if owners[i] != owner]
+    effort.boxes(len(near))
     if not near:
         return False
     ways = DIRECTIONS * margin
@@ -268,8 +303,11 @@ def _held(
     push_out = np.minimum(
         high - np.array([other.low for other in near])[:, None], np.array([other.high for other in near])[:, None] - low
     ).min(axis=2)
-    meeting = np.argwhere(push_out > OVERLAP_CM).tolist()
-    return any(_meets(body, near[other], ways[way], meter) for other, way in meeting)
+    for other, way in np.argwhere(push_out > OVERLAP_CM).tolist():
+        effort.pairs(1)
+        if _meets(body, near[other], ways[way], meter):
+            return True
+    return False
 
 
 def _meets(body: Body, other: Body, way: Array, meter: DepthMeter) -> bool:

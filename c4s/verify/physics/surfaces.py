@@ -13,14 +13,15 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from c4s.bounds import BOUNDS
 from c4s.collision import SceneBodies, scene_bodies
 from c4s.collision.lines import Meetings, TriangleSet, meet_shape
 from c4s.collision.mesh_body import Array, triple
 from c4s.collision.scene import quaternion_of, rotation_matrices
 from c4s.collision.shapes import Shape
 
-LINES = 20_000
-"""Lines that are followed at a time: bounds the memory."""
+LINES, PAIRS = 20_000, 4_000_000
+"""Lines, and at most pairs of a line and a body, that are followed at a time: bounds the memory."""
 _BOX_CM = 1e-6
 _FLAT = 1e-8
 """A scale under this leaves no volume: such a mesh is met where its corners come to lie."""
@@ -103,6 +104,7 @@ class Surfaces:
         self._owners = np.array([piece.actor for piece in self._pieces], dtype=np.int64)
         self._inverse = np.linalg.inv(np.array([piece.linear for piece in self._pieces]).reshape(-1, 3, 3))
         self._offset = np.array([piece.offset for piece in self._pieces]).reshape(-1, 3)
+        self._met = 0
         self._tree = shapely.STRtree(shapely.box(*self._low[:, :2].T, *self._high[:, :2].T))
 
     def mesh(self, path: str) -> SurfaceTriangles | None:
@@ -150,16 +152,24 @@ class Surfaces:
         return self._sets[path]
 
     def first(self, start: Array, step: Array, own: Rows) -> FirstHits:
-        """What each of n lines meets first, its own actor left out. Of two at one place the earlier actor counts."""
-        parts = [
-            self._first(start[part], step[part], own[part])
-            for part in (slice(k, k + LINES) for k in range(0, max(len(start), 1), LINES))
-        ]
+        """What each of n lines meets first, its own actor left out. Of two at one place the earlier actor counts.
+
+        Raises ``BadInput`` for a scene so crowded that it is beyond ``line_pairs``.
+        """
+        parts: list[FirstHits] = []
+        k = 0
+        lines = max(1, min(LINES, PAIRS // max(len(self._pieces), 1)))
+        while not parts or k < len(start):
+            part = slice(k, k + lines)
+            parts.append(self._first(start[part], step[part], own[part]))
+            k += lines
         return FirstHits(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
     def _first(self, start: Array, step: Array, own: Rows) -> FirstHits:
         low, high = np.minimum(start, start + step), np.maximum(start, start + step)
         line, piece = self._tree.query(shapely.box(*low[:, :2].T, *high[:, :2].T))
+        self._met += len(line)
+        BOUNDS["line_pairs"].hold(self._met, where="support")
         near = (self._owners[piece] != own[line]) & (self._low[piece, 2] <= high[line, 2])
         near &= self._high[piece, 2] >= low[line, 2]
         line, piece = line[near], piece[near]
