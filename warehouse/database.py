@@ -101,11 +101,11 @@ def _make_views(connection: duckdb.DuckDBPyConnection, root: Path) -> None:
 
 
 def is_sound(root: Path) -> bool:
-    """Whether ``c4s.duckdb`` is there and answers every question."""
+    """Whether ``c4s.duckdb`` is there, of this place, and answers every question."""
     try:
-        with duckdb.connect(str(root / "c4s.duckdb"), read_only=True) as connection:
+        with connect(root) as connection:
             found = {name for (name,) in connection.execute("SELECT view_name FROM duckdb_views()").fetchall()}
-    except duckdb.Error:
+    except (BadInput, duckdb.Error):
         return False
     return found >= {*TABLES, *questions()}
 

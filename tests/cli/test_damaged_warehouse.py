@@ -147,6 +147,12 @@ def test_a_warehouse_that_was_moved_does_not_show_the_rows_of_its_old_place(warm
     assert _call(warm, moved, *QUERY).out == WHOLE
 
 
+def test_a_run_that_is_done_makes_the_views_of_a_moved_home_again(warm: Warm, home: Path) -> None:
+    moved = Path(shutil.copytree(home, home.with_name("moved"), symlinks=True))
+    assert _call(warm, moved, "run", "yard", "-a", "noop").code == 0
+    assert _call(warm, moved, *QUERY).out == WHOLE
+
+
 def test_readers_do_not_stand_in_the_way_of_a_report(warm: Warm, home: Path) -> None:
     with duckdb.connect(str(home / "warehouse/c4s.duckdb"), read_only=True):
         assert _call(warm, home, "report").code == 0
