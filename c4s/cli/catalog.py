@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 import typer
 
+from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars
 from c4s.errors import BadInput, unknown
@@ -20,8 +21,8 @@ app = typer.Typer(help="Asset packs: build, list, show, search.", no_args_is_hel
 
 @app.command("list")
 def list_packs(json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
-    """The packs built here."""
-    found = [Pack.read(path) for path in sorted(packs_root().glob("*/pack.json"))]
+    """The packs built here. Exit 2 where one cannot be read; the others are listed."""
+    found, left_out = readable(Pack, sorted(packs_root().glob("*/pack.json")))
     if json_output:
         print_json(
             [
@@ -40,6 +41,7 @@ def list_packs(json_output: Annotated[bool, typer.Option("--json")] = False) -> 
             ["pack", "title", "assets", "licence"],
             [[pack.pack_id, pack.title, len(pack.assets), pack.license] for pack in found],
         )
+    refuse_left_out(left_out)
 
 
 @app.command()

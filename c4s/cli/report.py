@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from c4s.cli.left_out import refuse_left_out
 from c4s.cli.output import print_json, say
 from c4s.errors import BadInput
 from c4s.home import runs_root, site_root, suites_root, warehouse_root
@@ -47,6 +48,4 @@ def report(
         print_json({"page": page.as_uri()})
     else:
         say(page.as_uri())
-    if left_out:
-        more = f"; {len(left_out) - 1} more" if len(left_out) > 1 else ""
-        raise BadInput(left_out[0].line() + more)
+    refuse_left_out(left_out)

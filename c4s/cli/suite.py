@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
 from c4s.cli.suites import built_suite
@@ -55,8 +56,8 @@ def build(
 
 @app.command("list")
 def list_suites(json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
-    """The suites built here."""
-    found = [Suite.read(path) for path in sorted(suites_root().glob("*/suite.json"))]
+    """The suites built here. Exit 2 where one cannot be read; the others are listed."""
+    found, left_out = readable(Suite, sorted(suites_root().glob("*/suite.json")))
     if json_output:
         print_json(
             [
@@ -69,6 +70,7 @@ def list_suites(json_output: Annotated[bool, typer.Option("--json")] = False) ->
             ["suite", "title", "cases", "digest"],
             [[suite.suite_id, suite.title, len(suite.cases), suite.sha256()[:12]] for suite in found],
         )
+    refuse_left_out(left_out)
 
 
 @app.command()
