@@ -9,6 +9,7 @@ import json
 import os
 import shutil
 import stat
+import sys
 import tempfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -150,7 +151,7 @@ def parse_json(data: bytes, *, plain: bool = False) -> Any:
             return orjson.loads(data)
         except orjson.JSONDecodeError:
             try:
-                value = json.loads(data)
+                value = json.loads(data, parse_int=_integer)
                 if plain:
                     canonical_json(value).encode()
             except UnicodeEncodeError:
@@ -164,6 +165,14 @@ def parse_json(data: bytes, *, plain: bool = False) -> Any:
             except ValueError:
                 raise ValueError("a number in it is too long, or is not finite") from None
             return value
+
+
+def _integer(text: str) -> int:
+    """An integer that can be made a real number."""
+    value = int(text)
+    if abs(value) > sys.float_info.max:
+        raise ValueError("a number in it is too long")
+    return value
 
 
 def no_place(error: OSError) -> str:

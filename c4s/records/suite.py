@@ -36,11 +36,14 @@ SUITE, DIGESTS = "suite.json", "digests.json"
 """The frozen list of cases, and the note of every file."""
 
 
+MOST_CALLS, MOST_MINUTES = 1_000_000, 1_000_000
+
+
 class Budget(Record):
     """Limits of one attempt."""
 
-    tool_calls: int = Field(gt=0)
-    wall_minutes: float = Field(gt=0)
+    tool_calls: int = Field(gt=0, le=MOST_CALLS)
+    wall_minutes: float = Field(gt=0, le=MOST_MINUTES)
 
 
 class PackRef(Record):

@@ -144,15 +144,18 @@ class Run:
         self.ended.wait()
 
     def _end(self, reason: EndReason, message: str) -> None:
-        if self.end_reason is None:
-            self.end_reason, self.end_message = reason, message
-            self._stopped = time.monotonic()
+        if self.end_reason is not None:
+            return
+        self.end_reason, self.end_message = reason, message
+        self._stopped = time.monotonic()
+        try:
             for call in list(self._waiting):
                 self._finish(call, None)
+        finally:
             if self._timer is not None:
                 self._timer.cancel()
             self._pool.shutdown(wait=False, cancel_futures=True)
-        self.ended.set()
+            self.ended.set()
 
     def ended_or(self, done: threading.Event) -> None:
         """Wait until the run has ended or ``done`` is set by another thread."""

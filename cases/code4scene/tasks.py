@@ -12,13 +12,16 @@ from c4s.errors import BadInput
 from c4s.files import read_yaml
 from c4s.names import file_in, name_fault, package_fault, path_fault
 from c4s.protocol.settings import Setting
-from c4s.records.suite import Budget
+from c4s.records.suite import MOST_CALLS, MOST_MINUTES, Budget
 from catalog.proxy import PaletteEntry
 
 KINDS = {"scene_generation", "scene_repair"}
+MOST_M = 100_000.0
+"""Side of a plate, and of an asset."""
+SIZE = r"[0-9]+(?:\.[0-9]+)?"
 LINE = re.compile(
     r"^- (?P<id>\S+) \| (?P<name>.+?) \| (?P<category>[^|]+?) \| "
-    r"(?P<w>[\d.]+)x(?P<d>[\d.]+)x(?P<h>[\d.]+) m \| (?P<path>/\S+)$",
+    rf"(?P<w>{SIZE})x(?P<d>{SIZE})x(?P<h>{SIZE}) m \| (?P<path>/\S+)$",
     re.MULTILINE,
 )
 
@@ -68,7 +71,9 @@ def read_task(path: Path) -> Task:
     given.refuse("id", name_fault(case_id))
     start_map = given.text("inputs.init_map")
     given.refuse("inputs.init_map", package_fault(start_map))
-    plate = given.number("inputs.size_m") if kind == "scene_generation" else None
+    if not start_map.startswith("/Game/"):
+        given.refuse("inputs.init_map", "a start map lies below /Game")
+    plate = given.number("inputs.size_m", MOST_M) if kind == "scene_generation" else None
     packs = given.listed("assets", "packs")
     for pack in packs:
         given.refuse("assets.packs", name_fault(pack))
@@ -79,8 +84,8 @@ def read_task(path: Path) -> Task:
         prompt=given.text("inputs.prompt"),
         start_map=start_map,
         budget=Budget(
-            tool_calls=int(given.number("inputs.budget.tool_calls")),
-            wall_minutes=given.number("inputs.budget.wall_minutes"),
+            tool_calls=given.whole("inputs.budget.tool_calls", MOST_CALLS),
+            wall_minutes=given.number("inputs.budget.wall_minutes", MOST_MINUTES),
         ),
         plate_m=plate,
         bundle=given.bundle(),
@@ -134,11 +139,17 @@ class _Reader:
         file = file_in(self.path.parent, named)
         return file if file.is_file() else None
 
-    def number(self, name: str) -> float:
+    def number(self, name: str, most: float) -> float:
         value = self._value(name)
-        if isinstance(value, bool) or not isinstance(value, int | float) or not value > 0:
-            raise BadInput(f"malformed task.yaml: field {name!r} is not a positive number", where=str(self.path))
+        if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value <= most:
+            self.refuse(name, f"this is no positive number up to {most:,.0f}")
         return float(value)
+
+    def whole(self, name: str, most: int) -> int:
+        value = self.number(name, most)
+        if value != int(value):
+            self.refuse(name, "this is no whole number")
+        return int(value)
 
 
 def palette(task: Task) -> list[PaletteEntry]:
@@ -164,7 +175,8 @@ def palette(task: Task) -> list[PaletteEntry]:
         raise BadInput(f"palette line cannot be read: {wrong[:80]}", where=str(task.folder / "task.yaml"))
     seen: dict[str, str] = {}
     for entry in entries:
-        if fault := name_fault(entry.id) or package_fault(entry.path):
+        size = f"it is larger than {MOST_M:,.0f} m" if max(entry.size_m) > MOST_M else None
+        if fault := name_fault(entry.id) or package_fault(entry.path) or size:
             raise BadInput(f"palette line: {fault}", where=str(task.folder / "task.yaml"))
         if seen.setdefault(entry.id, entry.path) != entry.path:
             raise BadInput(f"palette id {entry.id!r} is used twice", where=str(task.folder / "task.yaml"))

@@ -32,6 +32,11 @@ KINDS: dict[str, bytes] = {
     "anchors": b"a: &a [x, x]\nb: &b [*a, *a]\nc: *nosuch\n",
     "aliases": b"a0: &a0 x\n"
     + b"".join(b"a%d: &a%d [%s]\n" % (n, n, b", ".join([b"*a%d" % (n - 1)] * 10)) for n in range(1, 13)),
+    "longnumber": b'{"client": 0x' + b"f" * 6_000 + b"}",
+    "sexagesimal": b"client: " + b"1:" * 3_000 + b"1.5\n",
+    "merges": b"a: [&a0 {k: 1}"
+    + b"".join(b", &a%d {<<: [%s]}" % (n, b", ".join([b"*a%d" % (n - 1)] * 10)) for n in range(1, 13))
+    + b"]\n",
     "tab": b"name:\n\t- x\n",
     "gzip": b"\x1f\x8b\x08\x00" + b"\x00" * 12,
     "html": b"<!DOCTYPE html><html><body>404</body></html>",

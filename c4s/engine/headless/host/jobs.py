@@ -218,6 +218,8 @@ class JobBoard:
                 self._serve(selector)
         except (EngineGone, ValueError, OSError) as why:
             reason, self.short = self._reason or str(why), shortage(why)
+        except Exception as unforeseen:
+            reason = f"the host cannot go on with it: {type(unforeseen).__name__}: {unforeseen}"
         self._bury(reason)
 
     def _serve(self, selector: selectors.BaseSelector) -> None:
@@ -256,6 +258,7 @@ class JobBoard:
             self.refusal, self.version = fields.get("refused"), str(fields.get("version", ""))
             self.ready.set()
         elif job is not None and fields.get("job") == job.number:
+            error, fault = _text(fields, "error"), _text(fields, "fault")
             _pour(self._printing, job.log, _available(self._printing))
             if self._printing in selector.get_map():
                 selector.unregister(self._printing)
@@ -263,7 +266,7 @@ class JobBoard:
             self._printing = -1
             with self._lock:
                 self.running = None
-            self._finish(job, fields.get("error"), fields.get("fault"), value)
+            self._finish(job, error, fault, value)
 
     def _start_next(self, selector: selectors.BaseSelector) -> None:
         with self._lock:
@@ -281,8 +284,10 @@ class JobBoard:
         finally:
             channel.close(writing)
 
-    def _finish(self, job: EngineJob, error: Any, fault: Any, value: bytes = b"", *, ended: bool = False) -> None:
-        job.error, job.fault = (None if text is None else str(text) for text in (error, fault))
+    def _finish(
+        self, job: EngineJob, error: str | None, fault: str | None, value: bytes = b"", *, ended: bool = False
+    ) -> None:
+        job.error, job.fault = error, fault
         if error is None:
             try:
                 parse_bounded(value, BOUNDS["answer_bytes"], BOUNDS["answer_values"], plain=True)
@@ -320,6 +325,14 @@ class JobBoard:
         self.log.close()
         channel.close(self._output, self._wake_end, self._wake)
         self._connection.close()
+
+
+def _text(fields: Mapping[str, Any], name: str) -> str | None:
+    """A text of a message, or None. ``ValueError`` for anything else."""
+    found = fields.get(name)
+    if found is not None and not isinstance(found, str):
+        raise ValueError(f"the {name} of a message is no text")
+    return found
 
 
 def _object(message: bytes) -> dict[str, Any]:

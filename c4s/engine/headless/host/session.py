@@ -294,6 +294,7 @@ def _check(packs: Sequence[Path], levels: Sequence[Path], content: Path, scratch
 
 
 def _exit_text(code: int) -> str:
-    if code < 0:
-        return signal.Signals(-code).name
-    return signal.Signals(code - 128).name if code > 128 and code - 128 in list(signal.Signals) else f"exit code {code}"
+    number = -code if code < 0 else code - 128
+    if number in list(signal.Signals):
+        return signal.Signals(number).name
+    return f"signal {number}" if code < 0 else f"exit code {code}"
