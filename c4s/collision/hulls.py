@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 from c4s.collision.mesh_body import Array
 
 Triangles: TypeAlias = NDArray[np.int64]
+POINT_CM = 1e-9
+"""Smaller than this is a point: Qhull cannot tell its sides."""
 FLAT = 1e-9
 """Relative thickness under which a dimension counts as zero."""
 STURDY = 1e-6
@@ -88,7 +90,7 @@ def convex_hull(points: Array) -> Hull | None:
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     centred = points - centre
     size = float(np.abs(centred).max())
-    if size == 0:
+    if size < POINT_CM:
         return None
     _, extents, axes = np.linalg.svd((centred - centred.mean(axis=0)) / size, full_matrices=False)
     rank = int((extents > FLAT * math.sqrt(len(points))).sum())

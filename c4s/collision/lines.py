@@ -138,8 +138,12 @@ def _surface(shape: Shape) -> Array | TriangleSet | None:
         np.abs(normal).max()
     ):
         return TriangleSet(triangles)
-    normal = normal / np.linalg.norm(normal, axis=1)[:, None]
-    planes = np.column_stack([normal, -np.einsum("ij,ij->i", normal, triangles[:, 0])])
+    length = np.linalg.norm(normal, axis=1)
+    wide = length > 0
+    if not wide.any():
+        return TriangleSet(np.zeros((0, 3, 3)))
+    normal = normal[wide] / length[wide, None]
+    planes = np.column_stack([normal, -np.einsum("ij,ij->i", normal, triangles[wide, 0])])
     return np.unique(np.round(planes, 12), axis=0)
 
 

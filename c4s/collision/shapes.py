@@ -105,7 +105,8 @@ def scaled_shape(body: MeshBody, scale: Array, hull: Hull | None = None) -> Shap
     if body.kind == "capsule":
         return _capsule(centre, axes, body.size[0], body.size[1])
     edges = axes * np.array(body.size)
-    if np.abs(np.triu(edges.T @ edges, 1)).max() <= 1e-12 * float((edges**2).sum()) and np.all(edges.any(axis=0)):
+    square = np.abs(np.triu(edges.T @ edges, 1)).max() <= 1e-12 * float((edges**2).sum())
+    if square and np.linalg.norm(edges, axis=0).min() > 0:
         return _box(centre, edges)
     return _hull_shape(convex_hull(centre + SIGNS @ edges.T))
 

@@ -49,3 +49,33 @@ def test_the_bound_counts_pairs_whatever_the_order_of_the_actors(monkeypatch: py
                 small.setitem(BOUNDS, bound, replace(BOUNDS[bound], most=pairs - 1))
                 with pytest.raises(BadInput):
                     contacts(crowd | {"actors": actors})
+
+
+def edited(count: int) -> tuple[dict[str, Any], dict[str, Any]]:
+    """A heap, and the start in which all of it stood elsewhere."""
+    start = heap(count)
+    for one in start["actors"]:
+        one["transform"] = {**one["transform"], "location_cm": [5000.0, 0.0, 100.0]}
+    return heap(count), start
+
+
+def test_edits_beyond_a_bound_have_no_support_score(monkeypatch: pytest.MonkeyPatch) -> None:
+    crowd, start = edited(40)
+    before = verify_physics("image-to-scene/indoor", crowd, start).measurements
+    assert before["leaf_results"][0]["status"] == before["diagnostic_leaves"][0]["status"] == "measured"
+    monkeypatch.setitem(BOUNDS, "line_pairs", replace(BOUNDS["line_pairs"], most=700))
+    floating = verify_physics("image-to-scene/indoor", crowd, start).measurements["leaf_results"][0]
+    assert (floating["status"], floating["score"], floating["unresolved"]) == ("not_evaluated", None, 40)
+    assert "too crowded" in floating["actors"][0]["reason"] and "more than 700" in floating["actors"][0]["reason"]
+    monkeypatch.setitem(BOUNDS, "measured_pairs", replace(BOUNDS["measured_pairs"], most=30))
+    near = verify_physics("image-to-scene/indoor", crowd, start).measurements["diagnostic_leaves"][0]
+    assert (near["status"], near["unresolved"]) == ("not_evaluated", 40)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("scale", [0.0, 1e-300, 1e-12, 1e9, 1e12])
+def test_scales_beyond_measure_are_measured_without_a_word(scale: float) -> None:
+    box = {"bounds": {"origin_cm": [0, 0, 0], "extent_cm": [900, 900, 900]}, "collision": {"collision_enabled": True}}
+    for scales in ((scale,) * 3, (scale, 1, 1), (1, -scale, scale)):
+        made = scene({"m": cube(10)}, *(actor(name, "m", (0, 0, 100), (0, 30, 0), scales, **box) for name in "AB"))
+        assert verify_physics("text-to-scene", made).score is not None

@@ -237,7 +237,10 @@ def _edited_floating(support: SupportRecord) -> Leaf:
         metric=I2S_FLOATING_METRIC,
         gap_cm=GAP_CM,
         unresolved_actors=unresolved,
-        actors=[{key: value for key, value in row.items() if key in _SHOWN} for row in support["rows"]],
+        actors=[
+            {key: value for key, value in row.items() if key in _SHOWN or (key == "reason" and value)}
+            for row in support["rows"]
+        ],
     )
 
 
