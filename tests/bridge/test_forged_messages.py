@@ -1,4 +1,4 @@
-"""What agent code writes on the engine's own channel, or how it ends the process: the host tells it, and waits on nothing."""
+"""What agent code writes on the engine's own channel, or how it ends the process: the host tells it at once."""
 
 from __future__ import annotations
 
