@@ -51,7 +51,8 @@ def _rescore(run: str, policy: str, json_output: bool) -> None:
         return
     say(
         f"{found.run_id} under {found.policy.policy_id}: {report['changed_trials']} of {report['trials']} trials "
-        f"change" + (f", {len(found.pending)} pending" if found.pending else "")
+        f"change"
+        + (f", {len(found.pending)} have no score here (pending, or reused from another run)" if found.pending else "")
     )
     if report["means"]:
         print_table(

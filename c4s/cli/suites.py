@@ -7,13 +7,19 @@ from pathlib import Path
 from c4s.errors import BadInput, unknown
 from c4s.home import suites_root
 from c4s.names import place_in
-from c4s.records.suite import SuiteFolder
+from c4s.records.suite import IMPORTED_SCENE, SuiteFolder
 
 
 def built_suite(name: str) -> Path:
     """Folder of a built suite; ``BadInput`` with those that are built for any other name."""
     built = [path.name for path in suites_root().glob("*") if SuiteFolder(path).record.is_file()]
     if name not in built:
+        if name in (path.parent.name for path in suites_root().glob(f"*/{IMPORTED_SCENE}")):
+            raise BadInput(
+                f"{name!r} is an imported scene and no suite",
+                where=str(suites_root() / name),
+                todo=f"make cases of it with `c4s suite make-cases {name}`",
+            )
         todo = "build one with `c4s suite build starter`"
         raise unknown("suite", name, built, where=str(suites_root()), todo="" if built else todo)
     folder = place_in(suites_root(), name, "suite")

@@ -34,6 +34,8 @@ from c4s.trees import listing_digest, read_listing
 
 SUITE, DIGESTS = "suite.json", "digests.json"
 """The frozen list of cases, and the note of every file."""
+IMPORTED_SCENE = "scene.level.json"
+"""A scene that no cases were made of yet lies in the folder of its suite."""
 
 
 MOST_CALLS, MOST_MINUTES = 1_000_000, 1_000_000

@@ -10,7 +10,7 @@ from c4s.engine import engine_kinds
 from c4s.engine.confine.sandbox import backend
 from c4s.errors import BadInput, unknown
 from c4s.judge.names import JUDGE_NAMES
-from c4s.meter.endpoints import spending_limit
+from c4s.meter.endpoints import key_of, spending_limit
 from c4s.protocol.baselines import BASELINES
 from c4s.records.plan import Configuration
 from c4s.score.policies import POLICIES
@@ -47,11 +47,16 @@ def check_configurations(configurations: Sequence[Configuration]) -> None:
 def check_ready(configurations: Sequence[Configuration]) -> None:
     """``BadInput`` or ``MachineryFault`` for what cannot be started on this machine, with what to do.
 
-    That is a client, or the sandbox that ``C4S_SANDBOX`` names; a spending limit that is no amount is refused too.
+    That is a client, the key of its model's endpoint, or the sandbox that ``C4S_SANDBOX`` names; a spending limit that
+    is no amount is refused too.
     """
     backend()
     spending_limit()
     for chosen in configurations:
         agent = agent_of(chosen)
         if isinstance(agent, ModelClient):
+            from c4s.agents.model import check_model
+
             agent.ready(chosen)
+            name, endpoint, _ = check_model(chosen, agent.endpoint, agent.wire_of(chosen))
+            key_of(name, endpoint)

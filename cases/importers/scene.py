@@ -21,6 +21,7 @@ from c4s.names import place_in
 from c4s.packs.check import check_pack
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.pack import CollisionBody
+from c4s.records.suite import IMPORTED_SCENE
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
 from catalog.ingest.colours import colours_of
 from catalog.ingest.hulls import bodies
@@ -31,7 +32,7 @@ from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.ingest.writer import PackWriter, identifier
 
 Matrix = NDArray[np.float64]
-LEVEL_FILE, REPORT = "scene.level.json", "import.json"
+REPORT = "import.json"
 
 
 @dataclass
@@ -193,19 +194,19 @@ def write_scene(
         )
         folder = suites / suite_id
         if not replace:
-            _refuse_other(folder / LEVEL_FILE, level)
+            _refuse_other(folder / IMPORTED_SCENE, level)
         pack = writer.finish(
             title=f"Meshes of {source.stem}",
             license_id=licence_id,
             license_text=text,
             description=f"Imported from {source.name}",
         )
-    level.write(folder / LEVEL_FILE)
+    level.write(folder / IMPORTED_SCENE)
     units = check_units(sizes).proposed
     proposed = None if scene.metric or units is None else float(f"{units * scale:.2g}")
     report = {
         "suite": suite_id,
-        "level": str(folder / LEVEL_FILE),
+        "level": str(folder / IMPORTED_SCENE),
         "package": level.package,
         "pack": pack.pack_id,
         "license": pack.license,
@@ -234,7 +235,7 @@ def _refuse_other(path: Path, level: Level) -> None:
 
 def imported_scene(suites: Path, packs: Path, name: str) -> Level:
     """The level of an imported scene; ``BadInput`` where there is none, or it or its pack was changed since."""
-    path = place_in(suites, name, "scene") / LEVEL_FILE
+    path = place_in(suites, name, "scene") / IMPORTED_SCENE
     if not path.is_file():
         raise BadInput(f"no imported scene {name!r}", where=str(suites), todo="see `c4s suite import-scene`")
     level, report = Level.read(path), read_json(path.with_name(REPORT), what="import report")

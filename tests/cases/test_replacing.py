@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 import trimesh
 
+from c4s.cli.suites import built_suite
 from c4s.errors import BadInput
 from c4s.folders import put_folder
 from c4s.packs.suite_check import suite_changes
@@ -206,6 +207,8 @@ def test_imported_scenes_and_their_packs(tmp_path: Path, monkeypatch: pytest.Mon
     table.write_text(TABLE)
     import_scene(table, "yard", suites=suites, packs=packs)
     level = imported_scene(suites, packs, "yard")
+    with pytest.raises(BadInput, match=r"'yard' is an imported scene and no suite .*make-cases yard"):
+        built_suite("yard")
     import_scene(table, "yard", suites=suites, packs=packs)
     table.write_text(TABLE.replace("4,0", "5,0"))
     with pytest.raises(BadInput, match="--replace"):

@@ -185,6 +185,18 @@ def test_other_judges_and_validating_agents_are_never_ranked_together(tmp_path: 
     }
 
 
+def test_what_is_pending_is_no_zero_in_any_mean(tmp_path: Path) -> None:
+    scores: dict[tuple[str, str, int], float | None] = {("alpha", "image-to-scene/indoor", n): 1.0 for n in range(2)}
+    scores |= {("alpha", "image-to-scene/outdoor", n): None for n in range(2)}
+    _store(tmp_path, scores)
+    rebuild(tmp_path)
+    (board,) = rows(tmp_path, "SELECT * FROM leaderboard")
+    assert board["indoor"] is not None
+    assert board["image_to_scene"] is board["repair_f1"] is board["image_physics"] is board["outdoor"] is None
+    (ladder,) = rows(tmp_path, "SELECT * FROM sanity_ladder")
+    assert ladder["lowest_f1"] == ladder["highest_f1"] == ladder["lowest_repair_score"] == 1.0
+
+
 def test_an_empty_warehouse_answers_and_a_wrong_query_is_one_line(tmp_path: Path) -> None:
     with pytest.raises(BadInput, match="no warehouse"):
         ask(tmp_path, "SELECT 1")

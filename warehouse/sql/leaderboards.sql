@@ -13,10 +13,12 @@ WITH pooled AS (
         max(detailed) FILTER (WHERE construction) AS detailed,
         max(overview) FILTER (WHERE construction) AS overview,
         max(physics) FILTER (WHERE construction) AS text_physics,
-        sum(cases * repair_f1) FILTER (WHERE NOT construction)
-            / sum(cases) FILTER (WHERE NOT construction) AS repair_f1,
-        sum(cases * physics) FILTER (WHERE NOT construction)
-            / sum(cases) FILTER (WHERE NOT construction) AS image_physics,
+        CASE WHEN bool_and(repair_f1 IS NOT NULL) FILTER (WHERE NOT construction)
+            THEN sum(cases * repair_f1) FILTER (WHERE NOT construction)
+                / sum(cases) FILTER (WHERE NOT construction) END AS repair_f1,
+        CASE WHEN bool_and(physics IS NOT NULL) FILTER (WHERE NOT construction)
+            THEN sum(cases * physics) FILTER (WHERE NOT construction)
+                / sum(cases) FILTER (WHERE NOT construction) END AS image_physics,
         sum(cases) AS planned,
         sum(resolved) AS resolved
     FROM setting_means JOIN settings USING (setting)

@@ -3,8 +3,8 @@
 SELECT
     suite, configuration,
     count(*) FILTER (WHERE NOT construction) AS repair_cases,
-    min(coalesce(repair_f1, 0)) FILTER (WHERE NOT construction) AS lowest_f1,
-    max(coalesce(repair_f1, 0)) FILTER (WHERE NOT construction) AS highest_f1,
+    min(coalesce(repair_f1, 0)) FILTER (WHERE NOT construction AND score IS NOT NULL) AS lowest_f1,
+    max(coalesce(repair_f1, 0)) FILTER (WHERE NOT construction AND score IS NOT NULL) AS highest_f1,
     min(score) FILTER (WHERE NOT construction) AS lowest_repair_score,
     max(score) FILTER (WHERE NOT construction) AS highest_repair_score,
     count(*) FILTER (WHERE construction) AS text_cases,
