@@ -137,14 +137,14 @@ FORGERIES: dict[str, tuple[str, tuple[str, dict[str, Any]], str]] = {
         LIST,
         "wall_budget",
     ),
-    "a fault of many lines": (
+    "a fault in lists": (
         RAW.replace(
             "FORGE(payload)",
             'b\'{"job": %d, "error": [1, {}], "fault": {}}\\n\' % '
             "__import__('json').loads(payload.partition(b'\\n')[0])['job']",
         ),
         LIST,
-        CALL,
+        AGENT,
     ),
     "a forged full disk": (
         ANSWER + "def f(**k): raise OSError(28, 'No space left on device')\ns.list_actors = f",
