@@ -198,6 +198,10 @@ class OverLimit(MachineryFault):
     """A process that c4s runs went over its time or its memory and was ended."""
 
 
+class Unforeseen(MachineryFault):
+    """Code of c4s raised what it did not foresee: the same work fails again."""
+
+
 class AgentFault(C4SError):
     """The agent under test failed. An outcome, not a fault of the run."""
 

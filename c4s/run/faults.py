@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from c4s.errors import AgentFault, C4SError, MachineryFault, Place, ReasonCode, Whose, row_of, shortage
+from c4s.errors import AgentFault, C4SError, Place, ReasonCode, Unforeseen, Whose, row_of, shortage
 
 
 class SceneFault(AgentFault):
@@ -11,10 +11,6 @@ class SceneFault(AgentFault):
     def __init__(self, what: str, *, code: ReasonCode, where: str = "", todo: str = "") -> None:
         self.code: ReasonCode = code
         super().__init__(what, where=where, todo=todo)
-
-
-class Unforeseen(MachineryFault):
-    """Code of c4s raised what it did not foresee: the same work fails again."""
 
 
 def whose(error: BaseException, place: Place) -> Whose:

@@ -16,11 +16,11 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Self, TypeVar, TypeVarTuple
 
-from c4s.errors import OverLimit
+from c4s.errors import OverLimit, Unforeseen
 from c4s.judge.registry import judge_named
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
-from c4s.run.faults import SceneFault, Unforeseen, may_be_the_scenes, of_scene
+from c4s.run.faults import SceneFault, may_be_the_scenes, of_scene
 from c4s.run.headroom import Headroom, raise_descriptors
 from c4s.run.leftovers import sweep
 from c4s.run.limits import LIMITS, ONLINE_JUDGE, Kind, Limit, Stage

@@ -9,6 +9,7 @@ import pytest
 from c4s.engine.confine.confinement import Backend
 from c4s.engine.faults import EngineDied
 from c4s.engine.headless.host.session import EngineSession
+from c4s.errors import Unforeseen
 
 SEND = """
 import os, stat, struct
@@ -58,6 +59,20 @@ def died(engine: EngineSession, script: str) -> str:
 def test_a_forged_message_ends_the_engine_at_once(tmp_path: Path, backend: Backend, name: str) -> None:
     with EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", use=backend) as engine:
         assert "SIGKILL" in died(engine, SEND.format(MESSAGES[name]))
+
+
+def test_what_the_host_did_not_foresee_is_told_as_its_own_fault(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s") as engine:
+
+        def broken(*_: object) -> None:
+            raise KeyError("unheard of")
+
+        monkeypatch.setattr("c4s.engine.headless.host.jobs._object", broken)
+        for _ in range(2):
+            with pytest.raises(Unforeseen, match="KeyError: 'unheard of'"):
+                engine.execute("print(1)", 30.0)
 
 
 def test_a_signal_without_a_name_is_told_by_its_number(tmp_path: Path) -> None:

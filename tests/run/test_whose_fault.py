@@ -26,6 +26,7 @@ from c4s.errors import (
     MachineShort,
     OverLimit,
     Place,
+    Unforeseen,
     Whose,
     row_of,
     shortage,
@@ -33,7 +34,7 @@ from c4s.errors import (
 from c4s.evidence import SceneUnreadable
 from c4s.records.attempt import AttemptOutcome
 from c4s.run import repeats
-from c4s.run.faults import SceneFault, Unforeseen, may_be_the_scenes, of_machinery, whose
+from c4s.run.faults import SceneFault, may_be_the_scenes, of_machinery, whose
 from c4s.run.limits import Limit, Stage
 from c4s.run.plan import Trial
 from c4s.run.pool import Pool

@@ -15,6 +15,7 @@ import socket
 import termios
 import threading
 import time
+import traceback
 from collections import OrderedDict, deque
 from collections.abc import Callable, Mapping
 from contextlib import suppress
@@ -26,7 +27,7 @@ import orjson
 from c4s.bounds import BOUNDS
 from c4s.engine.headless import channel
 from c4s.engine.headless.host.joblog import JobLog
-from c4s.errors import MachineShort, shortage
+from c4s.errors import MachineShort, Unforeseen, shortage
 from c4s.files import parse_bounded
 
 KEPT_JOBS = 512
@@ -105,8 +106,8 @@ class JobBoard:
         """What the engine calls its version, told when it is ready."""
         self._reason: str | None = None
         """Why somebody else ended the engine."""
-        self.short: MachineShort | None = None
-        """What this machine was short of when the engine was ended."""
+        self.fault: MachineShort | Unforeseen | None = None
+        """Why the host ended the engine for its own sake: it was short of something, or did not foresee something."""
         self.gone: str | None = None
         """How the engine ended; None while it runs."""
         self.running: EngineJob | None = None
@@ -217,9 +218,11 @@ class JobBoard:
                     selector.register(source, selectors.EVENT_READ)
                 self._serve(selector)
         except (EngineGone, ValueError, OSError) as why:
-            reason, self.short = self._reason or str(why), shortage(why)
-        except Exception as unforeseen:
-            reason = f"the host cannot go on with it: {type(unforeseen).__name__}: {unforeseen}"
+            reason, self.fault = self._reason or str(why), shortage(why)
+        except Exception as error:
+            reason = f"the host cannot go on with it: {type(error).__name__}: {error}"
+            self.fault = Unforeseen(reason, where=str(self._folder))
+            self.fault.add_note("".join(traceback.format_exception(error)))
         self._bury(reason)
 
     def _serve(self, selector: selectors.BaseSelector) -> None:
@@ -308,7 +311,7 @@ class JobBoard:
                 _pour(self._printing, running.log, _available(self._printing))
             _pour(self._output, self.log, _available(self._output))
         except OSError as error:
-            self.short = self.short or shortage(error)
+            self.fault = self.fault or shortage(error)
         if self._printing >= 0:
             channel.close(self._printing)
         tails = [log.tail(_TAIL_BYTES) for log in ([running.log] if running else []) + [self.log]]

@@ -180,7 +180,7 @@ class EngineSession:
         try:
             reply = self.bridge.request(kind, params, timeout_s=timeout_s)
         except BridgeFault as fault:
-            if self._board.gone is None and self._board.short is None:
+            if self._board.gone is None and self._board.fault is None:
                 raise
             raise self._dead(self._board.gone or "", kind) from fault
         if reply.get("engine_ended") or reply.get("state") == "dead":
@@ -188,9 +188,9 @@ class EngineSession:
         return reply
 
     def _dead(self, what: str, during: str, lines: Sequence[str] = ()) -> MachineryFault:
-        """What the end of the engine is: what this machine was short of, where that ended it."""
-        if self._board.short is not None:
-            return self._board.short
+        """What the end of the engine is: the host's own fault, where that ended it."""
+        if self._board.fault is not None:
+            return self._board.fault
         kind = EngineOverLimit if self._board.over_limit else EngineDied
         return kind(what, during=during, where=str(self.logs), lines=lines)
 
