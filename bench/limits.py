@@ -23,6 +23,23 @@ _CROWD = (
     "for actor in scene['actors']: actor['c4s']['components'][0]['transform']['location_cm'] = [0, 0, 0]\n"
     "work = lambda: contacts(scene)"
 )
+_YAML = "from c4s.plain_yaml import parse_yaml\nwork = lambda: parse_yaml(data)"
+_EDITS = (
+    "import copy\nfrom bench.contacts import city\nfrom c4s.verify.physics.verdict import verify_physics\n"
+    "for actor in data['actors']:\n"
+    "    actor['c4s']['components'][0]['transform']['location_cm'] = [0, 0, 100]\n"
+    "    actor['transform'] = actor['c4s']['components'][0]['transform']\n"
+    "    actor['bounds'] = {'origin_cm': [0, 0, 100], 'extent_cm': [50, 50, 50]}\n"
+    "    actor['label'] = actor['name']\n"
+    "    actor['class'] = '/Script/Engine.StaticMeshActor'\n"
+    "start = copy.deepcopy(data)\n"
+    "for actor in start['actors']: actor['transform']['location_cm'] = [9000, 0, 100]\n"
+    "leaf = lambda: verify_physics('image-to-scene/indoor', data, start).measurements['leaf_results'][0]\n"
+    "def work():\n"
+    "    found = leaf()\n"
+    "    if found['status'] == 'measured': return found\n"
+    "    raise ValueError(found['actors'][0]['reason'])"
+)
 INPUTS: dict[str, tuple[str, str]] = {
     "a level of 200 MiB of newlines": (r"b'\n' * (200 << 20)", _LEVEL),
     "a level of ten million empty lists": ("b'[' + b'[],' * (10 << 20) + b'0]'", _LEVEL),
@@ -44,6 +61,12 @@ INPUTS: dict[str, tuple[str, str]] = {
         "{'accessors': [{'componentType': 5126, 'count': 50_000_000, 'type': 'MAT4'}]}",
         _MESH,
     ),
+    "aliases in YAML that stand for 10^12 texts": (
+        "'a0: &a0 x\\n' + ''.join(f'a{n}: &a{n} [' + f'*a{n - 1}, ' * 10 + ']\\n' for n in range(1, 13))",
+        _YAML,
+    ),
+    "a merge key in YAML": ("'a: &a {k: 1}\\nb: {<<: [*a, *a]}\\n'", _YAML),
+    "4,000 edited actors at one point": ("__import__('bench.contacts', fromlist=['city']).city(4000)[0]", _EDITS),
     "6,000 actors at one point": ("__import__('bench.contacts', fromlist=['city']).city(6000)", _CROWD),
 }
 _SCRIPT = """

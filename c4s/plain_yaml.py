@@ -68,8 +68,8 @@ def parse_yaml(text: str) -> Any:
     except yaml.MarkedYAMLError as error:
         place = f" in line {error.problem_mark.line + 1}" if error.problem_mark else ""
         raise ValueError(f"{error.problem or error.context}{place}") from None
-    except _Refused:
-        raise
+    except _Refused as refused:
+        raise ValueError(str(refused)) from None
     except (ValueError, OverflowError):
         raise ValueError("a number in it is too long, or is none") from None
     except yaml.YAMLError as error:

@@ -104,6 +104,7 @@ class Surfaces:
         self._owners = np.array([piece.actor for piece in self._pieces], dtype=np.int64)
         self._inverse = np.linalg.inv(np.array([piece.linear for piece in self._pieces]).reshape(-1, 3, 3))
         self._offset = np.array([piece.offset for piece in self._pieces]).reshape(-1, 3)
+        self._solids = np.array([id(piece.solid) for piece in self._pieces], dtype=np.int64)
         self._met = 0
         self._tree = shapely.STRtree(shapely.box(*self._low[:, :2].T, *self._high[:, :2].T))
 
@@ -156,20 +157,23 @@ class Surfaces:
 
         Raises ``BadInput`` for a scene so crowded that it is beyond ``line_pairs``.
         """
-        parts: list[FirstHits] = []
-        k = 0
         lines = max(1, min(LINES, PAIRS // max(len(self._pieces), 1)))
-        while not parts or k < len(start):
-            part = slice(k, k + lines)
-            parts.append(self._first(start[part], step[part], own[part]))
-            k += lines
+        portions = [slice(k, k + lines) for k in range(0, max(len(start), 1), lines)]
+        for part in portions:
+            self._met += len(self._beside(start[part], step[part])[0])
+            BOUNDS["line_pairs"].hold(self._met, where="support")
+        parts = [self._first(start[part], step[part], own[part]) for part in portions]
         return FirstHits(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+    def _beside(self, start: Array, step: Array) -> tuple[Rows, Rows]:
+        """Pairs of a line and a piece that meet in plan."""
+        low, high = np.minimum(start, start + step), np.maximum(start, start + step)
+        line, piece = self._tree.query(shapely.box(*low[:, :2].T, *high[:, :2].T))
+        return line, piece
 
     def _first(self, start: Array, step: Array, own: Rows) -> FirstHits:
         low, high = np.minimum(start, start + step), np.maximum(start, start + step)
-        line, piece = self._tree.query(shapely.box(*low[:, :2].T, *high[:, :2].T))
-        self._met += len(line)
-        BOUNDS["line_pairs"].hold(self._met, where="support")
+        line, piece = self._beside(start, step)
         near = (self._owners[piece] != own[line]) & (self._low[piece, 2] <= high[line, 2])
         near &= self._high[piece, 2] >= low[line, 2]
         line, piece = line[near], piece[near]
@@ -199,7 +203,7 @@ class Surfaces:
         """Positions of the pairs of one solid, solid by solid."""
         if not len(piece):
             return []
-        solids = np.array([id(self._pieces[k].solid) for k in piece.tolist()], dtype=np.int64)
+        solids = self._solids[piece]
         order = np.argsort(solids, kind="stable")
         groups = np.split(order, np.flatnonzero(np.diff(solids[order])) + 1)
         return [(some, self._pieces[int(piece[some[0]])].solid) for some in groups]
