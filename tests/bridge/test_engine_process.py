@@ -105,6 +105,8 @@ def test_a_request_in_pieces_and_a_client_that_leaves(shared_engine: EngineSessi
     with socket.socket(socket.AF_UNIX) as leaver:
         leaver.connect(address)
         leaver.sendall(b'{"type": "execute_python_script", "params": {"script": "left = 1"}}\n')
+    while shared_engine.execute("print('left' in globals())")["result"]["python_logs"] != ["True"]:
+        continue
     with socket.socket(socket.AF_UNIX) as connection:
         connection.connect(address)
         for byte in b'{"type": "execute_python_script", "params": {"script": "print(left + 1)"}}\n':
