@@ -24,7 +24,7 @@ from c4s.toolbox.gateway import Gateway
 from c4s.toolbox.gateway_run import Run
 from tests.mcp_hello import HEADERS, INITIALIZE
 
-QUICK = DoorLimits(connections=40, strangers=8, of_one=12, head_s=0.3, body_s=3)
+QUICK = DoorLimits(connections=40, strangers=24, of_one=12, head_s=1, body_s=3)
 FLOOD = 300
 
 
