@@ -75,7 +75,7 @@ def new_run(name: str, folder: Path, calls: int = 100_000) -> Run:
     """A run on an empty case."""
     case = AgentCase.parse(
         {
-            "case_id": name,
+            "alias": name,
             "setting": TEXT_TO_SCENE,
             "prompt": "-",
             "start_map": "/Game/B/M",

@@ -50,6 +50,7 @@ def _planned(root: Path, count: int) -> tuple[Plan, list[Trial]]:
     cases = [
         PlannedCase(
             case_id=f"case-{number}",
+            alias=f"case-{number}",
             setting=SETTINGS[number % len(SETTINGS)],
             scene_id="made",
             agent_digest="0" * 64,

@@ -137,6 +137,7 @@ def make_run(root: Path, trials: int, *, configurations: int = 10, seed: int = 1
     cases = [
         PlannedCase(
             case_id=f"case-{n}",
+            alias=f"case-{n}",
             setting=SETTINGS[n % len(SETTINGS)],
             scene_id="made",
             agent_digest="0",

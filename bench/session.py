@@ -111,7 +111,7 @@ def session(root: Path, actors: int) -> dict[str, Any]:
     city(actors).write(agent_folder / "start.level.json")
     case = AgentCase.parse(
         {
-            "case_id": "bench",
+            "alias": "bench",
             "setting": OUTDOOR_REPAIR,
             "prompt": "-",
             "start_map": PACKAGE,

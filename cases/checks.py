@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 
 from c4s.errors import BadInput
 from c4s.geometry.transform import quat_angle_deg, quat_from_rotator
 from c4s.records.level import Level, LevelActor
-from cases.corruption import RemoveActor, SetTransform, SpawnActor, id_of
+from cases.corruption import Operation, RemoveActor, SetTransform, SpawnActor, id_of, meshes
 from cases.model import RepairCase, SourceScene, SuiteDefinition, TextCase
 
 MOVE_CM, TURN_DEG, SCALE_REL = 5.0, 5.0, 0.05
@@ -44,19 +45,17 @@ def check_scene(scene: SourceScene, assets: set[str]) -> None:
                 raise BadInput(f"no pack holds {mesh}", where=f"{scene.scene_id} actor {actor.name}")
 
 
-def meshes(actor: LevelActor) -> list[str]:
-    """Static meshes that an actor shows."""
-    return [component.static_mesh for component in actor.components if component.static_mesh]
+def check_repair(case: RepairCase, operations: Sequence[Operation], truth: Level, corrupted: Level) -> None:
+    """``BadInput`` for a repair case that a perfect agent could not score fully, or that needs no repair.
 
-
-def check_repair(case: RepairCase, truth: Level, corrupted: Level) -> None:
-    """``BadInput`` for a repair case that a perfect agent could not score fully, or that needs no repair."""
-    if not case.operations or not case.views:
+    ``operations`` are those that made ``corrupted`` of ``truth``.
+    """
+    if not operations or not case.views:
         raise BadInput("a repair case needs at least one change and one view", where=case.case_id)
     original = {id_of(actor): actor for actor in truth.actors}
     corrupt = {id_of(actor): actor for actor in corrupted.actors}
-    gone = {_look(original[o.target]) for o in case.operations if isinstance(o, RemoveActor)}
-    for operation in case.operations:
+    gone = {_look(original[o.target]) for o in operations if isinstance(o, RemoveActor)}
+    for operation in operations:
         if isinstance(operation, SpawnActor) and _look(corrupt[operation.stable_id]) in gone:
             raise BadInput(
                 "it removes and adds actors of one look: the published rule then takes the extra actor for "

@@ -11,7 +11,7 @@ The eight kinds of change (paper, benchmark suite) are made by ``removal``, ``in
 from __future__ import annotations
 
 import hashlib
-import re
+import math
 import uuid
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -131,6 +131,11 @@ def id_of(actor: LevelActor) -> str | None:
     return told(tag_values(actor.tags), "stable_actor_id")
 
 
+def meshes(actor: LevelActor) -> list[str]:
+    """Static meshes that an actor shows."""
+    return [component.static_mesh for component in actor.components if component.static_mesh]
+
+
 def _index(actors: Sequence[LevelActor], target: str) -> int:
     for position, actor in enumerate(actors):
         if id_of(actor) == target:
@@ -160,13 +165,15 @@ def apply(
                 actors[at] = actors[at].model_copy(update={"transform": moved})
             case SetStaticMesh(target=target):
                 at = _index(actors, target)
-                actors[at] = _with_mesh(actors[at], operation)
+                like = _nearest(actors, actors[at].transform.location_cm, operation.static_mesh)
+                actors[at] = _with_mesh(actors[at], operation, like)
             case SpawnActor():
-                actors.insert(_spawn_position(actors, operation), _spawned(actors, operation))
+                actors.append(_spawned(actors, operation))
     return Level(package=package, actors=actors)
 
 
-def _with_mesh(actor: LevelActor, operation: SetStaticMesh) -> LevelActor:
+def _with_mesh(actor: LevelActor, operation: SetStaticMesh, like: LevelActor | None) -> LevelActor:
+    """The actor with another mesh, painted as the nearest actor of that mesh is."""
     components = []
     for component in actor.components:
         if component.name == operation.component:
@@ -174,34 +181,32 @@ def _with_mesh(actor: LevelActor, operation: SetStaticMesh) -> LevelActor:
                 raise BadInput(
                     f"the component shows {component.static_mesh}, not {operation.replaces}", where=actor.name
                 )
-            component = component.model_copy(update={"static_mesh": operation.static_mesh, "materials": {}})
+            materials = like.components[0].materials if like else {}
+            component = component.model_copy(update={"static_mesh": operation.static_mesh, "materials": materials})
         components.append(component)
     if components == actor.components:
         raise BadInput(f"no component {operation.component!r} to change", where=actor.name)
     return actor.model_copy(update={"components": components})
 
 
-def _spawn_position(actors: Sequence[LevelActor], operation: SpawnActor) -> int:
-    """Where the new actor stands in the level's list: in the middle, so that the order does not give it away."""
-    number = int(hashlib.sha256(operation.stable_id.encode()).hexdigest()[:8], 16)
-    return number % (len(actors) + 1)
-
-
 def _spawned(actors: Sequence[LevelActor], operation: SpawnActor) -> LevelActor:
+    """The new actor. What it shows comes from the operation; all else it has like those that it stands among.
+
+    Its tags, flags and properties are those of the actor that it is made like, or of the nearest one of its mesh, or
+    of the nearest static mesh actor; an override of a material is taken from one of its mesh alone.
+    """
     if any(actor.name == operation.object_name for actor in actors):
         raise BadInput("an actor of this object name exists", where=operation.object_name)
+    mesh = operation.source.get("static_mesh")
     if "like" in operation.expect:
-        components = list(actors[_index(actors, operation.expect["like"])].components)
-    elif "static_mesh" in operation.source:
-        components = [
-            LevelComponent(
-                name="StaticMeshComponent0",
-                class_path=STATIC_MESH_COMPONENT,
-                static_mesh=operation.source["static_mesh"],
-            )
-        ]
+        model: LevelActor | None = actors[_index(actors, operation.expect["like"])]
+    elif mesh is not None:
+        model = _nearest(actors, operation.location_cm, mesh) or _nearest(actors, operation.location_cm)
     else:
         raise BadInput("a Blueprint is spawned like an existing actor only", where=operation.object_name)
+    components = list(model.components) if model else []
+    if "like" not in operation.expect:
+        components = [_component(model, mesh)]
     tags = [STABLE_ID_TAG + operation.stable_id, SOURCE_TAG] if operation.identity_tag else []
     return LevelActor(
         name=operation.object_name,
@@ -209,11 +214,37 @@ def _spawned(actors: Sequence[LevelActor], operation: SpawnActor) -> LevelActor:
         guid=guid_of(operation.stable_id),
         class_path=operation.source.get("class", STATIC_MESH_ACTOR),
         components=components,
-        tags=tags,
+        tags=[*_other_tags(model), *tags],
+        hidden=model is not None and model.hidden,
+        properties=dict(model.properties) if model else {},
         transform=Transform(
             location_cm=operation.location_cm, rotation_deg=operation.rotation_deg, scale=operation.scale
         ),
     )
+
+
+def _component(model: LevelActor | None, mesh: str | None) -> LevelComponent:
+    """A component that shows a mesh, like the one of a static mesh actor."""
+    if model is None:
+        return LevelComponent(name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=mesh)
+    like = model.components[0]
+    return like.model_copy(
+        update={"static_mesh": mesh, "materials": like.materials if like.static_mesh == mesh else {}}
+    )
+
+
+def _other_tags(actor: LevelActor | None) -> list[str]:
+    return [tag for tag in (actor.tags if actor else ()) if not tag.startswith((STABLE_ID_TAG, ORIGIN_TAG))]
+
+
+def _nearest(actors: Sequence[LevelActor], place: Vector, mesh: str | None = None) -> LevelActor | None:
+    """The nearest static mesh actor of a single component, of a mesh or of any; None where there is none."""
+    found = [
+        actor
+        for actor in actors
+        if actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1 and mesh in (None, *meshes(actor))
+    ]
+    return min(found, key=lambda actor: math.dist(actor.transform.location_cm, place), default=None)
 
 
 def guid_of(text: str) -> str:
@@ -332,20 +363,8 @@ class Author:
         )
 
     def _fresh_name(self, asset: str) -> str:
-        """An unused object name in the style of the scene's own names, numbered in a gap of theirs if there is one."""
-        stem, width = asset.rsplit(".", 1)[-1].removesuffix("_C"), 1
-        for actor in self.actors.values():
-            shown = next((c.static_mesh for c in actor.components if c.static_mesh), None)
-            style = re.fullmatch(r"(.+)_(\d+)", actor.name)
-            if shown and style:
-                width = 2 if style[2].startswith("0") else width
-                if not actor.name.startswith(("SM_", "BP_")):
-                    stem = stem.removeprefix("SM_").removeprefix("BP_")
-        used = {
-            int(name[len(stem) + 1 :])
-            for name in self.names
-            if name.startswith(f"{stem}_") and name[len(stem) + 1 :].isdigit()
-        }
-        free = [number for number in range(1, max(used, default=0) + 2) if number not in used]
-        number = free[int(hashlib.sha256(f"{self.scene_id}|{stem}".encode()).hexdigest()[:8], 16) % len(free)]
-        return f"{stem}_{number:0{width}d}"
+        """An object name that no actor of the original has."""
+        stem, number = asset.rsplit(".", 1)[-1].removesuffix("_C"), 1
+        while f"{stem}_{number}" in self.names:
+            number += 1
+        return f"{stem}_{number}"

@@ -6,26 +6,20 @@ in the air or sinks into another in the scene as its makers left it would cost p
 
 from __future__ import annotations
 
-import copy
 import random
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
-from c4s.engine import DEFAULT_ENGINE
 from c4s.errors import BadInput
-from c4s.evidence import export_level
-from c4s.files import read_json
-from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level, Vector
 from c4s.records.pack import Pack
-from c4s.verify.physics.verdict import verify_physics
 from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, Kind
 from cases.model import CaseView, Group, RepairCase, SourceScene, SuiteDefinition
+from cases.standing import snapshot_of, unsound
 from cases.views import orbit
 
 KINDS: tuple[Kind, ...] = ("removal", "move", "rotate", "rescale", "insertion", "duplication", "replacement", "mirror")
@@ -41,7 +35,6 @@ GROUP: dict[Kind, Group] = {
 }
 MIN_SIDE_CM, MAX_SHARE = 15.0, 0.34
 """Changed things are at least this large, and at most this share of the scene in plan: no crumbs, no floors."""
-ASIDE_CM = 1e7
 MIN_DISTANCE_CM, REACH = 220.0, 2.6
 """A view stands this many times the radius of what changed away, at least this far."""
 
@@ -114,21 +107,8 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[SoundThing]:
 
     Raises ``MachineryFault`` when the engine cannot export the scene.
     """
-    with tempfile.TemporaryDirectory(prefix="c4s-generate-") as folder:
-        document, out = Path(folder) / "scene.level.json", EvidenceFolder(Path(folder)).snapshot
-        level.write(document)
-        export_level(engine=DEFAULT_ENGINE, packs=packs, level=document, out=out)
-        snapshot: dict[str, Any] = read_json(out)
-    aside = copy.deepcopy(snapshot)
-    for actor in aside["actors"]:
-        actor["transform"]["location_cm"][0] += ASIDE_CM
-    measured = verify_physics("image-to-scene/indoor", snapshot, aside, alone=True).measurements
-    leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
-    bad = {
-        *leaves["near_bodies"]["floating_actors"],
-        *leaves["near_bodies"]["unresolved_actors"],
-        *(row["actor"] for row in leaves["solid_penetration"]["actors"] if row["state"] != "clean"),
-    }
+    snapshot = snapshot_of(level, packs)
+    bad = unsound(snapshot)
     known = {actor.name: actor for actor in level.actors if actor.class_path == STATIC_MESH_ACTOR}
     boxes = {
         actor["name"]: (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"], actor.get("label"))

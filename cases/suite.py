@@ -24,14 +24,17 @@ from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from cases import exports
 from cases.checks import check_definition, check_repair, check_scene
-from cases.corruption import Recipe, apply, with_identities
+from cases.corruption import Operation, Recipe, apply, with_identities
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
+from cases.natural import lived_in, rebased
 from cases.prompts import repair_prompt, spawn_path, text_prompt
 from cases.requirements import bundle
 from cases.settle import to_build
+from cases.standing import settled
+from cases.veil import Veil, as_precise
 from cases.views import cameras_record
 
-BUILDER_VERSION = 3
+BUILDER_VERSION = 4
 """Part of the definition's digest: raise it when the same definition is built into other files."""
 STAMP = "build.json"
 """Beside ``suite.json``: the digest of the definition that the suite was built from."""
@@ -44,11 +47,6 @@ Progress = Callable[[str], None]
 def truth_package(scene_id: str) -> str:
     """Package of a scene's original level."""
     return f"/Game/Code4SceneGT/{scene_id}/GT"
-
-
-def input_package(case_id: str) -> str:
-    """Package of a case's corrupted level."""
-    return f"/Game/Code4SceneInputs/{case_id}/Input"
 
 
 def least_actors(truth_actors: int) -> int:
@@ -107,7 +105,7 @@ def build_suite(
         return SuiteFolder(root).suite()
     with beside(root) as scratch:
         folder = SuiteFolder(scratch / "suite")
-        builder = _Builder(definition, folder, packs, packs_root, progress)
+        builder = _Builder(definition, folder, packs, packs_root, Veil(wanted), progress)
         with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
             list(pool.map(builder.scene, definition.scenes))
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
@@ -125,10 +123,13 @@ class _Builder:
         folder: SuiteFolder,
         packs: dict[str, Pack],
         packs_root: Path,
+        veil: Veil,
         progress: Progress,
     ) -> None:
         self.definition, self.folder, self.packs = definition, folder, packs
-        self.packs_root, self.progress = packs_root, progress
+        self.packs_root, self.veil, self.progress = packs_root, veil, progress
+        self.operations: dict[str, list[Operation]] = {}
+        """Of each repair, as they were made."""
 
     def scene(self, scene: SourceScene) -> None:
         """Write every case of a scene."""
@@ -140,12 +141,12 @@ class _Builder:
         truth = with_identities(scene.level, scene.scene_id).model_copy(
             update={"package": truth_package(scene.scene_id)}
         )
-        repairs = [case for case in cases if isinstance(case, RepairCase)]
-        corrupted = {case.case_id: apply(truth, case.operations, input_package(case.case_id)) for case in repairs}
-        for repair in repairs:
-            check_repair(repair, truth, corrupted[repair.case_id])
         self.progress(f"scene {scene.scene_id}: {len(truth.actors)} actors, {len(cases)} cases")
         folders = [self.packs_root / pack_id for pack_id in scene.packs]
+        repairs = [case for case in cases if isinstance(case, RepairCase)]
+        corrupted: dict[str, Level] = {}
+        if repairs:
+            truth, corrupted = self._damaged(scene, truth, repairs, assets)
         views = {case.case_id: list(case.views) for case in repairs}
         with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
             exported = exports.scene(folders, truth, corrupted, views, Path(scratch), self.progress)
@@ -154,6 +155,27 @@ class _Builder:
                     self._repair(case, scene, truth, corrupted[case.case_id], assets, exported)
                 else:
                     self._text(case, scene, truth, assets, exported)
+
+    def _damaged(
+        self, scene: SourceScene, authored: Level, repairs: list[RepairCase], assets: dict[str, Asset]
+    ) -> tuple[Level, dict[str, Level]]:
+        """The original as people would have left it, and the corrupted level of each case; all of it veiled."""
+        chance = self.veil.chance(scene.scene_id)
+        boxes = {path: (asset.bounds_min_cm, asset.bounds_max_cm) for path, asset in assets.items()}
+        packs = [self.packs_root / pack_id for pack_id in scene.packs]
+        original = settled(authored, lived_in(authored, boxes, chance), packs)
+        damaged = [original]
+        for case in repairs:
+            operations = as_precise(rebased(case.operations, authored, original), original, chance)
+            corrupted = apply(original, operations, self.veil.start_map(case.case_id))
+            check_repair(case, operations, original, corrupted)
+            damaged.append(corrupted)
+            self.operations[case.case_id] = operations
+        truth, *veiled = self.veil.scene(scene.scene_id, damaged)
+        for case, level in zip(repairs, veiled, strict=True):
+            told = self.veil.operations(scene.scene_id, self.operations[case.case_id], level)
+            self.operations[case.case_id] = told
+        return truth, {case.case_id: level for case, level in zip(repairs, veiled, strict=True)}
 
     def _pack(self, pack_id: str) -> Pack:
         if pack_id not in self.packs:
@@ -172,7 +194,8 @@ class _Builder:
         assets: dict[str, Asset],
         exported: exports.Exported,
     ) -> None:
-        agent, withheld = self.folder.agent(case.case_id), self.folder.withheld(case.case_id)
+        alias = self.veil.alias(case.case_id)
+        agent, withheld = self.folder.agent(alias), self.folder.withheld(case.case_id)
         budget = case.budget or (INDOOR_BUDGET if scene.environment == "indoor" else OUTDOOR_BUDGET)
         names = []
         for view, picture, start in zip(
@@ -183,9 +206,8 @@ class _Builder:
             _copy(picture, withheld / f"views/truth/{view.name}.png")
             _copy(start, withheld / f"views/start/{view.name}.png")
         AgentCase(
-            case_id=case.case_id,
+            alias=alias,
             setting=case.setting,
-            title=case.title,
             start_map=corrupted.package,
             prompt=case.prompt or repair_prompt(scene.environment, len(names)),
             budget=budget,
@@ -196,6 +218,8 @@ class _Builder:
         corrupted.write(agent / "start.level.json")
         WithheldCase(
             case_id=case.case_id,
+            alias=alias,
+            title=case.title,
             scene_id=case.scene_id,
             minimum_actors=least_actors(len(truth.actors)),
             operations=case.kinds,
@@ -212,22 +236,22 @@ class _Builder:
             source_map=truth.package,
             ground_truth_map=truth.package,
             input_map=corrupted.package,
-            operations=case.operations,
+            operations=self.operations[case.case_id],
         ).write(withheld / "recipe.json")
         write_json(withheld / "cameras.json", cameras_record(case))
 
     def _text(
         self, case: TextCase, scene: SourceScene, truth: Level, assets: dict[str, Asset], exported: exports.Exported
     ) -> None:
-        agent, withheld = self.folder.agent(case.case_id), self.folder.withheld(case.case_id)
+        alias = self.veil.alias(case.case_id)
+        agent, withheld = self.folder.agent(alias), self.folder.withheld(case.case_id)
         palette = [_known(assets, path, case.case_id) for path in case.palette] or list(assets.values())
         ground = [_known(assets, path, case.case_id) for path in case.ground]
         prompt = text_prompt(case.description, ground, palette, case.plate_m, case.budget)
         requirements: dict[str, Any] = bundle(case.case_id, case.description, prompt, case.requirements)
         AgentCase(
-            case_id=case.case_id,
+            alias=alias,
             setting=case.setting,
-            title=case.title,
             prompt=prompt + "\n",
             start_map=BLANK_STAGE,
             budget=case.budget,
@@ -237,7 +261,12 @@ class _Builder:
         ).write(agent / "case.json")
         Level(package=BLANK_STAGE).write(agent / "start.level.json")
         WithheldCase(
-            case_id=case.case_id, scene_id=case.scene_id, minimum_actors=case.minimum_actors, difficulty=case.difficulty
+            case_id=case.case_id,
+            alias=alias,
+            title=case.title,
+            scene_id=case.scene_id,
+            minimum_actors=case.minimum_actors,
+            difficulty=case.difficulty,
         ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")

@@ -39,7 +39,7 @@ def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None
     folder = SuiteFolder(suite)
     planned_at = datetime.fromtimestamp(RunFolder(run).plan.stat().st_mtime, UTC).isoformat(timespec="milliseconds")
     for case in plan.cases:
-        agent, withheld = folder.agent_case(case.case_id), folder.withheld_case(case.case_id)
+        agent, withheld = folder.agent_case(case.alias), folder.withheld_case(case.case_id)
         for trial in trials(run, suite, plan.model_copy(update={"cases": [case]})):
             chosen = trial.configuration
             row = ScheduleRow(
@@ -53,7 +53,7 @@ def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None
                 client=chosen.client,
                 model=chosen.model,
                 case_id=case.case_id,
-                title=agent.title,
+                title=withheld.title,
                 prompt=agent.prompt,
                 setting=case.setting,
                 scene_id=case.scene_id,

@@ -256,7 +256,7 @@ def _tell(suite: Suite, root: Path, json_output: bool) -> None:
                 case.setting,
                 withheld.scene_id,
                 " ".join(withheld.operations),
-                folder.agent_case(case.case_id).title,
+                withheld.title,
             ]
             for case in suite.cases
             for withheld in [folder.withheld_case(case.case_id)]

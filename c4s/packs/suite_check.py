@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
@@ -15,7 +15,6 @@ from c4s.trees import Change, Listing, changes, digests, listing_digest, refuse
 
 _LOOSE = frozenset({"suite.json", DIGESTS, "build.json"})
 """Files beside the two trees."""
-TREES = ("agent", "withheld")
 
 
 class FrozenCase(Protocol):
@@ -25,23 +24,31 @@ class FrozenCase(Protocol):
     def case_id(self) -> str: ...
 
     @property
+    def alias(self) -> str: ...
+
+    @property
     def agent_digest(self) -> str: ...
 
     @property
     def withheld_digest(self) -> str: ...
 
 
+def _trees(case: FrozenCase) -> tuple[str, str]:
+    """The agent's and the withheld folder of a case, relative to the suite's."""
+    return f"agent/{case.alias}", f"withheld/{case.case_id}"
+
+
 def case_changes(suite: SuiteFolder, case: FrozenCase, *, full: bool = False, told: Told | None = None) -> list[Change]:
     """Every file of a case's two trees that is not as it was frozen. ``BadInput`` for a link."""
     rows: list[Change] = []
-    for tree, frozen in zip(TREES, (case.agent_digest, case.withheld_digest), strict=True):
-        folder = suite.root / tree / case.case_id
+    for tree, frozen in zip(_trees(case), (case.agent_digest, case.withheld_digest), strict=True):
+        folder = suite.root / tree
         for place in (folder.parent, folder):
             if place.is_symlink():
                 raise BadInput("a link is not allowed in a frozen folder", where=str(place))
         found = digests(folder, full=full, told=told)
         if listing_digest(found) != frozen:
-            rows += _named(folder, _frozen_listing(suite, f"{tree}/{case.case_id}/"), frozen, found)
+            rows += _named(folder, _frozen_listing(suite, f"{tree}/"), frozen, found)
     return rows if full or not rows else case_changes(suite, case, full=True, told=told)
 
 
@@ -71,7 +78,7 @@ def check_case(suite: SuiteFolder, case: FrozenCase) -> tuple[AgentCase, list[Pa
         case_changes(suite, case),
         todo=f"`c4s suite check {name}` lists every file; restore it, or build the suite again with --replace",
     )
-    opened = suite.agent_case(case.case_id)
+    opened = suite.agent_case(case.alias)
     folders = [packs_root() / reference.pack_id for reference in opened.packs]
     for folder, reference in zip(folders, opened.packs, strict=True):
         if not folder.is_dir():
@@ -93,12 +100,12 @@ def suite_changes(suite: SuiteFolder, told: Told | None = None) -> list[Change]:
     Raises ``BadInput`` where ``suite.json`` is not what was written: then there is nothing to compare with.
     """
     record = suite.suite()
-    rows, packs = _strangers(suite, {case.case_id for case in record.cases}), list(record.packs)
+    rows, packs = _strangers(suite, record.cases), list(record.packs)
     for case in record.cases:
         found = _kept(lambda case=case: case_changes(suite, case, full=True, told=told))  # type: ignore[misc]
         rows += found
         if not found:
-            packs += suite.agent_case(case.case_id).packs
+            packs += suite.agent_case(case.alias).packs
             rows += _note_changes(suite, case)
     for pack_id, digest in sorted({(reference.pack_id, reference.digest) for reference in packs}):
         folder = packs_root() / pack_id
@@ -114,16 +121,16 @@ def _kept(find: Callable[[], list[Change]]) -> list[Change]:
         return [Change(Path(error.where), "unsound", error.what)]
 
 
-def _strangers(suite: SuiteFolder, known: set[str]) -> list[Change]:
+def _strangers(suite: SuiteFolder, cases: Sequence[FrozenCase]) -> list[Change]:
     """What lies in the suite's folder and belongs to no case."""
-    rows = [path for path in suite.root.iterdir() if path.name not in (*_LOOSE, *TREES)]
-    for tree in TREES:
-        if (suite.root / tree).is_dir():
-            rows += [path for path in (suite.root / tree).iterdir() if path.name not in known]
+    known = {suite.root / folder for case in cases for folder in _trees(case)}
+    trees = {folder.parent for folder in known}
+    rows = [path for path in suite.root.iterdir() if path.name not in _LOOSE and path not in trees]
+    rows += [path for tree in trees if tree.is_dir() for path in tree.iterdir() if path not in known]
     return [Change(path, "extra") for path in sorted(rows)]
 
 
 def _note_changes(suite: SuiteFolder, case: SuiteCase) -> list[Change]:
     """The suite's note of its files, where it is not that of a case that is as it was frozen."""
-    noted = [listing_digest(_frozen_listing(suite, f"{tree}/{case.case_id}/")) for tree in TREES]
+    noted = [listing_digest(_frozen_listing(suite, f"{tree}/")) for tree in _trees(case)]
     return [] if noted == [case.agent_digest, case.withheld_digest] else [Change(suite.root / DIGESTS, "changed")]

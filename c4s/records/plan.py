@@ -25,6 +25,8 @@ class PlannedCase(Record):
     """A scheduled case with the digests that identify its content."""
 
     case_id: Name
+    alias: Name
+    """What the case is called where an agent can see it."""
     setting: Setting
     scene_id: Name
     agent_digest: str
@@ -51,7 +53,7 @@ class Plan(Sealed):
     """What a run will do, frozen before it starts. Nothing volatile (path, port, time) is part of it."""
 
     REMEDY: ClassVar[str] = "restore the file, or choose another --run-id"
-    schema_version: Literal["c4s.plan.v1"] = "c4s.plan.v1"
+    schema_version: Literal["c4s.plan.v2"] = "c4s.plan.v2"
     run_id: Name
     suite_id: Name
     suite_digest: str

@@ -4,9 +4,9 @@
 
     <suite>/suite.json                       Suite: the frozen list of cases, with its own digest
     <suite>/digests.json                     SHA-256 of every file of both trees, to tell which one was changed
-    <suite>/agent/<case>/case.json           AgentCase: all that an agent may see ...
-    <suite>/agent/<case>/start.level.json    ... the level it starts from (image-to-scene: the corrupted copy)
-    <suite>/agent/<case>/references/*.png    ... reference views (image-to-scene)
+    <suite>/agent/<alias>/case.json          AgentCase: all that an agent may see ...
+    <suite>/agent/<alias>/start.level.json   ... the level it starts from (image-to-scene: the corrupted copy)
+    <suite>/agent/<alias>/references/*.png   ... reference views (image-to-scene)
     <suite>/withheld/<case>/case.json        WithheldCase
     <suite>/withheld/<case>/truth.level.json       the original scene; for text-to-scene the scene that the oracle saves
     <suite>/withheld/<case>/input.snapshot.json    exported from start.level.json (image-to-scene)
@@ -14,8 +14,9 @@
     <suite>/withheld/<case>/views/{start,truth}/*.png   what the reports show beside a submission
     <suite>/withheld/<case>/recipe.json, cameras.json, requirements.bundle.json   in the published formats
 
-``agent/`` and ``withheld/`` are two trees that are never under one mount. Packs are named by id and digest and lie
-under ``c4s.home.packs_root()``.
+``agent/`` and ``withheld/`` are two trees that are never under one mount. An agent meets a case under its alias, which
+tells nothing; the readable id and title are for people, in the withheld tree and in what is made of a run. Packs are
+named by id and digest and lie under ``c4s.home.packs_root()``.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from typing import ClassVar, Literal
 
 from pydantic import Field
 
-from c4s.errors import BadInput
+from c4s.errors import BadInput, unknown
 from c4s.files import write_json
 from c4s.names import InnerPath, Name, PackagePath
 from c4s.protocol.settings import Setting
@@ -59,10 +60,10 @@ class PackRef(Record):
 class AgentCase(Record):
     """What an agent may see of a case."""
 
-    schema_version: Literal["c4s.case.v1"] = "c4s.case.v1"
-    case_id: Name
+    schema_version: Literal["c4s.case.v2"] = "c4s.case.v2"
+    alias: Name
+    """What the case is called where an agent can see it."""
     setting: Setting
-    title: str = ""
     prompt: str
     start_map: PackagePath
     """Package path of the start level, ``/Game/...``."""
@@ -79,8 +80,10 @@ class AgentCase(Record):
 class WithheldCase(Record):
     """What only the evaluator sees of a case."""
 
-    schema_version: Literal["c4s.withheld.v1"] = "c4s.withheld.v1"
+    schema_version: Literal["c4s.withheld.v2"] = "c4s.withheld.v2"
     case_id: Name
+    alias: Name
+    title: str = ""
     scene_id: Name
     """Source scene: the bootstrap cluster."""
     minimum_actors: int = 1
@@ -97,6 +100,7 @@ class SuiteCase(Record):
     """One line of a suite."""
 
     case_id: Name
+    alias: Name
     setting: Setting
     agent_digest: str
     withheld_digest: str
@@ -106,7 +110,7 @@ class Suite(Sealed):
     """A frozen list of cases."""
 
     REMEDY: ClassVar[str] = "restore the file, or build the suite again with --replace"
-    schema_version: Literal["c4s.suite.v1"] = "c4s.suite.v1"
+    schema_version: Literal["c4s.suite.v2"] = "c4s.suite.v2"
     suite_id: Name
     title: str
     description: str = ""
@@ -167,17 +171,24 @@ class SuiteFolder:
             raise BadInput("no such suite", where=str(self.root), todo="build it with `c4s suite build`")
         return Suite.read(self.root / SUITE)
 
-    def agent(self, case_id: str) -> Path:
+    def case(self, case_id: str) -> SuiteCase:
+        """The line of a case; ``BadInput`` when the suite has none of this id."""
+        cases = {case.case_id: case for case in self.suite().cases}
+        if case_id not in cases:
+            raise unknown("case", case_id, cases, where=str(self.root))
+        return cases[case_id]
+
+    def agent(self, alias: str) -> Path:
         """Folder that an agent may read."""
-        return self.root / "agent" / case_id
+        return self.root / "agent" / alias
 
     def withheld(self, case_id: str) -> Path:
         """Folder that only the evaluator reads."""
         return self.root / "withheld" / case_id
 
-    def agent_case(self, case_id: str) -> AgentCase:
+    def agent_case(self, alias: str) -> AgentCase:
         """The agent's side of a case."""
-        return AgentCase.read(self.agent(case_id) / "case.json")
+        return AgentCase.read(self.agent(alias) / "case.json")
 
     def withheld_case(self, case_id: str) -> WithheldCase:
         """The evaluator's side of a case."""
@@ -187,14 +198,16 @@ class SuiteFolder:
         """Digest both trees of every case and write ``suite.json``."""
         cases: list[SuiteCase] = []
         files: dict[str, str] = {}
-        for path in sorted((self.root / "agent").iterdir()):
-            agent, withheld = read_listing(path), read_listing(self.withheld(path.name))
-            files |= {f"agent/{path.name}/{name}": value for name, value in agent.items()}
+        for path in sorted((self.root / "withheld").iterdir()):
+            alias = self.withheld_case(path.name).alias
+            agent, withheld = read_listing(self.agent(alias)), read_listing(path)
+            files |= {f"agent/{alias}/{name}": value for name, value in agent.items()}
             files |= {f"withheld/{path.name}/{name}": value for name, value in withheld.items()}
             cases.append(
                 SuiteCase(
                     case_id=path.name,
-                    setting=self.agent_case(path.name).setting,
+                    alias=alias,
+                    setting=self.agent_case(alias).setting,
                     agent_digest=listing_digest(agent),
                     withheld_digest=listing_digest(withheld),
                 )

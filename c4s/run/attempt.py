@@ -88,7 +88,7 @@ def run_attempt(
     paths.trajectory.touch()
     levels, truth_package = [agent_folder / "start.level.json"], None
     if withheld is not None:
-        truth_package = f"/Game/Oracle/{re.sub('[^A-Za-z0-9_-]', '_', case.case_id)}"
+        truth_package = f"/Game/Oracle/{re.sub('[^A-Za-z0-9_-]', '_', case.alias)}"
         levels.append(_readable_truth(withheld, folder / "oracle", truth_package))
     content, scratch = paths.submission, paths.scratch
     stopping = _Stopping()
@@ -101,7 +101,7 @@ def run_attempt(
     ):
         write_json(paths.manifest, _manifest(session, packs, agent))
         bench = Workbench(case, agent_folder, catalog, session, scratch)
-        run = Run(f"{case.case_id}-{attempt}", bench, case.budget, paths.trajectory)
+        run = Run(f"{case.alias}-{attempt}", bench, case.budget, paths.trajectory)
         context = AgentContext(
             case,
             agent_folder,
@@ -121,7 +121,7 @@ def run_attempt(
     if model is not None and model.run.limit_message:
         raise SpendingLimitReached(
             model.run.limit_message,
-            where=f"{configuration.name}/{case.case_id}",
+            where=f"{configuration.name}/{case.alias}",
             todo="raise the limit and run the same command again",
         )
     for record in report.usage:

@@ -30,10 +30,10 @@ def inputs(trial: Trial) -> TrialInputs:
     case, folders = check_case(suite, trial.case)
     return TrialInputs(
         case=case,
-        withheld=suite.withheld_case(case.case_id),
+        withheld=suite.withheld_case(trial.case.case_id),
         packs=folders,
-        agent_folder=suite.agent(case.case_id),
-        withheld_folder=WithheldFolder(suite.withheld(case.case_id)),
+        agent_folder=suite.agent(case.alias),
+        withheld_folder=WithheldFolder(suite.withheld(trial.case.case_id)),
     )
 
 

@@ -109,6 +109,7 @@ def make_plan(
     planned = [
         PlannedCase(
             case_id=case.case_id,
+            alias=case.alias,
             setting=case.setting,
             agent_digest=case.agent_digest,
             withheld_digest=case.withheld_digest,

@@ -103,7 +103,7 @@ class Pool:
         """What a stage of a trial occupies, and where it is ended."""
         found = self._limits[stage]
         if stage == "attempt":
-            budget = SuiteFolder(trial.suite).agent_case(trial.case.case_id).budget
+            budget = SuiteFolder(trial.suite).agent_case(trial.case.alias).budget
             return Limit(found.kind, found.seconds + 60.0 * budget.wall_minutes, found.of_scene, found.memory_bytes)
         return ONLINE_JUDGE if stage == "judge" and judge_named(plan.judge).online else found
 

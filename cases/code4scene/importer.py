@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.files import read_json, write_json, write_text
+from c4s.files import digest, read_json, write_json, write_text
 from c4s.folders import beside, put_folder
 from c4s.names import check_written
 from c4s.protocol.bundle import read_requirements
@@ -18,6 +18,7 @@ from c4s.records.level import Level
 from c4s.records.suite import SUITE, AgentCase, PackRef, SuiteFolder, WithheldCase
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
 from cases.settle import to_build
+from cases.veil import Veil
 from catalog.proxy import build_proxy_pack
 from catalog.settle import settle
 
@@ -70,11 +71,12 @@ def _cases(
     tasks: list[Task], suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
 ) -> tuple[list[dict[str, Any]], list[PackRef]]:
     """Write the cases that can be run, and their packs under ``packs_root``; a report row a task."""
+    veil = Veil(digest([[task.case_id, task.prompt] for task in tasks]))
     rows: list[dict[str, Any]] = []
     packs: list[PackRef] = []
     for task in tasks:
         if is_construction(task.setting):
-            pack, count = _text_case(task, suite, packs_root, progress)
+            pack, count = _text_case(task, veil.alias(task.case_id), suite, packs_root, progress)
             packs.append(pack)
             rows.append(
                 {
@@ -101,16 +103,15 @@ def _cases(
 
 
 def _text_case(
-    task: Task, suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
+    task: Task, alias: str, suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
 ) -> tuple[PackRef, int]:
     entries = palette(task)
-    pack = build_proxy_pack(f"proxy-{task.case_id}", f"Proxies for {task.case_id}", entries, packs_root, progress)
+    pack = build_proxy_pack(f"proxy-{alias}", f"Proxies for {task.case_id}", entries, packs_root, progress)
     reference = PackRef(pack_id=pack.pack_id, digest=pack.sha256())
-    agent, withheld = suite.agent(task.case_id), suite.withheld(task.case_id)
+    agent, withheld = suite.agent(alias), suite.withheld(task.case_id)
     AgentCase(
-        case_id=task.case_id,
+        alias=alias,
         setting=task.setting,
-        title=task.case_id,
         prompt=task.prompt,
         start_map=task.start_map,
         budget=task.budget,
@@ -121,6 +122,8 @@ def _text_case(
     Level(package=task.start_map).write(agent / "start.level.json")
     WithheldCase(
         case_id=task.case_id,
+        alias=alias,
+        title=task.case_id,
         scene_id=task.packs[0] if task.packs else task.case_id,
         minimum_actors=MINIMUM_ACTORS,
         proxy_assets=True,

@@ -84,7 +84,7 @@ def test_tick_functions_and_threads_leave_no_state(engine: EngineSession) -> Non
 def test_the_workbench_measures_again_only_then(engine: EngineSession, tmp_path: Path) -> None:
     case = AgentCase.parse(
         {
-            "case_id": "bench",
+            "alias": "bench",
             "setting": "text-to-scene",
             "prompt": "-",
             "start_map": "/Temp/None",

@@ -123,7 +123,7 @@ def make_case(
     manifest = Pack.read(pack / "pack.json")
     case = AgentCase.parse(
         {
-            "case_id": "room",
+            "alias": "room",
             "setting": setting,
             "prompt": "A room with a table.",
             "start_map": START,

@@ -32,7 +32,7 @@ def test_the_skill_has_four_parts_and_names_only_what_is_there() -> None:
 def test_every_case_is_told_the_same_skill() -> None:
     case = AgentCase.parse(
         {
-            "case_id": "c",
+            "alias": "c",
             "setting": "text-to-scene",
             "prompt": "Build a town.",
             "packs": [],

@@ -58,7 +58,7 @@ class ApiAgent:
             f"{context.model.url}/v1",
             context.model.token,
             wait=context.stopped,
-            jitter=random.Random(f"{context.case.case_id}/{context.attempt}"),
+            jitter=random.Random(f"{context.case.alias}/{context.attempt}"),
             note=lambda record: append_json_line(log, record),
         )
         try:

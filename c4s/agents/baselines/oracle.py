@@ -18,7 +18,7 @@ class Oracle:
     def run(self, context: AgentContext) -> AgentReport:
         """Open the truth and save it."""
         if context.truth_package is None:
-            raise BadInput("the oracle needs the withheld truth", where=context.case.case_id)
+            raise BadInput("the oracle needs the withheld truth", where=context.case.alias)
         script = (
             "import unreal\n"
             f"assert unreal.EditorLoadingAndSavingUtils.load_map({context.truth_package!r}) is not None\n"
@@ -28,7 +28,7 @@ class Oracle:
             state = tools.call("read_job_log", job_id=job, wait_s=WAIT_S).data
             if state["status"] != "done":
                 raise AgentFault(
-                    f"the truth cannot be opened: {state.get('error', state['status'])}", where=context.case.case_id
+                    f"the truth cannot be opened: {state.get('error', state['status'])}", where=context.case.alias
                 )
             tools.call("save_scene_as", name=SUBMISSION_NAME)
         return AgentReport(client_version="oracle 1")

@@ -24,7 +24,7 @@ class RandomAgent:
 
     def run(self, context: AgentContext) -> AgentReport:
         """Place or edit at random, then save."""
-        chance = random.Random(f"{context.case.case_id}/{context.attempt}")
+        chance = random.Random(f"{context.case.alias}/{context.attempt}")
         refused: list[str] = []
         with context.connect() as tools:
             if is_construction(context.case.setting):
@@ -39,7 +39,7 @@ class RandomAgent:
         reach = (context.case.plate_m or 100.0) * 100 * EDGE_SHARE
         paths = chance.sample(sorted(context.case.catalog), min(len(context.case.catalog), 20))
         if not paths:
-            raise AgentFault("the case has an empty catalog", where=context.case.case_id)
+            raise AgentFault("the case has an empty catalog", where=context.case.alias)
         assets: list[dict[str, Any]] = tools.call("get_asset_metadata", ids=paths).data["assets"]
         count = min(int(context.options.get("count", PLACED)), _calls_for_edits(context))
         for number in range(count):

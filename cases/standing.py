@@ -1,0 +1,57 @@
+"""What stands and fits in a scene: which of its actors have no fault of support and of penetration of their own."""
+
+from __future__ import annotations
+
+import copy
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from c4s.engine import DEFAULT_ENGINE
+from c4s.evidence import export_level
+from c4s.files import read_json
+from c4s.records.folder import EvidenceFolder
+from c4s.records.level import Level
+from c4s.verify.physics.verdict import verify_physics
+
+ASIDE_CM = 1e7
+
+
+def snapshot_of(level: Level, packs: Sequence[Path]) -> dict[str, Any]:
+    """The level as a clean engine exports it; ``MachineryFault`` when it cannot."""
+    with tempfile.TemporaryDirectory(prefix="c4s-scene-") as folder:
+        document, out = Path(folder) / "scene.level.json", EvidenceFolder(Path(folder)).snapshot
+        level.write(document)
+        export_level(engine=DEFAULT_ENGINE, packs=packs, level=document, out=out)
+        snapshot: dict[str, Any] = read_json(out)
+    return snapshot
+
+
+def unsound(snapshot: dict[str, Any]) -> set[str]:
+    """Names and labels of actors that float, cannot be told to stand, or sink into others, were each of them edited."""
+    aside = copy.deepcopy(snapshot)
+    for actor in aside["actors"]:
+        actor["transform"]["location_cm"][0] += ASIDE_CM
+    measured = verify_physics("image-to-scene/indoor", snapshot, aside, alone=True).measurements
+    leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
+    return {
+        *leaves["near_bodies"]["floating_actors"],
+        *leaves["near_bodies"]["unresolved_actors"],
+        *(row["actor"] for row in leaves["solid_penetration"]["actors"] if row["state"] != "clean"),
+    }
+
+
+def settled(authored: Level, disturbed: Level, packs: Sequence[Path]) -> Level:
+    """The disturbed level, with those actors as they were authored that neither stand nor fit as they are now."""
+    was = {actor.name: actor for actor in authored.actors}
+    touched = {actor.name for actor in disturbed.actors if actor != was[actor.name]}
+    level = disturbed
+    while touched:
+        bad = unsound(snapshot_of(level, packs)) & touched
+        if not bad:
+            break
+        touched -= bad
+        kept = [was[actor.name] if actor.name in bad else actor for actor in level.actors]
+        level = level.model_copy(update={"actors": kept})
+    return level
