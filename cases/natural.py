@@ -8,19 +8,15 @@ mirrored within their box. What would then stand no more, or touch what it did n
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from c4s.geometry.transform import affine, normalize_axis, transformed_box
+from c4s.geometry.transform import normalize_axis
 from c4s.records.level import Level, LevelActor, Transform, Vector
+from cases.boxes import Array, Boxes, world_box
 from cases.corruption import STATIC_MESH_ACTOR, Operation, SetTransform, id_of
-
-Array = NDArray[np.float64]
-Boxes = Mapping[str, tuple[Vector, Vector]]
-"""Local boxes of meshes by path: lowest and highest corner in cm."""
 
 CLEAR_CM = 4.0
 """Air that is kept beside what is shifted, turned or scaled."""
@@ -67,17 +63,19 @@ class _Placed:
         return bool(np.all(np.any(inside, axis=1)))
 
 
-def lived_in(level: Level, boxes: Boxes, chance: random.Random) -> Level:
+def lived_in(level: Level, boxes: Boxes, chance: random.Random, uneven: Collection[str] = ()) -> Level:
     """The level with things askew, uneven and mirrored; the same chance, the same level.
 
     Args:
         level: the original; each actor has a stable id.
         boxes: local boxes of the meshes; an actor with a mesh that is not among them stays as it is.
         chance: where it is drawn from.
+        uneven: stable ids of things that a recipe scales: they are uneven where there is room, or the size that all
+            have would be theirs too.
     """
     parents = {actor.parent for actor in level.actors}
     actors = list(level.actors)
-    rows = [_world_box(actor, actor.transform, boxes) for actor in actors]
+    rows = [world_box(actor, actor.transform, boxes) for actor in actors]
     placed = _Placed(np.array([low for low, _ in rows]), np.array([high for _, high in rows]))
     for row, actor in enumerate(actors):
         simple = actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1
@@ -90,36 +88,21 @@ def lived_in(level: Level, boxes: Boxes, chance: random.Random) -> Level:
             now = _mirrored(actor, now, boxes, chance)
         side = float((placed.high[row] - placed.low[row]).max())
         loose = not placed.beside(row, placed.low[row], placed.high[row], CLEAR_CM).any()
-        if loose and side <= LARGEST_CM and placed.held(row, placed.low[row], placed.high[row]):
-            now = _disturbed(actor, now, boxes, placed, row, chance)
+        if side <= LARGEST_CM and placed.held(row, placed.low[row], placed.high[row]):
+            wanted = chance.random() < UNEVEN or id_of(actor) in uneven
+            if loose:
+                now = _disturbed(actor, now, boxes, placed, row, chance, uneven=wanted)
+            elif wanted:
+                now = _smaller(actor, now, boxes, chance)
         if now != actor.transform:
             actors[row] = actor.model_copy(update={"transform": now})
-            placed.low[row], placed.high[row] = _world_box(actor, now, boxes)
+            placed.low[row], placed.high[row] = world_box(actor, now, boxes)
     return level.model_copy(update={"actors": actors})
-
-
-def _world_box(actor: LevelActor, place: Transform, boxes: Boxes) -> tuple[Array, Array]:
-    """World box of all meshes of an actor at a place; NaN where one is not known or there is none."""
-    corners = []
-    for component in actor.components:
-        if component.static_mesh is None:
-            continue
-        if component.static_mesh not in boxes:
-            return np.full(3, np.nan), np.full(3, np.nan)
-        matrix = affine(place.location_cm, place.rotation_deg, place.scale)
-        if component is not actor.components[0]:
-            part = component.relative
-            matrix = matrix @ affine(part.location_cm, part.rotation_deg, part.scale)
-        origin, half = transformed_box(matrix, *boxes[component.static_mesh])
-        corners += [origin - half, origin + half]
-    if not corners:
-        return np.full(3, np.nan), np.full(3, np.nan)
-    return np.min(corners, axis=0), np.max(corners, axis=0)
 
 
 def _at(actor: LevelActor, place: Transform, boxes: Boxes, middle: Array, bottom: float) -> Transform:
     """A place whose box has its middle and lower side where they were."""
-    low, high = _world_box(actor, place, boxes)
+    low, high = world_box(actor, place, boxes)
     off = np.array((*(middle - (low + high) / 2)[:2], bottom - low[2]))
     x, y, z = (float(round(value, 3)) for value in np.add(place.location_cm, off))
     return place.model_copy(update={"location_cm": (x, y, z)})
@@ -128,19 +111,19 @@ def _at(actor: LevelActor, place: Transform, boxes: Boxes, middle: Array, bottom
 def _mirrored(actor: LevelActor, now: Transform, boxes: Boxes, chance: random.Random) -> Transform:
     x, y, z = now.scale
     turned = now.model_copy(update={"scale": (-x, y, z) if chance.random() < 0.5 else (x, -y, z)})
-    low, high = _world_box(actor, now, boxes)
+    low, high = world_box(actor, now, boxes)
     return _at(actor, turned, boxes, (low + high) / 2, float(low[2]))
 
 
 def _disturbed(
-    actor: LevelActor, now: Transform, boxes: Boxes, placed: _Placed, row: int, chance: random.Random
+    actor: LevelActor, now: Transform, boxes: Boxes, placed: _Placed, row: int, chance: random.Random, *, uneven: bool
 ) -> Transform:
     """A little askew and uneven, as far as there is room and what it stands on reaches."""
-    askew, uneven = chance.random() < ASKEW, chance.random() < UNEVEN
+    askew = chance.random() < ASKEW
     turn = chance.choice((-1, 1)) * chance.uniform(5.5, 24.0)
     shift = [chance.choice((-1, 1)) * chance.uniform(6.0, 28.0) for _ in range(2)]
     factors = [chance.uniform(0.8, 1.25) for _ in range(3)]
-    low, high = _world_box(actor, now, boxes)
+    low, high = world_box(actor, now, boxes)
     middle, bottom = (low + high) / 2, float(low[2])
     for step in range(TRIES):
         far = 0.5**step
@@ -154,10 +137,18 @@ def _disturbed(
             place = place.model_copy(update={"rotation_deg": (pitch, turned, roll)})
         moved = middle + np.array((*(np.round(shift, 1) * (far if askew else 0.0)), 0.0))
         place = _at(actor, place, boxes, moved, bottom)
-        box = _world_box(actor, place, boxes)
+        box = world_box(actor, place, boxes)
         if not placed.beside(row, *box, CLEAR_CM / 2).any() and placed.held(row, *box):
             return place
     return now
+
+
+def _smaller(actor: LevelActor, now: Transform, boxes: Boxes, chance: random.Random) -> Transform:
+    """A little smaller, unevenly, where it stands: that never needs room."""
+    x, y, z = (round(s * chance.uniform(0.8, 0.93), 2) for s in now.scale)
+    low, high = world_box(actor, now, boxes)
+    smaller = now.model_copy(update={"scale": (x, y, z)})
+    return _at(actor, smaller, boxes, (low + high) / 2, float(low[2]))
 
 
 def rebased(operations: Sequence[Operation], before: Level, after: Level) -> list[Operation]:

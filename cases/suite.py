@@ -23,8 +23,10 @@ from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
 from cases import exports
+from cases.audit import audit, check_blind
+from cases.boxes import boxes_of
 from cases.checks import check_definition, check_repair, check_scene
-from cases.corruption import Operation, Recipe, apply, with_identities
+from cases.corruption import Operation, Recipe, SetTransform, apply, with_identities
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.natural import lived_in, rebased
 from cases.prompts import repair_prompt, spawn_path, text_prompt
@@ -34,7 +36,7 @@ from cases.standing import settled
 from cases.veil import Veil, as_precise
 from cases.views import cameras_record
 
-BUILDER_VERSION = 4
+BUILDER_VERSION = 5
 """Part of the definition's digest: raise it when the same definition is built into other files."""
 STAMP = "build.json"
 """Beside ``suite.json``: the digest of the definition that the suite was built from."""
@@ -109,6 +111,8 @@ def build_suite(
         with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
             list(pool.map(builder.scene, definition.scenes))
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
+        rows = audit(folder, packs_root)
+        check_blind(rows)
         write_json(folder.root / STAMP, {"definition": wanted})
         put_folder(folder.root, root, marker=SUITE)
     return suite
@@ -161,9 +165,15 @@ class _Builder:
     ) -> tuple[Level, dict[str, Level]]:
         """The original as people would have left it, and the corrupted level of each case; all of it veiled."""
         chance = self.veil.chance(scene.scene_id)
-        boxes = {path: (asset.bounds_min_cm, asset.bounds_max_cm) for path, asset in assets.items()}
+        boxes = boxes_of(assets.values())
         packs = [self.packs_root / pack_id for pack_id in scene.packs]
-        original = settled(authored, lived_in(authored, boxes, chance), packs)
+        scaled = {
+            operation.target
+            for case in repairs
+            for operation in case.operations
+            if isinstance(operation, SetTransform) and operation.scale
+        }
+        original = settled(authored, lived_in(authored, boxes, chance, scaled), packs)
         damaged = [original]
         for case in repairs:
             operations = as_precise(rebased(case.operations, authored, original), original, chance)

@@ -104,6 +104,7 @@ CLIENTS = {
     "noop": "c4s.agents.baselines.noop:NoOp",
     "random": "c4s.agents.baselines.random:RandomAgent",
     "vandal": "c4s.agents.baselines.vandal:Vandal",
+    "blind": "c4s.agents.baselines.blind.agent:Blind",
     "oracle": "c4s.agents.baselines.oracle:Oracle",
     "planner": "c4s.agents.baselines.planner:Planner",
     "replay": "c4s.agents.replay:Replay",

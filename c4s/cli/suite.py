@@ -251,13 +251,7 @@ def _tell(suite: Suite, root: Path, json_output: bool) -> None:
     print_table(
         ["case", "setting", "scene", "operations", "title"],
         [
-            [
-                case.case_id,
-                case.setting,
-                withheld.scene_id,
-                " ".join(withheld.operations),
-                withheld.title,
-            ]
+            [case.case_id, case.setting, withheld.scene_id, " ".join(withheld.operations), withheld.title]
             for case in suite.cases
             for withheld in [folder.withheld_case(case.case_id)]
         ],

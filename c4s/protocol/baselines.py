@@ -6,6 +6,8 @@ from typing import Final
 
 ORACLE: Final = "oracle"
 """Reads the truth; the only client that is given the withheld folder."""
-BASELINES: Final = ("noop", "random", "planner", "vandal", ORACLE)
-VALIDATING: Final = frozenset({ORACLE})
-"""Clients that validate the evaluator and are never ranked."""
+BLIND: Final = "blind"
+"""Repairs without looking at a picture: what it reaches, a suite gives away."""
+BASELINES: Final = ("noop", "random", "planner", "vandal", BLIND, ORACLE)
+VALIDATING: Final = frozenset({ORACLE, BLIND})
+"""Clients that validate the evaluator or a suite and are never ranked."""

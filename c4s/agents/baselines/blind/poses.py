@@ -1,0 +1,96 @@
+"""Tricks by where things stand, how they are turned and how large they are."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+
+from c4s.agents.baselines.blind.guess import Guess
+from c4s.agents.baselines.blind.scene import Scene, Thing, Vector
+
+SAME, STEP_DEG = 0.01, 15.0
+
+
+def mirrored(scene: Scene) -> Iterator[Guess]:
+    """Negative scales."""
+    found = [t for t in scene.things if min(t.scale) < 0]
+    for thing in found:
+        alike = scene.of_mesh[thing.mesh]
+        alone = len(alike) > 1 and sum(min(t.scale) < 0 for t in alike) == 1
+        x, y, z = map(abs, thing.scale)
+        chance = (0.9 if alone else 0.7) / len(found)
+        yield Guess(thing.name, "place", "a mirrored thing", chance, scale=(x, y, z))
+
+
+def odd_sizes(scene: Scene) -> Iterator[Guess]:
+    """A scale that its like do not have, or one that is not 1 on a thing that is alone of its mesh."""
+    one: Vector = (1.0, 1.0, 1.0)
+    odd: list[tuple[Thing, Vector]] = []
+    for things in scene.of_mesh.values():
+        usual, count = Counter(t.scale for t in things).most_common(1)[0]
+        if len(things) == 1:
+            odd += [(t, one) for t in things if max(abs(abs(s) - 1) for s in t.scale) > SAME]
+        elif count >= max(2, len(things) - 1):
+            odd += [(t, usual) for t in things if t.scale != usual]
+    for thing, wanted in odd:
+        far = max(abs(math.log(abs(s / w))) for s, w in zip(thing.scale, wanted, strict=True) if s and w)
+        even = len({round(abs(s), 3) for s in thing.scale}) == 1
+        chance = min(0.9, far * (1.2 if even else 0.6)) / math.sqrt(len(odd))
+        yield Guess(thing.name, "place", "a size unlike its like", chance, scale=wanted)
+
+
+def odd_turns(scene: Scene) -> Iterator[Guess]:
+    """A yaw that is no multiple of 15 degrees, or another one than that of its like."""
+    odd: list[tuple[Thing, float]] = []
+    for things in scene.of_mesh.values():
+        usual, count = Counter(round(t.rotation[1], 1) for t in things).most_common(1)[0]
+        for thing in things:
+            yaw = thing.rotation[1]
+            if count >= max(2, len(things) - 1) and abs(yaw - usual) > 1:
+                odd.append((thing, usual))
+            elif abs(yaw / STEP_DEG - round(yaw / STEP_DEG)) > SAME:
+                odd.append((thing, 90.0 * round(yaw / 90.0)))
+    for thing, yaw in odd:
+        pitch, _, roll = thing.rotation
+        yield Guess(thing.name, "place", "a turn unlike its like", 0.7 / len(odd), rotation=(pitch, yaw, roll))
+
+
+def round_numbers(scene: Scene) -> Iterator[Guess]:
+    """Places with fewer or more decimals than those of hardly any other thing."""
+    counts = Counter(map(_decimals, scene.things))
+    odd = [t for t in scene.things if counts[_decimals(t)] <= max(1, 0.02 * len(scene.things))]
+    for thing in odd if len(odd) <= 3 else ():
+        yield Guess(thing.name, "delete", "another number of decimals", 0.5 / len(odd))
+    odd = [t for t in scene.things if _scale_decimals(t) > 2]
+    for thing in odd if len(odd) <= 3 else ():
+        yield Guess(thing.name, "place", "another number of decimals", 0.5 / len(odd), scale=(1.0, 1.0, 1.0))
+
+
+def _decimals(thing: Thing) -> int:
+    return max(len(f"{value:.6f}".rstrip("0").partition(".")[2]) for value in thing.location[:2])
+
+
+def _scale_decimals(thing: Thing) -> int:
+    return max(len(f"{value:.6f}".rstrip("0").partition(".")[2]) for value in thing.scale)
+
+
+def copies(scene: Scene) -> Iterator[Guess]:
+    """Two of one mesh with the very same turn and an uneven or odd scale, or one inside the other."""
+    pairs = []
+    for things in scene.of_mesh.values():
+        seen: dict[tuple[Vector, Vector], Thing] = {}
+        for thing in things:
+            pose = (thing.rotation, thing.scale)
+            special = max(abs(abs(s) - 1) for s in thing.scale) > SAME
+            if special and pose in seen:
+                pairs.append((thing, seen[pose]))
+            seen.setdefault(pose, thing)
+    for row, thing in enumerate(scene.things):
+        inside = [scene.things[i] for i in np.flatnonzero(scene.shared(row)[:row] > 0.5)]
+        pairs += [(thing, other) for other in inside if other.mesh == thing.mesh]
+    for pair in pairs:
+        for thing in pair:
+            yield Guess(thing.name, "delete", "a copy", 0.8 / (2 * len(pairs)))
