@@ -17,6 +17,7 @@ from c4s.errors import C4SError
 from c4s.folders import remove_tree
 from c4s.protocol.rules import GATE
 from c4s.records.folder import RunFolder, TrialFolder
+from c4s.records.suite import SuiteFolder
 
 CASE = "indoor-flat-01-mirrored-bath"
 AGENT = "noop"
@@ -49,7 +50,7 @@ class Scene:
     @property
     def trial(self) -> TrialFolder:
         """The only trial."""
-        return self.folder.trial(AGENT, CASE, 1)
+        return self.folder.trial(AGENT, SuiteFolder(self.home / "suites/small").case(CASE).alias, 1)
 
     def start(self, *command: str) -> subprocess.Popen[str]:
         """Start the command (or a program of one's own) and do not wait."""

@@ -27,7 +27,10 @@ LARGEST_CM = 600.0
 ASKEW, UNEVEN, MIRRORED = 0.6, 0.4, 0.3
 """Shares of the things that can be."""
 TRIES = 4
-"""Each half as far as the one before."""
+"""Each half as far as the one before, and smaller where the first was larger."""
+SMALLER = tuple(hundredths / 100 for hundredths in range(80, 94))
+ANY_SIZE = SMALLER + tuple(hundredths / 100 for hundredths in range(107, 126))
+"""Factors of an axis; none is near 1, since a size within the tolerance of Repair F1 is the usual size."""
 
 
 @dataclass
@@ -63,15 +66,15 @@ class _Placed:
         return bool(np.all(np.any(inside, axis=1)))
 
 
-def lived_in(level: Level, boxes: Boxes, chance: random.Random, uneven: Collection[str] = ()) -> Level:
+def lived_in(level: Level, boxes: Boxes, chance: random.Random, scaled: Collection[str] = ()) -> Level:
     """The level with things askew, uneven and mirrored; the same chance, the same level.
 
     Args:
         level: the original; each actor has a stable id.
         boxes: local boxes of the meshes; an actor with a mesh that is not among them stays as it is.
         chance: where it is drawn from.
-        uneven: stable ids of things that a recipe scales: they are uneven where there is room, or the size that all
-            have would be theirs too.
+        scaled: stable ids of things that a recipe scales or mirrors: they are mirrored and uneven, or the size that
+            most things have would be theirs too.
     """
     parents = {actor.parent for actor in level.actors}
     actors = list(level.actors)
@@ -84,12 +87,12 @@ def lived_in(level: Level, boxes: Boxes, chance: random.Random, uneven: Collecti
         now = actor.transform
         if placed.carried(row):
             continue
-        if chance.random() < MIRRORED:
+        if chance.random() < MIRRORED or id_of(actor) in scaled:
             now = _mirrored(actor, now, boxes, chance)
         side = float((placed.high[row] - placed.low[row]).max())
         loose = not placed.beside(row, placed.low[row], placed.high[row], CLEAR_CM).any()
         if side <= LARGEST_CM and placed.held(row, placed.low[row], placed.high[row]):
-            wanted = chance.random() < UNEVEN or id_of(actor) in uneven
+            wanted = chance.random() < UNEVEN or id_of(actor) in scaled
             if loose:
                 now = _disturbed(actor, now, boxes, placed, row, chance, uneven=wanted)
             elif wanted:
@@ -122,7 +125,7 @@ def _disturbed(
     askew = chance.random() < ASKEW
     turn = chance.choice((-1, 1)) * chance.uniform(5.5, 24.0)
     shift = [chance.choice((-1, 1)) * chance.uniform(6.0, 28.0) for _ in range(2)]
-    factors = [chance.uniform(0.8, 1.25) for _ in range(3)]
+    factors, smaller = ([chance.choice(range_of) for _ in range(3)] for range_of in (ANY_SIZE, SMALLER))
     low, high = world_box(actor, now, boxes)
     middle, bottom = (low + high) / 2, float(low[2])
     for step in range(TRIES):
@@ -130,7 +133,7 @@ def _disturbed(
         pitch, yaw, roll = now.rotation_deg
         place = now
         if uneven:
-            x, y, z = (round(s * (1 + far * (f - 1)), 2) for s, f in zip(now.scale, factors, strict=True))
+            x, y, z = (round(s * f, 2) for s, f in zip(now.scale, smaller if step else factors, strict=True))
             place = place.model_copy(update={"scale": (x, y, z)})
         if askew:
             turned = round(normalize_axis(yaw + far * turn), 1)
@@ -145,7 +148,7 @@ def _disturbed(
 
 def _smaller(actor: LevelActor, now: Transform, boxes: Boxes, chance: random.Random) -> Transform:
     """A little smaller, unevenly, where it stands: that never needs room."""
-    x, y, z = (round(s * chance.uniform(0.8, 0.93), 2) for s in now.scale)
+    x, y, z = (round(s * chance.choice(SMALLER), 2) for s in now.scale)
     low, high = world_box(actor, now, boxes)
     smaller = now.model_copy(update={"scale": (x, y, z)})
     return _at(actor, smaller, boxes, (low + high) / 2, float(low[2]))

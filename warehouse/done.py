@@ -31,7 +31,7 @@ def held_by(trial: Trial, plan: Plan, warehouse: Path) -> str | None:
     except (pa.ArrowException, OSError, ValueError):
         return None
     folder = RunFolder(trial.run.parent / str(row.get("run_id"))).trial(
-        trial.configuration.name, trial.case.case_id, trial.repeat
+        trial.configuration.name, trial.case.alias, trial.repeat
     )
     if not is_scored(folder) or digest_file(folder.score) != row.get("score_sha256"):
         return None

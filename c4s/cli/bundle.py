@@ -64,7 +64,7 @@ def pack(
 
     root = run_folder(run)
     plan = Plan.read(RunFolder(root).plan)
-    configurations, cases = [one.name for one in plan.configurations], [one.case_id for one in plan.cases]
+    configurations, cases = [one.name for one in plan.configurations], {one.case_id: one for one in plan.cases}
     if configuration not in configurations:
         raise unknown("configuration", configuration, configurations, where=str(root))
     if case not in cases:
@@ -75,7 +75,7 @@ def pack(
     withheld = SuiteFolder(folder).withheld(case)
     if not withheld.is_dir():
         raise BadInput("the suite has no such folder", where=str(withheld), todo="give --suite FOLDER")
-    trial = RunFolder(root).trial(configuration, case, repeat)
+    trial = RunFolder(root).trial(configuration, cases[case].alias, repeat)
     if not trial.score.is_file():
         raise BadInput("the trial has no score yet", where=str(trial.root), todo="finish the run first")
     manifest = pack_trial(trial, out, withheld=withheld)

@@ -45,7 +45,7 @@ class Try:
             SuiteFolder(suite), [chosen], run_id="try", policy=policy, judge=judge, engine=engine, cases=[case]
         )
         check_ready(plan.configurations)
-        root = _new_folder(home() / "tries", f"{chosen.name}-{case}")
+        root = _new_folder(home() / "tries", f"{chosen.name}-{plan.cases[0].alias}")
         plan = open_run(root / "run", plan)
         return cls(root, suite, plan, next(iter(trials(root / "run", suite, plan))))
 

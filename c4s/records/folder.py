@@ -213,6 +213,6 @@ class RunFolder:
         """The runs of a folder that have a plan, by name."""
         return [folder for path in sorted(runs.glob("*")) if (folder := cls(path)).plan.is_file()]
 
-    def trial(self, configuration: str, case_id: str, repeat: int) -> TrialFolder:
-        """Folder of a trial; repeats count from 1."""
-        return TrialFolder(self.root / configuration / case_id / f"r{repeat}")
+    def trial(self, configuration: str, alias: str, repeat: int) -> TrialFolder:
+        """Folder of a trial; repeats count from 1. Agent code sees the path, so it names the case by its alias."""
+        return TrialFolder(self.root / configuration / alias / f"r{repeat}")

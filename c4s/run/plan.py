@@ -40,7 +40,7 @@ class Trial:
     @property
     def folder(self) -> TrialFolder:
         """Where the trial's files lie."""
-        return RunFolder(self.run).trial(self.configuration.name, self.case.case_id, self.repeat)
+        return RunFolder(self.run).trial(self.configuration.name, self.case.alias, self.repeat)
 
     @property
     def name(self) -> str:

@@ -159,7 +159,7 @@ def rescore(run: Path, policy: ScorePolicy) -> Rescoring:
     plan = Plan.read(folder.plan)
     pairs, pending = [], []
     for case, configuration, repeat in product(plan.cases, plan.configurations, range(1, plan.repeats + 1)):
-        trial = folder.trial(configuration.name, case.case_id, repeat)
+        trial = folder.trial(configuration.name, case.alias, repeat)
         name = f"{configuration.name}/{case.case_id}/r{repeat}"
         if not trial.score.is_file():
             pending.append(name)

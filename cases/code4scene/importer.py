@@ -71,7 +71,7 @@ def _cases(
     tasks: list[Task], suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
 ) -> tuple[list[dict[str, Any]], list[PackRef]]:
     """Write the cases that can be run, and their packs under ``packs_root``; a report row a task."""
-    veil = Veil(digest([[task.case_id, task.prompt] for task in tasks]))
+    veil = Veil(digest([task.case_id for task in tasks]))
     rows: list[dict[str, Any]] = []
     packs: list[PackRef] = []
     for task in tasks:

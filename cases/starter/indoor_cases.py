@@ -31,7 +31,7 @@ def _mesh(folder: str, category: str, name: str) -> str:
 
 
 def office_cases(scene: SourceScene) -> list[RepairCase]:
-    """Repairs of the office: chains of one, two and five changes."""
+    """Repairs of the office: chains of one, two and four changes."""
     author = Author(scene.level, scene.scene_id)
     return [
         RepairCase(
@@ -66,13 +66,12 @@ def office_cases(scene: SourceScene) -> list[RepairCase]:
         RepairCase(
             "indoor-office-03-meeting-room",
             scene.scene_id,
-            "Five changes in the meeting room",
+            "Four changes in the meeting room",
             [
                 author.move("LowCabinet_01", by_cm=(330, 0, 0)),
                 author.move("DeskPlant_07", by_cm=(330, 0, 0)),
                 author.rotate("ConferenceChair_02", 65),
                 author.rescale("TallPlant_01", 1.5),
-                author.removal("Laptop_05"),
             ],
             "Layout",
             "hard",

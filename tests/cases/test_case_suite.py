@@ -74,10 +74,11 @@ def test_a_suite_is_built_whole_and_again_to_the_same_digest(packs: Path, tmp_pa
 
 
 def _check_repair(folder: SuiteFolder) -> None:
-    agent, withheld = folder.agent_case("paddock-cow"), folder.withheld_case("paddock-cow")
+    alias, withheld = folder.case("paddock-cow").alias, folder.withheld_case("paddock-cow")
+    agent = folder.agent_case(alias)
     assert withheld.operations == ["rotate", "mirror"] and withheld.minimum_actors == 3
-    assert agent.budget.tool_calls == 80 and agent.start_map == "/Game/Code4SceneInputs/paddock-cow/Input"
-    picture = folder.agent("paddock-cow") / agent.reference_views[0]
+    assert agent.budget.tool_calls == 80 and (withheld.alias, withheld.title) == (alias, "A cow turned round")
+    picture = folder.agent(alias) / agent.reference_views[0]
     assert picture.read_bytes().startswith(b"\x89PNG")
     truth, given = (
         json.loads((folder.withheld("paddock-cow") / f"{name}.snapshot.json").read_text())["actors"]
@@ -88,8 +89,8 @@ def _check_repair(folder: SuiteFolder) -> None:
     recipe = Recipe.read(folder.withheld("paddock-cow") / "recipe.json")
     assert recipe.operations[0].op == "set_transform"
     assert {a["stable_actor_id"] for a in truth} == {id_of(a) for a in small_level_with_ids(folder)}
-    withheld_words = "".join(p.read_text() for p in folder.agent("paddock-cow").glob("*.json"))
-    assert "ground_truth" not in withheld_words and "recipe" not in withheld_words
+    told = "".join(path.read_text() for path in folder.agent(alias).glob("*.json")).lower()
+    assert not [word for word in ("ground_truth", "recipe", "paddock", "turned", "input") if word in told]
 
 
 def small_level_with_ids(folder: SuiteFolder) -> list:
@@ -99,7 +100,7 @@ def small_level_with_ids(folder: SuiteFolder) -> list:
 
 
 def _check_text(folder: SuiteFolder) -> None:
-    case = folder.agent_case("paddock-text")
+    case = folder.agent_case(folder.case("paddock-text").alias)
     assert case.prompt.startswith(TEXT) and case.plate_m == 20.0
     order = [case.prompt.index(part) for part in ("=== GROUND ===", "=== ASSET PALETTE ===", "=== THE TASK ===")]
     assert order == sorted(order)

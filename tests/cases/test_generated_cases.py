@@ -57,6 +57,6 @@ def test_cases_follow_from_the_seed_and_can_be_solved(yard: tuple[Level, Path, l
     for case in made.cases:
         assert isinstance(case, RepairCase)
         truth = made.scenes[0].level
-        check_repair(case, truth, apply(truth, case.operations, "/Game/Code4SceneInputs/x/Input"))
+        check_repair(case, case.operations, truth, apply(truth, case.operations, "/Game/Code4SceneInputs/x/Input"))
     with pytest.raises(BadInput, match="fewer --changes"):
         generated("yard", level, things, packs, ["yard"], count=1, changes=8, seed=0)

@@ -93,7 +93,7 @@ def test_scene_sizes() -> None:
 def test_repair_cases_can_be_applied_and_solved(case: RepairCase) -> None:
     scene = next(scene for scene in INDOOR_SCENES if scene.scene_id == case.scene_id)
     corrupted = apply(scene.level, case.operations, "/Game/Code4SceneInputs/x/Input")
-    check_repair(case, scene.level, corrupted)
+    check_repair(case, case.operations, scene.level, corrupted)
     assert len(case.views) == 2 and case.setting == "image-to-scene/indoor"
 
 

@@ -110,9 +110,9 @@ def test_an_unknown_agent_and_a_missing_pack_stop_before_anything_runs(tmp_path:
     assert _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--id", "yard").returncode == 0
     unknown = _c4s(tmp_path, "run", "yard", "-a", "nobody")
     assert unknown.returncode == 2 and "unknown agent 'nobody'" in unknown.stderr
-    (tmp_path / "packs/proxy-yard/pack.json").unlink()
+    (pack := next(tmp_path.glob("packs/proxy-*/pack.json"))).unlink()
     missing = _c4s(tmp_path, "run", "yard", "-a", "noop")
-    assert missing.returncode == 2 and "proxy-yard" in missing.stderr and missing.stderr.count("\n") == 1
+    assert missing.returncode == 2 and pack.parent.name in missing.stderr and missing.stderr.count("\n") == 1
 
 
 def test_json_reports(tmp_path: Path) -> None:
@@ -120,7 +120,7 @@ def test_json_reports(tmp_path: Path) -> None:
     done = _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--id", "yard", "--json")
     report = json.loads(done.stdout)
     assert report["runnable"] == 1 and report["cases"][0]["assets"] == 1
-    pack = json.loads(_c4s(tmp_path, "catalog", "show", "proxy-yard", "--json").stdout)
+    pack = json.loads(_c4s(tmp_path, "catalog", "show", next(tmp_path.glob("packs/*")).name, "--json").stdout)
     box = pack["assets"][0]
     assert box["path"] == "/Game/P/SM_Box.SM_Box"
     assert [high - low for low, high in zip(box["bounds_min_cm"], box["bounds_max_cm"], strict=True)] == [100, 100, 100]

@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from c4s.cli.main import command
 from tests.cli.contract import MUST_NOT_SAY, faults_of_line
 from tests.cli.warm import HUNG, Warm
+from tests.cli.world import ALIAS
 from warehouse.database import rebuild
 
 EXAMPLES = int(os.environ.get("C4S_FUZZ_EXAMPLES", "0"))
@@ -27,17 +28,17 @@ LISTING = (["suite", "check"], ["suite", "list"], ["catalog", "list"])
 USUAL_EXAMPLES = 60
 CHANGED = "changed"
 """Where the copy lies that is changed: the views of a warehouse name their place."""
-TRIAL = "home/runs/yard/noop/yard/r1"
+TRIAL = f"home/runs/yard/noop/{ALIAS}/r1"
 DOCUMENTS = (
     *(
         "home/suites/yard/suite.json",
-        "home/suites/yard/agent/yard/case.json",
+        f"home/suites/yard/agent/{ALIAS}/case.json",
         "home/suites/yard/withheld/yard/case.json",
     ),
     *(
-        "home/suites/yard/agent/yard/start.level.json",
+        f"home/suites/yard/agent/{ALIAS}/start.level.json",
         "home/suites/yard/digests.json",
-        "home/packs/proxy-yard/pack.json",
+        f"home/packs/proxy-{ALIAS}/pack.json",
     ),
     *("home/runs/yard/plan.json", f"{TRIAL}/score.json", f"{TRIAL}/stages.jsonl", f"{TRIAL}/verdicts/integrity.json"),
     *(f"{TRIAL}/attempt-1/outcome.json", f"{TRIAL}/attempt-1/manifest.json", f"{TRIAL}/attempt-1/trajectory.jsonl"),
@@ -73,7 +74,7 @@ OWN = {
     ),
 }
 """Files that a user writes, as JSON where that is YAML too."""
-NAMES = ("yard", "noop", "starter", "proxy-yard", "leaderboard", "box", "headless", "rule", "repair-only", "x")
+NAMES = ("yard", "noop", "starter", f"proxy-{ALIAS}", "leaderboard", "box", "headless", "rule", "repair-only", "x")
 ODD_TEXTS = (
     "",
     " ",
@@ -98,7 +99,7 @@ ODD_VALUES: tuple[Any, ...] = (
     float("nan"),
 )
 READERS = (
-    *("suite list", "suite show yard --json", "suite check yard", "catalog list", "catalog show proxy-yard --json"),
+    *("suite list", "suite show yard --json", "suite check yard", "catalog list", f"catalog show proxy-{ALIAS} --json"),
     *("catalog search box", "score yard --policy {root}/policy.yaml --json", "score yard", "sql leaderboard", "report"),
     *("report --from-runs", "bundle score {root}/bundle", "bundle pack yard noop yard {out}/b", "agent list"),
     *("run yard -a noop -c nosuch", "run yard -a {root}/agent.yaml -c nosuch", "score --batch {root}/rows.jsonl"),
@@ -108,7 +109,7 @@ READERS = (
         f"verify physics --snapshot {{root}}/{TRIAL}/evidence/snapshot.json",
     ),
     "verify repair --input {root}/scene.json --truth {root}/scene.json --candidate {root}/scene.json",
-    "engine export {root}/home/suites/yard/agent/yard/start.level.json --glb {out}/n.glb",
+    f"engine export {{root}}/home/suites/yard/agent/{ALIAS}/start.level.json --glb {{out}}/n.glb",
     "suite import-scene {root}/scene.csv --id s",
     "suite import code4scene {root}/tasks/yard --id other",
     f"agent replay {{root}}/{TRIAL}/attempt-3",
@@ -137,7 +138,7 @@ FILES = [f"{{root}}/{name}" for name in DOCUMENTS]
 FOLDERS = ["{root}/home/suites/yard", "{root}/home/runs/yard", f"{{root}}/{TRIAL}/attempt-1", "{root}/bundle"]
 FOLDERS += [
     "{root}/tasks/yard",
-    "{root}/home/packs/proxy-yard",
+    f"{{root}}/home/packs/proxy-{ALIAS}",
     "{root}",
     "{out}/new",
     "{out}/new.csv",

@@ -14,7 +14,7 @@ import yaml
 from c4s.cli.main import command
 from tests.cli.contract import faults_of_line
 from tests.cli.warm import Warm
-from tests.cli.world import damaged, listing
+from tests.cli.world import ALIAS, damaged, listing
 
 TABLES = sorted(Path(__file__).parent.glob("wrong/*.yaml"))
 LEAST_ROWS = 300
@@ -29,7 +29,7 @@ def _rows() -> list[Row]:
     pages of what is whole are made again, and only they.
 
     ``{bad}`` is the folder of garbage, ``{home}`` the home, ``{world}`` what lies beside it, ``{out}`` an empty
-    folder, ``{bytes}`` a byte that is no UTF-8.
+    folder, ``{bytes}`` a byte that is no UTF-8, ``{alias}`` the case as an agent knows it.
     """
     return [row for table in TABLES for row in yaml.safe_load(table.read_text())]
 
@@ -57,7 +57,8 @@ def test_one_line_an_exit_code_and_nothing_changed(
     out.mkdir()
 
     def filled(text: str) -> str:
-        for name, value in (("bad", garbage), ("home", home), ("world", world), ("out", out), ("bytes", "\udcff")):
+        named = {"bad": garbage, "home": home, "world": world, "out": out, "bytes": "\udcff", "alias": ALIAS}
+        for name, value in named.items():
             text = text.replace(f"{{{name}}}", str(value))
         return text
 

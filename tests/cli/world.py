@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.files import digest, json_text
+from cases.veil import Veil
 from tests.cli.garbage import KINDS
 from tests.cli.warm import Warm
 from warehouse.database import rebuild
@@ -24,6 +25,8 @@ inputs:
     tool_calls: 10
     wall_minutes: 5
 """
+ALIAS = Veil(digest(["yard"])).alias("yard")
+"""What the suite calls its case where an agent can see it."""
 DERIVED = "cache"
 LEASE = "lease"
 """Who held a run last: taken before its plan is looked at."""

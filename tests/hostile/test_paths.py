@@ -278,9 +278,9 @@ FIELDS = [
         for field in ("pack_id", "content_folder", "assets.0.id", "assets.0.mesh", "assets.0.preview")
     ),
     *((Pack, PACK, field) for field in ("assets.0.path", "materials.0.path", "materials.0.texture", "files")),
-    *((AgentCase, CASE, field) for field in ("case_id", "start_map", "packs.0.pack_id", "reference_views.0")),
-    *((Suite, SUITE, field) for field in ("suite_id", "cases.0.case_id", "packs.0.pack_id")),
-    *((Plan, PLAN, field) for field in ("run_id", "suite_id", "cases.0.case_id", "cases.0.scene_id")),
+    *((AgentCase, CASE, field) for field in ("alias", "start_map", "packs.0.pack_id", "reference_views.0")),
+    *((Suite, SUITE, field) for field in ("suite_id", "cases.0.case_id", "cases.0.alias", "packs.0.pack_id")),
+    *((Plan, PLAN, field) for field in ("run_id", "suite_id", "cases.0.case_id", "cases.0.alias", "cases.0.scene_id")),
     *((Plan, PLAN, field) for field in ("configurations.0.name", "configurations.0.client")),
     (Configuration, PLAN["configurations"][0], "name"),
 ]

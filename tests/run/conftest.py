@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from c4s.records.folder import RunFolder, TrialFolder
+from c4s.records.suite import SuiteFolder
 from cases.model import SuiteDefinition
 from cases.starter import indoor_cases
 from cases.suite import build_suite
@@ -71,3 +73,9 @@ def command_in(home: Path) -> Command:
 def c4s(home: Path) -> Command:
     """Run the command line in the home."""
     return command_in(home)
+
+
+def trial_in(home: Path, run: str, configuration: str, case_id: str) -> TrialFolder:
+    """The folder of the first repeat of a trial on the suite ``small``."""
+    alias = SuiteFolder(home / "suites/small").case(case_id).alias
+    return RunFolder(home / "runs" / run).trial(configuration, alias, 1)

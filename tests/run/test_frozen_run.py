@@ -201,7 +201,7 @@ def test_pictures_that_were_not_taken_are_taken_by_the_stage_of_their_own(gated:
 def test_sound_evidence_of_another_scene_is_told(gated: Path, trial: Trial, tmp_path: Path) -> None:
     evidence = trial.folder.evidence.root
     shutil.copytree(evidence, tmp_path / "kept")
-    start = SuiteFolder(trial.suite).agent(REPAIR) / "start.level.json"
+    start = SuiteFolder(trial.suite).agent(trial.case.alias) / "start.level.json"
     content, package = tmp_path / "content", Level.read(start).package
     (content / f"{package[1:]}.level.json").parent.mkdir(parents=True)
     shutil.copyfile(start, content / f"{package[1:]}.level.json")

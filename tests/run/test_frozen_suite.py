@@ -88,7 +88,7 @@ def _untitled(suite: dict[str, Any]) -> None:
     suite["title"] = "Other"
 
 
-AGENT, WITHHELD = f"suites/small/agent/{REPAIR}", f"suites/small/withheld/{REPAIR}"
+AGENT, WITHHELD = "suites/small/agent/{alias}", f"suites/small/withheld/{REPAIR}"
 KINDS: list[tuple[str, str, Change]] = [
     ("suite.json", "suites/small/suite.json", edited(_untitled)),
     ("suite.json, a byte", "suites/small/suite.json", flipped),
@@ -115,11 +115,17 @@ KINDS: list[tuple[str, str, Change]] = [
 BY_NAME = pytest.mark.parametrize(("kind", "pattern", "change"), KINDS, ids=[kind for kind, *_ in KINDS])
 
 
+def named(home: Path, pattern: str) -> Path:
+    """The first file that a row means."""
+    alias = SuiteFolder(home / "suites/small").case(REPAIR).alias
+    return sorted(home.glob(pattern.replace("{alias}", alias)))[0]
+
+
 @BY_NAME
 def test_a_changed_file_is_named_before_anything_runs(
     at_home: Path, kind: str, pattern: str, change: Change, request: pytest.FixtureRequest
 ) -> None:
-    plan, path = plan_of(at_home), sorted(at_home.glob(pattern))[0]
+    plan, path = plan_of(at_home), named(at_home, pattern)
     with changed(path, change):
         with pytest.raises(BadInput) as refused:
             plan_of(at_home)
@@ -138,7 +144,7 @@ def test_a_changed_file_is_named_before_anything_runs(
 def test_the_full_check_names_it_though_size_and_time_are_the_same(
     at_home: Path, kind: str, pattern: str, change: Change
 ) -> None:
-    path = sorted(at_home.glob(pattern))[0]
+    path = named(at_home, pattern)
     with changed(path, change):
         try:
             found = {change.file for change in suite_changes(SuiteFolder(at_home / "suites/small"))}
@@ -193,7 +199,8 @@ def test_a_note_of_digests_that_was_changed_is_told_and_not_believed(at_home: Pa
     with changed(suite.root / "digests.json", flipped):
         assert {change.file.name for change in suite_changes(suite)} == {"digests.json"}
         assert plan_of(at_home), "the note only tells which file it is"
-        with changed(suite.agent(REPAIR) / "case.json", flipped), pytest.raises(BadInput, match=f"agent/{REPAIR}"):
+        alias = suite.case(REPAIR).alias
+        with changed(suite.agent(alias) / "case.json", flipped), pytest.raises(BadInput, match=f"agent/{alias}"):
             plan_of(at_home)
 
 
@@ -257,7 +264,7 @@ def test_a_suite_that_was_built_again_is_not_mixed_into_a_run(at_home: Path, tmp
 def test_the_command_runs_nothing_on_a_suite_that_was_changed(at_home: Path, c4s: Command) -> None:
     meshes = sorted(at_home.glob("packs/c4s-home/meshes/*.glb"))
     for path, change in (
-        (at_home / AGENT / "case.json", edited(_do_nothing)),
+        (named(at_home, f"{AGENT}/case.json"), edited(_do_nothing)),
         (meshes[0], lambda data: meshes[1].read_bytes()),
     ):
         with changed(path, change):

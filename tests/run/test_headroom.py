@@ -15,9 +15,8 @@ from pathlib import Path
 import pytest
 
 from bench.fault_table import below
-from c4s.records.folder import RunFolder
 from c4s.run.headroom import Floors, Headroom, places, shortages
-from tests.run.conftest import apart, environment
+from tests.run.conftest import apart, environment, trial_in
 from warehouse.database import rows
 
 DISK_MIB = 400
@@ -50,7 +49,7 @@ def filled(disk: Path, mib: int) -> Path:
 
 def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
     own = apart(disk / "home", home)
-    attempt = RunFolder(own / "runs/small").trial("noop", CASE, 1).attempt(1)
+    attempt = trial_in(own, "small", "noop", CASE).attempt(1)
     filler = filled(disk, DISK_MIB - 100)
     run = subprocess.Popen(
         [sys.executable, "-m", "c4s.cli", "run", "small", "-a", "noop", "-c", CASE],

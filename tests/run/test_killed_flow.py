@@ -14,8 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from c4s.records.folder import RunFolder
-from tests.run.conftest import apart, environment
+from tests.run.conftest import apart, environment, trial_in
 from tests.run.test_evaluate import CASES, OFFLINE
 from warehouse.database import rows
 
@@ -54,7 +53,7 @@ def has_ended(handle: int) -> bool:
 def test_a_killed_flow_leaves_nothing(home: Path, tmp_path: Path, temporary: Path) -> None:
     own = apart(tmp_path / "home", home)
     settings = environment(own) | {"PREFECT_HOME": str(tmp_path / "prefect"), "TMPDIR": str(temporary), **OFFLINE}
-    attempt = RunFolder(own / "runs/small").trial("noop", CASES[0], 1).attempt(1)
+    attempt = trial_in(own, "small", "noop", CASES[0]).attempt(1)
     flow = subprocess.Popen([sys.executable, "-c", FLOW], env=settings, stderr=subprocess.DEVNULL)
     while not attempt.scratch.exists():
         assert flow.poll() is None

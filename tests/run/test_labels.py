@@ -21,7 +21,7 @@ from c4s.records.suite import SuiteFolder
 from c4s.run import stages
 from c4s.run.plan import Trial, make_plan, trials
 from c4s.score.policies import POLICIES
-from tests.run.conftest import apart, command_in
+from tests.run.conftest import apart, command_in, trial_in
 
 TEXT, REPAIR = "text-flat-family", "indoor-flat-01-mirrored-bath"
 RUN = ("run", "small", "-a", "planner", "-c", TEXT, "--run-id", "labels")
@@ -162,5 +162,5 @@ def test_it_ends_the_command_as_a_machinery_fault_and_stores_nothing(own: Path, 
 def test_a_run_under_another_policy_is_scored_by_it(own: Path) -> None:
     done = command_in(own)("run", "small", "-a", "noop", "-c", REPAIR, "--run-id", "f1", "--policy", "repair-only")
     assert done.returncode == 0, done.stderr
-    score = read_json(own / f"runs/f1/noop/{REPAIR}/r1/score.json")
+    score = read_json(trial_in(own, "f1", "noop", REPAIR).score)
     assert (score["policy"], score["score"], score["components"]["physics"]) == ("repair-only", 0.0, 1.0)

@@ -16,7 +16,7 @@ import pytest
 from c4s.records.folder import RunFolder
 from c4s.records.lease import Lease
 from c4s.run.lease import LeaseLost, RunHeld, holding
-from tests.run.conftest import Command, apart, environment
+from tests.run.conftest import Command, apart, environment, trial_in
 
 HOLD = """
 import sys
@@ -185,7 +185,7 @@ def test_two_operators_of_one_plan(home: Path, tmp_path: Path, c4s: Command) -> 
             os.sched_yield()
         return process
 
-    attempts = folder.root / "noop/text-flat-family/r1"
+    attempts = trial_in(own, "small", "noop", "text-flat-family").root
 
     def holds(pid: int) -> bool:
         leases = sorted(folder.leases.glob("[0-9]*"))

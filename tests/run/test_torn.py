@@ -13,7 +13,7 @@ import pytest
 from c4s.files import digest_file
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from tests.run.conftest import Command, apart, command_in
+from tests.run.conftest import Command, apart, command_in, trial_in
 from tests.run.frozen import changed, edited, flipped
 from warehouse.database import rows
 
@@ -89,7 +89,7 @@ def spoil(folder: Path, pattern: str, change: Change) -> str:
 def test_what_can_be_made_again_is_set_aside_and_made_again(
     ran: Path, again: Again, spoilt: list[tuple[str, Change]]
 ) -> None:
-    folders = [ran / f"runs/small/noop/{case}/r1" for case in (MIRRORED, LIVING)]
+    folders = [trial_in(ran, "small", "noop", case).root for case in (MIRRORED, LIVING)]
     kept = [spoil(folder, *one) for folder, one in zip(folders, spoilt, strict=True)]
     if spoilt[1][0] == "stages.jsonl":
         (folders[1] / "score.json").unlink()
@@ -99,7 +99,7 @@ def test_what_can_be_made_again_is_set_aside_and_made_again(
 
 
 def test_torn_evidence_is_taken_again_and_a_torn_outcome_repeats_its_attempt(ran: Path, again: Again) -> None:
-    folders = [ran / f"runs/small/noop/{case}/r1" for case in (MIRRORED, LIVING)]
+    folders = [trial_in(ran, "small", "noop", case).root for case in (MIRRORED, LIVING)]
     spoil(folders[0], "evidence/captures/*.png", halved)
     (folders[0] / "score.json").unlink()
     name = spoil(folders[1], "attempt-1/outcome.json", halved)
@@ -131,7 +131,7 @@ def test_what_an_agent_did_is_named_with_what_to_do_and_the_others_go_on(ran: Pa
 
 
 def test_an_edited_score_is_believed_by_nobody(ran: Path, c4s: Command) -> None:
-    path = ran / f"runs/small/noop/{LIVING}/r1/score.json"
+    path = trial_in(ran, "small", "noop", LIVING).score
     before = stored(ran)
     with changed(path, edited(raised)):
         told = c4s("report", "--from-runs", home=ran)
