@@ -45,12 +45,11 @@ class CaseAudit:
         return way, self.f1.get(way, 0.0)
 
 
-def audit(suite: SuiteFolder, packs_root: Path, case_ids: Sequence[str] | None = None) -> list[CaseAudit]:
-    """Try every blind way on every repair of a built suite (or on those named), in the suite's order."""
-    rows = []
+def audit(suite: SuiteFolder, packs_root: Path) -> Iterator[CaseAudit]:
+    """Try every blind way on every repair of a built suite, in the suite's order."""
     boxes: dict[str, Boxes] = {}
     for case in suite.suite().cases:
-        if is_construction(case.setting) or (case_ids and case.case_id not in case_ids):
+        if is_construction(case.setting):
             continue
         agent = suite.agent_case(case.alias)
         for pack in agent.packs:
@@ -58,8 +57,7 @@ def audit(suite: SuiteFolder, packs_root: Path, case_ids: Sequence[str] | None =
                 boxes[pack.pack_id] = boxes_of(Pack.read(packs_root / pack.pack_id / MANIFEST).assets)
         known = {path: box for pack in agent.packs for path, box in boxes[pack.pack_id].items()}
         start = Level.read(suite.agent(case.alias) / "start.level.json")
-        rows.append(audit_case(case.case_id, start, WithheldFolder(suite.withheld(case.case_id)), known))
-    return rows
+        yield audit_case(case.case_id, start, WithheldFolder(suite.withheld(case.case_id)), known)
 
 
 def audit_case(case_id: str, start: Level, withheld: WithheldFolder, boxes: Boxes) -> CaseAudit:
@@ -92,7 +90,7 @@ def mean_f1(rows: Sequence[CaseAudit]) -> dict[str, float]:
 
 def check_blind(rows: Sequence[CaseAudit]) -> None:
     """``BadInput`` where the best blind way is above ``MOST_F1``, with the cases that it repairs."""
-    for way, value in mean_f1(rows).items() if rows else ():
+    for way, value in mean_f1(rows).items():
         if value > MOST_F1:
             given = ", ".join(f"{row.case_id} {row.f1[way]:.2f}" for row in rows if row.f1.get(way))
             raise BadInput(

@@ -111,8 +111,7 @@ def build_suite(
         with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
             list(pool.map(builder.scene, definition.scenes))
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
-        rows = audit(folder, packs_root)
-        check_blind(rows)
+        check_blind(list(audit(folder, packs_root)))
         write_json(folder.root / STAMP, {"definition": wanted})
         put_folder(folder.root, root, marker=SUITE)
     return suite

@@ -155,4 +155,4 @@ def test_cases_that_cannot_be_scored_fairly_are_refused(author: Author, changes:
         "c", "scene", "t", [made[name] for name in changes], "Layout", "easy", [CaseView("v", (0, 0, 0), (1, 0, 0))]
     )
     with pytest.raises(BadInput, match="c: "):
-        check_repair(case, author.level, apply(author.level, case.operations, "/Game/In"))
+        check_repair(case, case.operations, author.level, apply(author.level, case.operations, "/Game/In"))

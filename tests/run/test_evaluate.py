@@ -22,7 +22,7 @@ from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.version import code_version
 from c4s.verify.registry import DECIDE
-from tests.run.conftest import Command, apart, environment
+from tests.run.conftest import Command, apart, environment, trial_in
 from warehouse.database import rows
 
 CASES = ["text-flat-family"]
@@ -254,7 +254,7 @@ def test_the_flow_runs_each_stage_as_a_task_and_gives_the_same_scores(ran: Path,
     assert {key: row["score"] for key, row in _scores(own).items()} == wanted
     for case in {case for _, case in wanted}:
         seen = set(re.findall(rf"Task run '([\w-]+)-oracle/{case}/r1' - Finished in state Completed", done.stderr))
-        verdicts = {path.stem for path in (own / "runs/small/oracle" / case / "r1/verdicts").glob("*.json")}
+        verdicts = {path.stem for path in (trial_in(own, "small", "oracle", case).root / "verdicts").glob("*.json")}
         assert {"attempt-1", "integrity-1", "look", "score", "persist", *(verdicts - {GATE})} <= seen
         assert ("judge" in seen) == case.startswith("text-")
 

@@ -112,14 +112,13 @@ def test_torn_evidence_is_taken_again_and_a_torn_outcome_repeats_its_attempt(ran
 
 
 def test_what_an_agent_did_is_named_with_what_to_do_and_the_others_go_on(ran: Path, again: Again) -> None:
-    run = ran / "runs/small/noop"
-    folder = run / MIRRORED / "r1"
+    folder, other = (trial_in(ran, "small", "noop", case).root for case in (MIRRORED, LIVING))
     outcome, trajectory = folder / "attempt-1/outcome.json", folder / "attempt-1/trajectory.jsonl"
-    shutil.rmtree(run / LIVING)
+    shutil.rmtree(other)
     with changed(outcome, edited(lambda value: value.update(tool_calls=0))):
         told = again(2)
     assert str(outcome) in told and f"move {folder} away: the same command then runs this trial anew" in told
-    assert (run / LIVING / "r1/score.json").is_file()
+    assert (other / "score.json").is_file()
     (folder / "score.json").unlink()
     with changed(folder / "attempt-1/submission/saves.jsonl", flipped):
         assert "saves.jsonl" in again(2)
@@ -183,7 +182,7 @@ def test_a_run_grows_by_an_agent_and_keeps_the_plan_before(ran: Path, c4s: Comma
     assert "2 trials run" in done.stdout and "2 trials are done and reused" in done.stdout
     assert [chosen.name for chosen in Plan.read(path).configurations] == ["noop", "idle"]
     assert Plan.read(ran / f"runs/small/plans/{before.sha256()[:12]}.json") == before
-    assert TrialScore.read(ran / f"runs/small/idle/{LIVING}/r1/score.json").status == "measured"
+    assert TrialScore.read(trial_in(ran, "small", "idle", LIVING).score).status == "measured"
     agent.write_text("{name: idle, client: planner}\n")
     refused = c4s(*RUN, "-a", str(agent), home=ran)
     assert refused.returncode == 2 and "another configuration 'idle'" in refused.stderr

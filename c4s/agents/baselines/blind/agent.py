@@ -46,8 +46,8 @@ def _read(tools: GatewayClient) -> Scene:
 
 def _thing(row: dict[str, Any], order: int) -> Thing:
     lists = {name: tuple(row[name]) for name in ("component", "location", "rotation", "scale", "low", "high")}
-    materials = tuple((index, path) for index, path in row["materials"])
-    return Thing(**row | lists, materials=materials, tags=frozenset(row["tags"]), order=order)
+    lists["materials"] = tuple((slot, path) for slot, path in row["materials"])
+    return Thing(**row | lists | {"tags": frozenset(row["tags"]), "order": order})
 
 
 def _script(tools: GatewayClient, script: str) -> str:

@@ -11,6 +11,15 @@ def listed(value):
     return [value.x, value.y, value.z]
 
 
+def painted(part):
+    found = []
+    for slot in range(part.get_num_materials()):
+        shown, own = part.get_material(slot), part.static_mesh.get_material(slot)
+        if shown and (own is None or shown.get_path_name() != own.get_path_name()):
+            found.append([slot, shown.get_path_name()])
+    return found
+
+
 def told(actor):
     parts = actor.get_components_by_class(unreal.StaticMeshComponent)
     if not isinstance(actor, unreal.StaticMeshActor) or len(parts) != 1 or parts[0].static_mesh is None:
@@ -27,7 +36,7 @@ def told(actor):
         "class_path": actor.get_class().get_path_name(),
         "mesh": part.static_mesh.get_path_name(),
         "component": [part.get_name(), part.get_class().get_name(), str(part.get_collision_enabled())],
-        "materials": [[i, m.get_path_name()] for i, m in enumerate(part.override_materials) if m],
+        "materials": painted(part),
         "tags": [tag for tag in tags if not tag.startswith(IDS)],
         "folder": str(actor.get_folder_path()),
         "location": listed(actor.get_actor_location()),
