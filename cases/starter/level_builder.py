@@ -91,7 +91,7 @@ class LevelBuilder(Stage):
         )
 
     def daylight(self, *, yaw: float, pitch: float = -52.0, intensity: float = 4.0) -> None:
-        """A sun that shines along ``yaw`` and ``pitch`` (degrees), and the light of the sky."""
+        """A sun that shines along ``yaw`` and ``pitch`` (degrees), the light of the sky, air and thin fog."""
         self.add_light(
             self._name("LightSun"),
             "DirectionalLight",
@@ -100,6 +100,7 @@ class LevelBuilder(Stage):
             light_source_angle=2.0,
         )
         self.add_light(self._name("LightSky"), "SkyLight", Transform(location_cm=(0.0, 0.0, 650.0)), intensity=1.0)
+        self.add_air()
 
     def level(self) -> Level:
         """The level, with a stable-id tag on every actor."""

@@ -66,7 +66,7 @@ class Plot(Stage):
                 self.add(asset, x, y, z, scale=scale)
 
     def daylight(self, pitch: float, yaw: float) -> None:
-        """A sun that shines along [pitch, yaw], and the light of the sky."""
+        """A sun that shines along [pitch, yaw], the light of the sky, air and thin fog."""
         self.add_light(
             "DirectionalLight_0",
             "DirectionalLight",
@@ -74,6 +74,7 @@ class Plot(Stage):
             intensity=4.0,
         )
         self.add_light("SkyLight_0", "SkyLight", Transform(location_cm=(0.0, 0.0, 3100.0)))
+        self.add_air()
 
     def level(self) -> Level:
         """The finished level."""

@@ -8,6 +8,13 @@ from c4s.errors import BadInput
 from c4s.records.level import LevelActor, LevelComponent, Transform
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of
 
+COMPONENTS = {
+    "SkyLight": "SkyLightComponent0",
+    "SkyAtmosphere": "SkyAtmosphereComponent",
+    "ExponentialHeightFog": "HeightFogComponent0",
+}
+"""Names of root components that are not ``LightComponent0``."""
+
 
 class Stage:
     """The actors of a level under construction.
@@ -57,14 +64,18 @@ class Stage:
         )
 
     def add_light(self, name: str, kind: str, place: Transform, **properties: Any) -> str:
-        """Add a light: ``kind`` is its class (``PointLight``), ``properties`` those of its component."""
-        component = "SkyLightComponent0" if kind == "SkyLight" else "LightComponent0"
-        return self.add_actor(
-            name,
-            f"/Script/Engine.{kind}",
-            place,
-            [LevelComponent(name=component, class_path=f"/Script/Engine.{kind}Component", properties=properties)],
+        """Add a light, fog or atmosphere: ``kind`` is its class, ``properties`` are those of its component."""
+        component = LevelComponent(
+            name=COMPONENTS.get(kind, "LightComponent0"),
+            class_path=f"/Script/Engine.{kind}Component",
+            properties=properties,
         )
+        return self.add_actor(name, f"/Script/Engine.{kind}", place, [component])
+
+    def add_air(self) -> None:
+        """Atmosphere and thin fog, as a level has them that was set up for pictures."""
+        self.add_light("SkyAtmosphere_0", "SkyAtmosphere", Transform())
+        self.add_light("Fog_0", "ExponentialHeightFog", Transform(), fog_density=0.002, fog_max_opacity=0.6)
 
 
 def asset_path(content_folder: str, category: str, name: str) -> str:

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from c4s.agents import base
-from c4s.agents.baselines.blind import Scene, Thing, chosen, guesses
 from c4s.agents.base import AgentContext, AgentReport
+from c4s.agents.baselines.blind import Scene, Thing, chosen, guesses
 from c4s.errors import BadInput
 from c4s.files import read_json
 from c4s.records.level import Level
