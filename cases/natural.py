@@ -88,7 +88,7 @@ def lived_in(level: Level, boxes: Boxes, chance: random.Random, scaled: Collecti
         if placed.carried(row):
             continue
         if chance.random() < MIRRORED or id_of(actor) in scaled:
-            now = _mirrored(actor, now, boxes, chance)
+            now = _mirrored(actor, now, boxes)
         side = float((placed.high[row] - placed.low[row]).max())
         loose = not placed.beside(row, placed.low[row], placed.high[row], CLEAR_CM).any()
         if side <= LARGEST_CM and placed.held(row, placed.low[row], placed.high[row]):
@@ -111,9 +111,10 @@ def _at(actor: LevelActor, place: Transform, boxes: Boxes, middle: Array, bottom
     return place.model_copy(update={"location_cm": (x, y, z)})
 
 
-def _mirrored(actor: LevelActor, now: Transform, boxes: Boxes, chance: random.Random) -> Transform:
+def _mirrored(actor: LevelActor, now: Transform, boxes: Boxes) -> Transform:
+    """Left and right changed: furniture and houses look along their Y, and go on looking where they did."""
     x, y, z = now.scale
-    turned = now.model_copy(update={"scale": (-x, y, z) if chance.random() < 0.5 else (x, -y, z)})
+    turned = now.model_copy(update={"scale": (-x, y, z)})
     low, high = world_box(actor, now, boxes)
     return _at(actor, turned, boxes, (low + high) / 2, float(low[2]))
 
