@@ -44,6 +44,6 @@ def print_leaderboard(suite: str) -> None:
         "T2S: text to scene. I2S: image to scene, with its two domains and its Repair F1. "
         f"Judge: {', '.join(sorted(judges))} (offline; not ranked with results by a model judge). "
         f"Engine: {', '.join(sorted(engines))} (not ranked with Unreal). "
-        "An agent without a rank only validates the evaluator.",
+        "An agent without a rank only validates the evaluator (oracle) or the suite (blind).",
         style="dim",
     )

@@ -1,4 +1,4 @@
-"""``c4s demo``: the shipped suite with the five baseline agents, from nothing to the leaderboard page."""
+"""``c4s demo``: the shipped suite with the six baseline agents, from nothing to the leaderboard page."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from c4s.protocol.baselines import BASELINES
 
 
 def demo(replace: Replace = False) -> None:
-    """Build the starter suite, run the five baselines on it, print the leaderboard and the page's address."""
+    """Build the starter suite, run the six baselines on it, print the leaderboard and the page's address."""
     from c4s.cli.evaluation import evaluate_here
 
     started = time.perf_counter()
