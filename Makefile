@@ -22,6 +22,7 @@ test: setup
 
 test-clients: setup
 	$(BIN)/python tests/agent_clients/matrix.py --install
+	$(BIN)/python tests/agent_clients/received.py
 
 lint: setup
 	$(BIN)/ruff format --check .

@@ -20,6 +20,8 @@ from c4s.records.plan import Configuration
 SERVER = "c4s"
 """Name of the tool server in every client's configuration."""
 TOOL_TIMEOUT_S = 600
+ANSWER_BYTES = 200_000
+"""What a client's own bound of a tool's answer is set to, where it has one: above any answer of the gateway."""
 MOST_TOLD_CHARACTERS = 400
 
 
