@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, agent_of
+from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, Reached, agent_of
 from c4s.agents.model import ModelAccess, open_model
 from c4s.engine import DEFAULT_ENGINE, Engine, open_engine
 from c4s.engine.content import content_fault
@@ -94,7 +94,7 @@ def run_attempt(
     stopping = _Stopping()
     with (
         _model(agent, configuration, paths.usage, ledger, stopping) as model,
-        Gateway() as gateway,
+        Gateway(port=agent.port_of(configuration) if isinstance(agent, Reached) else 0) as gateway,
         open_engine(
             engine, packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
         ) as session,

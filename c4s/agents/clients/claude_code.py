@@ -8,7 +8,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from c4s.agents.clients.client import ANSWER_BYTES, SERVER, TOOL_TIMEOUT_S, ExternalClient, Setup
+from c4s.agents.briefing import SERVER
+from c4s.agents.clients.client import ANSWER_BYTES, TOOL_TIMEOUT_S, ExternalClient, Setup
 from c4s.agents.clients.confined import Command
 from c4s.agents.clients.programs import Install
 

@@ -10,8 +10,9 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from c4s.agents.briefing import SERVER
 from c4s.agents.clients import confined
-from c4s.agents.clients.client import ANSWER_BYTES, SERVER, TOOL_TIMEOUT_S, ExternalClient, Setup
+from c4s.agents.clients.client import ANSWER_BYTES, TOOL_TIMEOUT_S, ExternalClient, Setup
 from c4s.agents.clients.confined import Command
 from c4s.agents.clients.programs import Install
 from c4s.errors import MachineryFault
