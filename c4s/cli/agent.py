@@ -110,7 +110,7 @@ def replay(
     recorded = AttemptOutcome.read(AttemptFolder(attempt).outcome)
     read_lines(AttemptFolder(attempt).trajectory)
     engine = _engine_of(AttemptFolder(attempt))
-    if trial.configuration.client == ORACLE:
+    if trial.working.client == ORACLE:
         raise BadInput("the oracle reads the truth, which a replay is not given", where=str(attempt))
     given = inputs(trial)
     with tempfile.TemporaryDirectory(prefix="c4s-replay-") as folder:

@@ -32,7 +32,7 @@ def prepare(suite: Path, case: str, *, port: int, after_save_s: float, policy: s
 
 def run(tried: Try, *, after_save_s: float, json_lines: bool) -> TrialScore:
     """Open the gateway, show what comes, and score what was saved last; there is one attempt."""
-    budget = SuiteFolder(tried.suite).agent_case(tried.trial.case.case_id).budget
+    budget = SuiteFolder(tried.suite).agent_case(tried.trial.case.alias).budget
 
     def opened(connection: Connection) -> None:
         if json_lines:

@@ -126,7 +126,7 @@ def run_attempt(
         )
     for record in report.usage:
         append_json_line(paths.usage, record)
-    outcome = _outcome(run, report, error, content, attempt, engine_version, sandbox)
+    outcome = _outcome(run, report, error, content, context, engine_version, sandbox)
     outcome.write(paths.outcome)
     return outcome
 
@@ -200,7 +200,7 @@ def _outcome(
     report: AgentReport,
     error: BaseException | None,
     content: Path,
-    attempt: int,
+    context: AgentContext,
     engine_version: str,
     sandbox: str,
 ) -> AttemptOutcome:
@@ -229,7 +229,7 @@ def _outcome(
     with AttemptFolder(content.parent).usage.open(encoding="utf-8") as lines:
         used = sums(list(json_lines(lines)))
     return AttemptOutcome(
-        attempt=attempt,
+        attempt=context.attempt,
         ended_by=ended_by,
         submission=submission,
         submission_sha256=freeze_submission(AttemptFolder(content.parent)) if submission is not None else None,
@@ -238,6 +238,8 @@ def _outcome(
         input_tokens=used["input_tokens"],
         output_tokens=used["output_tokens"],
         cost_usd=used["cost_usd"],
+        client=context.configuration.client,
+        model=context.configuration.model,
         client_version=report.client_version,
         engine_version=engine_version,
         sandbox=sandbox,

@@ -60,11 +60,11 @@ def attempt(trial: Trial, plan: Plan, number: int) -> AttemptOutcome:
         return run_attempt(
             given.case,
             given.agent_folder,
-            trial.configuration,
+            trial.working,
             number,
             folder.root,
             given.packs,
-            given.withheld_folder.root if trial.configuration.client == ORACLE else None,
+            given.withheld_folder.root if trial.working.client == ORACLE else None,
             RunFolder(trial.run).spending,
             plan.engine,
         )

@@ -135,7 +135,7 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
         row.note = error.line()
         return row
     row.cells["installed"] = program.version or "yes" if program else "built in"
-    case = SuiteFolder(suite).agent_case(case_id)
+    case = SuiteFolder(suite).agent_case(SuiteFolder(suite).case(case_id).alias)
     with ScriptedEndpoint(script(case)) as endpoint, endpoints(endpoint.url):
         configuration = Configuration(
             name=client,

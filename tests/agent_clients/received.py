@@ -128,7 +128,7 @@ def results_in(bodies: Sequence[dict[str, Any]], wire: str) -> list[str]:
 def drive(client: str, case_id: str, folder: Path) -> dict[str, Received]:
     """One attempt of one client; each answer by its title."""
     suite = SuiteFolder(built_suite())
-    case = suite.agent_case(case_id)
+    case = suite.agent_case(suite.case(case_id).alias)
     asked = answers(case.catalog)
     with ScriptedEndpoint([[answer.use] for answer in asked], "Done.") as endpoint, endpoints(endpoint.url):
         configuration = Configuration(
@@ -139,7 +139,7 @@ def drive(client: str, case_id: str, folder: Path) -> dict[str, Received]:
         )
         run_attempt(
             case,
-            suite.agent(case_id),
+            suite.agent(case.alias),
             configuration,
             1,
             folder,

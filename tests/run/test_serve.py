@@ -56,7 +56,8 @@ def call(server: dict[str, Any], calls: list[tuple[str, dict[str, Any]]]) -> lis
 
 
 def test_a_client_of_ones_own_connects_as_told_and_what_it_saves_is_scored(home: Path) -> None:
-    case = SuiteFolder(home / "suites/small").agent_case(CASE)
+    suite = SuiteFolder(home / "suites/small")
+    case = suite.agent_case(suite.case(CASE).alias)
     mesh = next(path for path in case.catalog if not path.endswith("_C"))
     build = (
         f"import unreal\nmesh = unreal.load_asset('{mesh}')\n"
