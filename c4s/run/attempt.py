@@ -35,6 +35,7 @@ from c4s.run.aside import set_aside
 from c4s.run.check import freeze_submission
 from c4s.run.faults import of_machinery, whose
 from c4s.run.headroom import check_room
+from c4s.run.inputs import offered
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.gateway import Gateway
 from c4s.toolbox.gateway_run import Run
@@ -96,7 +97,13 @@ def run_attempt(
         _model(agent, configuration, paths.usage, ledger, stopping) as model,
         Gateway(port=agent.port_of(configuration) if isinstance(agent, Reached) else 0) as gateway,
         open_engine(
-            engine, packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
+            engine,
+            packs=packs,
+            content=content,
+            scratch=scratch,
+            levels=levels,
+            start_map=case.start_map,
+            offered=offered(case, agent_folder),
         ) as session,
     ):
         write_json(paths.manifest, _manifest(session, packs, agent))
