@@ -69,7 +69,7 @@ def test_a_client_of_ones_own_connects_as_told_and_what_it_saves_is_scored(home:
         told = json.loads(process.stdout.readline())
         assert case.prompt.strip() in Path(told["task"]).read_text()
         assert told["budget"]["tool_calls"] == case.budget.tool_calls
-        assert not list(Path(told["task"]).parents[6].rglob("withheld"))
+        assert CASE not in told["task"] and not list(Path(told["task"]).parents[6].rglob("withheld"))
         server = json.loads(told["connect"]["any other"]["text"])["mcpServers"]["c4s"]
         script = {"script": build, "execution_mode": "sync"}
         answers = call(server, [("execute_python_script", script), ("save_scene_as", {"name": "mine"})])

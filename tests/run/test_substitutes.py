@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from c4s.records.attempt import AttemptOutcome
-from tests.run.conftest import Command
+from tests.run.conftest import Command, trial_in
 from warehouse.database import rows
 
 TEXT, FIRST, SECOND = "text-flat-family", "indoor-flat-01-mirrored-bath", "indoor-flat-02-living-room"
@@ -27,7 +27,7 @@ def test_each_case_is_worked_on_by_the_client_that_it_names(c4s: Command, home: 
     assert done.returncode == 0, done.stderr
     expected = {TEXT: ("noop", None), FIRST: ("random", None), SECOND: ("vandal", "of-its-own")}
     for case, (client, model) in expected.items():
-        outcome = AttemptOutcome.read(home / f"runs/mixed/mixed/{case}/r1/attempt-1/outcome.json")
+        outcome = AttemptOutcome.read(trial_in(home, "mixed", "mixed", case).attempt(1).outcome)
         assert (outcome.client, outcome.model, outcome.client_version) == (client, model, f"{client} 1")
     stored = rows(home / "warehouse", "SELECT case_id, client, model FROM attempts WHERE configuration = 'mixed'")
     assert {row["case_id"]: (row["client"], row["model"]) for row in stored} == expected
