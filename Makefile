@@ -22,6 +22,9 @@ test: setup
 
 test-clients: setup
 	$(BIN)/python tests/agent_clients/matrix.py --install
+	$(BIN)/python tests/agent_clients/received.py
+	$(BIN)/python tests/agent_clients/behaviour.py
+	$(BIN)/python tests/agent_clients/connected.py
 
 lint: setup
 	$(BIN)/ruff format --check .

@@ -8,7 +8,9 @@ takes the place of another owner's connections.
 from __future__ import annotations
 
 import asyncio
+import errno
 import re
+import socket
 from collections import Counter
 from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
@@ -19,6 +21,8 @@ import h11
 import uvicorn
 from starlette.types import ASGIApp, Scope
 from uvicorn.protocols.http.h11_impl import H11Protocol
+
+from c4s.errors import BadInput
 
 _HERE = re.compile(r"(127\.0\.0\.1|localhost|\[::1\])(:\d{1,5})?", re.IGNORECASE)
 BACKLOG = 64
@@ -57,6 +61,17 @@ def config(app: ASGIApp, limits: DoorLimits, **options: Any) -> uvicorn.Config:
         h11_max_incomplete_event_size=limits.head_bytes,
         **options,
     )
+
+
+def listener(port: int) -> socket.socket:
+    """A socket that listens on loopback, at a port or (0) at any that is free. ``BadInput`` where it cannot be had."""
+    try:
+        return socket.create_server(("127.0.0.1", port), backlog=BACKLOG)
+    except OSError as error:
+        if error.errno not in (errno.EADDRINUSE, errno.EACCES) or not port:
+            raise
+        what = "is taken" if error.errno == errno.EADDRINUSE else "may not be used"
+        raise BadInput(f"port {port} {what}", where="127.0.0.1", todo="choose another one") from None
 
 
 def foreign(scope: Scope) -> str | None:

@@ -32,6 +32,8 @@ def attempt_rows(trial: Trial, score: TrialScore, key: dict[str, Any]) -> Iterat
                 attempt=outcome.attempt,
                 ended_by=outcome.ended_by,
                 recorded=outcome.attempt == recorded,
+                client=outcome.client,
+                model=outcome.model,
                 client_version=outcome.client_version,
                 engine_version=outcome.engine_version,
                 sandbox=outcome.sandbox,

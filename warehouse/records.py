@@ -78,6 +78,9 @@ class AttemptRow(TrialKey):
     ended_by: str
     recorded: bool
     """Whether it is the trial's recorded run: the first attempt with a valid submission, else the last."""
+    client: str
+    """Which client worked; empty where it was not recorded."""
+    model: str | None
     client_version: str
     """As the client told; empty where it did not."""
     engine_version: str

@@ -91,6 +91,15 @@ class ModelClient(Protocol):
         ...
 
 
+@runtime_checkable
+class Reached(Protocol):
+    """An agent that is reached from outside: it may want the gateway at a port of its choice."""
+
+    def port_of(self, configuration: Configuration) -> int:
+        """The port; 0 for any that is free."""
+        ...
+
+
 PROGRAMS = {
     "codex": "c4s.agents.clients.codex:Codex",
     "claude_code": "c4s.agents.clients.claude_code:ClaudeCode",
@@ -108,6 +117,7 @@ CLIENTS = {
     "oracle": "c4s.agents.baselines.oracle:Oracle",
     "planner": "c4s.agents.baselines.planner:Planner",
     "replay": "c4s.agents.replay:Replay",
+    "outside": "c4s.agents.outside:Outside",
     "api": "c4s.agents.api.agent:ApiAgent",
     **PROGRAMS,
     "command": "c4s.agents.clients.command:CommandClient",

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 from c4s.records.suite import AgentCase
 from c4s.toolbox.skill import skill_text
 
+SERVER = "c4s"
+"""Name of the tool server in every client's configuration."""
 _TASK = """\
 {prompt}
 
@@ -31,6 +34,15 @@ def briefing(case: AgentCase, server: str, *, pictures: int) -> str:
     )
     text = f"{text}\n{skill_text()}"
     return text + (_PICTURES.format(count=pictures) if pictures else "")
+
+
+def copied_pictures(case: AgentCase, agent_folder: Path, into: Path) -> list[Path]:
+    """The case's reference views, copied into a folder under plain names."""
+    found = []
+    for number, view in enumerate(case.reference_views, 1):
+        found.append(into / f"reference-{number}{Path(view).suffix}")
+        shutil.copyfile(agent_folder / view, found[-1])
+    return found
 
 
 def reference_pictures(case: AgentCase, agent_folder: Path) -> list[Path]:

@@ -69,12 +69,12 @@ def try_agent(
     A try has a folder of its own under ``tries/`` and is on no leaderboard.
     """
     suite_folder = built_suite(suite)
-    from c4s.cli.trying import Try, print_score
+    from c4s.cli.trying import Try, print_score, watch
 
     tried = Try.prepare(configuration(name), suite_folder, case, policy=policy, judge=judge, engine=engine)
     if not json_output:
         say(f"{tried.trial.name}, in {tried.root}", style="dim")
-    score = tried.run(quiet=json_output)
+    score = tried.run(None if json_output else watch)
     page = tried.publish()
     if json_output:
         print_json(score.plain() | {"folder": str(tried.root), "page": page.as_uri()})
@@ -110,7 +110,7 @@ def replay(
     recorded = AttemptOutcome.read(AttemptFolder(attempt).outcome)
     read_lines(AttemptFolder(attempt).trajectory)
     engine = _engine_of(AttemptFolder(attempt))
-    if trial.configuration.client == ORACLE:
+    if trial.working.client == ORACLE:
         raise BadInput("the oracle reads the truth, which a replay is not given", where=str(attempt))
     given = inputs(trial)
     with tempfile.TemporaryDirectory(prefix="c4s-replay-") as folder:

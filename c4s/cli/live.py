@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import threading
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -116,16 +116,16 @@ def thumbnail(console: Console, path: Path) -> Text:
 
 
 @contextmanager
-def follow(console: Console, attempt: Path) -> Iterator[None]:
-    """Print the calls of an attempt while the block runs."""
-    stop, view = threading.Event(), LiveView(console, attempt)
+def follow(attempt: Path, poll: Callable[[], None]) -> Iterator[None]:
+    """Poll for what is new of an attempt while the block runs, and once more at its end."""
+    stop = threading.Event()
     faults: list[BaseException] = []
 
     def watch() -> None:
         try:
             while not stop.wait(INTERVAL_S):
-                view.poll()
-            view.poll()
+                poll()
+            poll()
         except Exception as fault:
             faults.append(fault)
 

@@ -7,7 +7,22 @@ from typing import Any, NoReturn
 
 import typer
 
-from c4s.cli import agent, boundary, bundle, catalog, demo, doctor, engine, report, run, score, sql, suite, verify
+from c4s.cli import (
+    agent,
+    boundary,
+    bundle,
+    catalog,
+    demo,
+    doctor,
+    engine,
+    report,
+    run,
+    score,
+    serve,
+    sql,
+    suite,
+    verify,
+)
 
 app = typer.Typer(
     name="c4s",
@@ -19,6 +34,7 @@ app = typer.Typer(
 app.command("demo")(demo.demo)
 app.command("run")(run.run)
 app.add_typer(agent.app, name="agent")
+app.command("serve")(serve.serve)
 app.add_typer(verify.app, name="verify")
 app.command("score")(score.score)
 app.add_typer(bundle.app, name="bundle")

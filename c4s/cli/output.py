@@ -41,7 +41,7 @@ def check_new_file(path: Path) -> None:
 def print_json(value: Any) -> None:
     """One JSON value on standard output."""
     text = json.dumps(value, ensure_ascii=False, default=str)
-    print(text if text.isprintable() else re.sub(r"[^ -~]", _json_escape, text))
+    print(text if text.isprintable() else re.sub(r"[^ -~]", _json_escape, text), flush=True)
 
 
 def _json_escape(found: re.Match[str]) -> str:
@@ -54,7 +54,7 @@ def say(text: str, *, style: str = "") -> None:
     if style:
         console.print(Text(shown(text)), style=style, soft_wrap=True)
     else:
-        print(shown(text))
+        print(shown(text), flush=True)
 
 
 def tell(text: str) -> None:

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import asyncio
 import re
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from c4s.cli.live import follow
+from c4s.cli.live import LiveView, follow
 from c4s.cli.output import console, print_table, say
 from c4s.cli.suites import built_suite
 from c4s.errors import BadInput
 from c4s.home import home
 from c4s.records.attempt import AttemptOutcome
-from c4s.records.folder import RunFolder
+from c4s.records.folder import AttemptFolder, RunFolder
 from c4s.records.plan import Configuration, Plan
 from c4s.records.score import TrialScore
 from c4s.records.suite import SuiteFolder
@@ -24,8 +26,11 @@ from c4s.run.lease import Held, holding
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
+from c4s.run.stages import ATTEMPTS
 from c4s.run.trial import run_trial
 
+Watching = Callable[[Path], AbstractContextManager[None]]
+"""Given the folder of an attempt, what surrounds it."""
 _ATTEMPT = re.compile(r"attempt-[1-9]")
 
 
@@ -49,10 +54,10 @@ class Try:
         plan = open_run(root / "run", plan)
         return cls(root, suite, plan, next(iter(trials(root / "run", suite, plan))))
 
-    def run(self, *, quiet: bool) -> TrialScore:
-        """Run the trial; unless quiet, every call is shown as it ends."""
+    def run(self, watching: Watching | None = None, *, attempts: int = ATTEMPTS) -> TrialScore:
+        """Run the trial, with so many attempts at most; while one runs, so does the block of ``watching``."""
         with holding(self.trial.run) as held:
-            return asyncio.run(_watched(self.trial, self.plan, held, quiet=quiet))
+            return asyncio.run(_watched(self.trial, self.plan, held, watching, attempts))
 
     def publish(self) -> Path:
         """Pages of this trial alone; returns its case page."""
@@ -72,28 +77,36 @@ def _new_folder(root: Path, stem: str) -> Path:
         return root / f"{stem}-{number}"
 
 
-async def _watched(trial: Trial, plan: Plan, held: Held, *, quiet: bool) -> TrialScore:
-    """The trial in worker processes; unless quiet, each attempt is followed while it runs."""
+@contextmanager
+def watch(attempt: Path) -> Iterator[None]:
+    """Show every call of an attempt as it ends, then how the attempt did."""
+    with follow(attempt, LiveView(console, attempt).poll):
+        yield
+    say_ending(attempt)
+
+
+async def _watched(trial: Trial, plan: Plan, held: Held, watching: Watching | None, attempts: int) -> TrialScore:
+    """The trial in worker processes; each attempt is watched while it runs."""
     inside = stage_functions()
 
     async def run(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
-        if quiet or stage != "attempt":
+        if watching is None or stage != "attempt":
             return await inside(stage, trial, plan, *arguments)
-        with follow(console, trial.folder.attempt(*arguments).root):
-            outcome = await inside(stage, trial, plan, *arguments)
-        say(_ending(outcome))
-        return outcome
+        with watching(trial.folder.attempt(*arguments).root):
+            return await inside(stage, trial, plan, *arguments)
 
     async with Pool() as pool:
-        return await run_trial(trial, plan, in_slots(pool, run, trial, plan, held=held))
+        return await run_trial(trial, plan, in_slots(pool, run, trial, plan, held=held), attempts=attempts)
 
 
-def _ending(outcome: AttemptOutcome) -> str:
+def say_ending(attempt: Path) -> None:
+    """How an attempt ended, what it took and what it saved, as a line."""
+    outcome = AttemptOutcome.read(AttemptFolder(attempt).outcome)
     tokens = "" if outcome.input_tokens is None else f", {outcome.input_tokens} in and {outcome.output_tokens} out"
     cost = "" if outcome.cost_usd is None else f", ${outcome.cost_usd:.4f}"
     saved = f"saved {outcome.submission}" if outcome.submission else "nothing was saved"
     message = f": {outcome.message}" if outcome.message else ""
-    return (
+    say(
         f"attempt {outcome.attempt}: {outcome.ended_by}{message}; {outcome.tool_calls} calls in "
         f"{outcome.wall_s:.1f} s{tokens}{cost}; {saved}"
     )

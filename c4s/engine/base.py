@@ -107,6 +107,7 @@ class Backend(Protocol):
         levels: Sequence[Path] = (),
         start_map: str | None = None,
         content_read_only: bool = False,
+        offered: Sequence[str] | None = None,
     ) -> Engine:
         """Start an engine and wait until it serves; see ``open_engine``."""
         ...
@@ -155,6 +156,7 @@ def open_engine(
     levels: Sequence[Path] = (),
     start_map: str | None = None,
     content_read_only: bool = False,
+    offered: Sequence[str] | None = None,
 ) -> Engine:
     """Start an engine and wait until it serves.
 
@@ -166,6 +168,7 @@ def open_engine(
         levels: level documents, read-only, known by their own package name.
         start_map: package to open; without it an untitled empty level is open.
         content_read_only: mount ``content`` read-only.
+        offered: meshes and Blueprints of the packs that are there, by path (``c4s.protocol.content``); null for all.
 
     Raises:
         BadInput: an unknown kind, or what was given cannot be loaded.
@@ -178,4 +181,5 @@ def open_engine(
         levels=levels,
         start_map=start_map,
         content_read_only=content_read_only,
+        offered=offered,
     )

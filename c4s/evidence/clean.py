@@ -104,8 +104,12 @@ class CleanEngine:
 
 
 @contextmanager
-def open_clean(*, engine: str, packs: Sequence[Path], submission_content: Path, package: str) -> Iterator[CleanEngine]:
+def open_clean(
+    *, engine: str, packs: Sequence[Path], submission_content: Path, package: str, offered: Sequence[str] | None = None
+) -> Iterator[CleanEngine]:
     """A clean engine of a kind on the level ``package`` of a submission.
+
+    ``offered``: the meshes and Blueprints of the packs that are there, as in the agent's engine; null for all.
 
     Raises:
         SceneUnreadable: the submission holds what is no plain file, or the level cannot be loaded.
@@ -113,7 +117,9 @@ def open_clean(*, engine: str, packs: Sequence[Path], submission_content: Path, 
         MachineryFault: the engine failed.
     """
     _check(submission_content)
-    with _opened(engine, package, packs=packs, content=submission_content, content_read_only=True) as clean:
+    with _opened(
+        engine, package, packs=packs, content=submission_content, content_read_only=True, offered=offered
+    ) as clean:
         yield clean
 
 
@@ -143,6 +149,7 @@ def _opened(
     content: Path,
     levels: Sequence[Path] = (),
     content_read_only: bool = False,
+    offered: Sequence[str] | None = None,
 ) -> Iterator[CleanEngine]:
     with tempfile.TemporaryDirectory(prefix="c4s-evidence-") as name, ExitStack() as running:
         try:
@@ -155,6 +162,7 @@ def _opened(
                     levels=levels,
                     start_map=package,
                     content_read_only=content_read_only,
+                    offered=offered,
                 )
             )
         except BadInput as error:

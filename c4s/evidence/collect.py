@@ -45,6 +45,7 @@ def look(
     out: Path,
     cameras: Cameras,
     keep_pictures: bool = False,
+    offered: Sequence[str] | None = None,
 ) -> None:
     """Take pictures of the submitted level into ``out/captures``, where ``export_evidence`` has put its snapshot.
 
@@ -53,7 +54,9 @@ def look(
     views = views_of(cameras, read_json(EvidenceFolder(out).snapshot, what="snapshot"))
     if not views:
         raise BadInput("no camera to look from", where=str(out))
-    with open_clean(engine=engine, packs=packs, submission_content=submission_content, package=package) as clean:
+    with open_clean(
+        engine=engine, packs=packs, submission_content=submission_content, package=package, offered=offered
+    ) as clean:
         clean.look(out, views, keep_pictures=keep_pictures)
 
 

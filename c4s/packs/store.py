@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,7 @@ from c4s.errors import BadInput
 from c4s.names import file_in
 from c4s.packs import basic_shapes, engine_content
 from c4s.packs.meshes import Mesh, load_mesh
+from c4s.protocol.content import Offered
 from c4s.records.pack import Asset, Material, Pack
 
 _EXPORT_TEXT = re.compile(r"""\s*[\w./]*'"?(/[^'"]+)"?'\s*""")
@@ -37,20 +38,29 @@ def object_path(path: str) -> str:
 class PackStore:
     """Read access to packs. The engine's own content is always present."""
 
-    def __init__(self, folders: Sequence[Path]) -> None:
-        """Read the manifests; ``BadInput`` when one is missing or wrong, or two packs hold the same path."""
+    def __init__(self, folders: Sequence[Path], offered: Iterable[str] | None = None) -> None:
+        """Read the manifests; ``BadInput`` when one is missing or wrong, or two packs hold the same path.
+
+        Args:
+            folders: pack folders.
+            offered: paths of the assets that are there (``c4s.protocol.content``); null for all of the packs.
+        """
         self.folders = tuple(Path(folder) for folder in folders)
         self.packs: dict[Path, Pack] = {folder: Pack.read(folder / "pack.json") for folder in self.folders}
         self._assets: dict[str, Asset] = {**basic_shapes.assets(), **engine_content.assets()}
         self._materials: dict[str, Material] = {m.path: m for m in (basic_shapes.MATERIAL, *engine_content.MATERIALS)}
         self._home: dict[str, Path] = {}
         self._meshes: dict[str, Mesh] = {**basic_shapes.meshes(), **engine_content.meshes()}
+        there = None if offered is None else Offered(offered)
+        if there is not None:
+            assets = [asset for pack in self.packs.values() for asset in pack.assets]
+            there.take_parts({asset.path: [part.asset for part in asset.parts] for asset in assets})
         for folder, pack in self.packs.items():
             for path in [asset.path for asset in pack.assets] + [material.path for material in pack.materials]:
                 if path in self._home:
                     raise BadInput(f"{path} is in a pack twice, or in two packs", where=str(folder))
                 self._home[path] = folder
-            self._assets.update({asset.path: asset for asset in pack.assets})
+            self._assets.update({asset.path: asset for asset in pack.assets if there is None or asset.path in there})
             self._materials.update({material.path: material for material in pack.materials})
 
     def asset(self, path: str) -> Asset | None:
@@ -59,6 +69,11 @@ class PackStore:
             asset = self._assets.get(object_path(path))
             return asset if asset is not None and asset.kind == "blueprint" and path == f"{asset.path}_C" else None
         return self._assets.get(path) or self._assets.get(object_path(path))
+
+    def is_left_out(self, path: str) -> bool:
+        """Whether a pack has this asset, and it is not offered."""
+        full = object_path(path)
+        return full in self._home and full not in self._assets and full not in self._materials
 
     def material(self, path: str) -> Material | None:
         """The material of a package or object path; ``None`` when no pack has it."""

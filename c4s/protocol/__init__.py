@@ -4,6 +4,7 @@ __all__ = [
     "baselines",
     "bundle",
     "case",
+    "content",
     "detailed",
     "families",
     "numbers",

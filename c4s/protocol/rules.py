@@ -141,8 +141,6 @@ PROXY_SHARE: Final = 0.05
 """It holds the origins of at least ``PROXY_ORIGINS`` other solids, and of this share of them."""
 
 INTEGRITY_POLICY: Final = "c4s.integrity.v1"
-ENGINE_ROOTS: Final = ("/engine/", "/script/", "/temp/", "/paper2d/")
-"""Package roots (lower case) that the frozen dependency policy leaves to the engine: they are not followed."""
 OVERVIEW_RULE_POLICY: Final = "overview-rule-judge.v1"
 
 UNUSABLE_STATUSES: Final = frozenset({"blocked", "error", "invalid", "not_evaluated", "refused", "unavailable"})

@@ -26,6 +26,9 @@ class AttemptOutcome(Sealed):
     input_tokens: int | None = None
     output_tokens: int | None = None
     cost_usd: float | None = None
+    client: str = ""
+    """Which client worked: a configuration may name another one a case. Empty in records that are older."""
+    model: str | None = None
     client_version: str = ""
     engine_version: str = ""
     """As the engine of the attempt told; empty in records that are older than the field."""

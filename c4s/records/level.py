@@ -107,6 +107,11 @@ class Level(Record):
     """``/Game/...`` package path; the file lies at ``<content root>/Game/....level.json``."""
     actors: list[LevelActor] = Field(default_factory=list, fail_fast=True)
 
+    def made_of(self) -> set[str]:
+        """Paths of the meshes and Blueprint classes that its actors are made of."""
+        classes = {actor.class_path for actor in self.actors}
+        return classes | {part.static_mesh for actor in self.actors for part in actor.components if part.static_mesh}
+
     @classmethod
     def read(cls, path: Path) -> Self:
         """Read and validate a document; ``BadInput`` when it is missing, truncated, wrong or too large."""

@@ -7,8 +7,17 @@ from typing import Any, ClassVar, Literal
 from pydantic import Field
 
 from c4s.names import Name
-from c4s.protocol.settings import Setting
+from c4s.protocol.settings import SETTING_ALIASES, Setting
 from c4s.records.base import Record, Sealed
+
+
+class Substitute(Record):
+    """The client that works in a configuration's place on some cases."""
+
+    client: Name
+    model: str | None = None
+    """Null: the configuration's."""
+    options: dict[str, Any] = Field(default_factory=dict)
 
 
 class Configuration(Record):
@@ -19,6 +28,23 @@ class Configuration(Record):
     """``noop``, ``random``, ``planner``, ``vandal``, ``oracle``, or the name of an agent client."""
     model: str | None = None
     options: dict[str, Any] = Field(default_factory=dict)
+    per_case: dict[str, Substitute] = Field(default_factory=dict)
+    """Who works instead, by case id or by setting (any of its published names); a case goes before its setting."""
+
+    def on(self, case_id: str, setting: Setting) -> Configuration:
+        """The configuration that works on a case: this one, or one of its name with the client that it names there."""
+        by_setting = {SETTING_ALIASES.get(key): substitute for key, substitute in self.per_case.items()}
+        chosen = self.per_case.get(case_id) or by_setting.get(setting)
+        return self if chosen is None else self._with(chosen)
+
+    def everyone(self) -> list[Configuration]:
+        """This one, and every one that works in its place."""
+        return [self, *map(self._with, self.per_case.values())]
+
+    def _with(self, chosen: Substitute) -> Configuration:
+        return Configuration(
+            name=self.name, client=chosen.client, model=chosen.model or self.model, options=chosen.options
+        )
 
 
 class PlannedCase(Record):

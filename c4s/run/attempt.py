@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, agent_of
+from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, Reached, agent_of
 from c4s.agents.model import ModelAccess, open_model
 from c4s.engine import DEFAULT_ENGINE, Engine, open_engine
 from c4s.engine.content import content_fault
@@ -35,6 +35,7 @@ from c4s.run.aside import set_aside
 from c4s.run.check import freeze_submission
 from c4s.run.faults import of_machinery, whose
 from c4s.run.headroom import check_room
+from c4s.run.inputs import offered
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.gateway import Gateway
 from c4s.toolbox.gateway_run import Run
@@ -94,9 +95,15 @@ def run_attempt(
     stopping = _Stopping()
     with (
         _model(agent, configuration, paths.usage, ledger, stopping) as model,
-        Gateway() as gateway,
+        Gateway(port=agent.port_of(configuration) if isinstance(agent, Reached) else 0) as gateway,
         open_engine(
-            engine, packs=packs, content=content, scratch=scratch, levels=levels, start_map=case.start_map
+            engine,
+            packs=packs,
+            content=content,
+            scratch=scratch,
+            levels=levels,
+            start_map=case.start_map,
+            offered=offered(case, agent_folder),
         ) as session,
     ):
         write_json(paths.manifest, _manifest(session, packs, agent))
@@ -126,7 +133,7 @@ def run_attempt(
         )
     for record in report.usage:
         append_json_line(paths.usage, record)
-    outcome = _outcome(run, report, error, content, attempt, engine_version, sandbox)
+    outcome = _outcome(run, report, error, content, context, engine_version, sandbox)
     outcome.write(paths.outcome)
     return outcome
 
@@ -200,7 +207,7 @@ def _outcome(
     report: AgentReport,
     error: BaseException | None,
     content: Path,
-    attempt: int,
+    context: AgentContext,
     engine_version: str,
     sandbox: str,
 ) -> AttemptOutcome:
@@ -229,7 +236,7 @@ def _outcome(
     with AttemptFolder(content.parent).usage.open(encoding="utf-8") as lines:
         used = sums(list(json_lines(lines)))
     return AttemptOutcome(
-        attempt=attempt,
+        attempt=context.attempt,
         ended_by=ended_by,
         submission=submission,
         submission_sha256=freeze_submission(AttemptFolder(content.parent)) if submission is not None else None,
@@ -238,6 +245,8 @@ def _outcome(
         input_tokens=used["input_tokens"],
         output_tokens=used["output_tokens"],
         cost_usd=used["cost_usd"],
+        client=context.configuration.client,
+        model=context.configuration.model,
         client_version=report.client_version,
         engine_version=engine_version,
         sandbox=sandbox,

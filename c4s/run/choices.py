@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from c4s.agents.base import ModelClient, agent_of
 from c4s.engine import engine_kinds
@@ -12,6 +12,7 @@ from c4s.errors import BadInput, unknown
 from c4s.judge.names import JUDGE_NAMES
 from c4s.meter.endpoints import key_of, spending_limit
 from c4s.protocol.baselines import BASELINES
+from c4s.protocol.settings import SETTING_ALIASES, SETTINGS
 from c4s.records.plan import Configuration
 from c4s.score.policies import POLICIES
 
@@ -35,13 +36,26 @@ def check_configurations(configurations: Sequence[Configuration]) -> None:
                 todo="give each agent a name of its own",
             )
     for chosen in configurations:
-        if chosen.name in BASELINES and chosen.client != chosen.name:
+        if chosen.name in BASELINES and any(one.client != chosen.name for one in chosen.everyone()):
             raise BadInput(f"{chosen.name!r} is the name of a baseline", todo="give this agent a name of its own")
-        agent = agent_of(chosen)
-        if isinstance(agent, ModelClient):
-            from c4s.agents.model import check_model
+        for one in chosen.everyone():
+            _check_client(one)
 
-            check_model(chosen, agent.endpoint, agent.wire_of(chosen))
+
+def _check_client(chosen: Configuration) -> None:
+    agent = agent_of(chosen)
+    if isinstance(agent, ModelClient):
+        from c4s.agents.model import check_model
+
+        check_model(chosen, agent.endpoint, agent.wire_of(chosen))
+
+
+def check_substitutes(configurations: Sequence[Configuration], cases: Collection[str], *, where: str) -> None:
+    """``BadInput`` where a configuration names another client for what is neither a setting nor one of the cases."""
+    for chosen in configurations:
+        for key in chosen.per_case:
+            if key not in cases and key not in SETTING_ALIASES:
+                raise unknown("case or setting", key, [*SETTINGS, *cases], where=f"per_case of {chosen.name}, {where}")
 
 
 def check_ready(configurations: Sequence[Configuration]) -> None:
@@ -52,7 +66,7 @@ def check_ready(configurations: Sequence[Configuration]) -> None:
     """
     backend()
     spending_limit()
-    for chosen in configurations:
+    for chosen in [one for configuration in configurations for one in configuration.everyone()]:
         agent = agent_of(chosen)
         if isinstance(agent, ModelClient):
             from c4s.agents.model import check_model

@@ -21,4 +21,4 @@ def configuration(name: str) -> Configuration:
 
 def is_ranked(chosen: Configuration) -> bool:
     """Whether results of this configuration may have a rank."""
-    return chosen.client not in VALIDATING
+    return all(one.client not in VALIDATING for one in chosen.everyone())

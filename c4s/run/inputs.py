@@ -9,6 +9,7 @@ from pathlib import Path
 from c4s.packs.suite_check import check_case
 from c4s.records.evidence import Evidence, EvidenceName, ManifestDigests
 from c4s.records.folder import EvidenceFolder
+from c4s.records.level import Level
 from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase, WithheldFolder
 from c4s.run.plan import Trial
 
@@ -35,6 +36,11 @@ def inputs(trial: Trial) -> TrialInputs:
         agent_folder=suite.agent(case.alias),
         withheld_folder=WithheldFolder(suite.withheld(trial.case.case_id)),
     )
+
+
+def offered(case: AgentCase, agent_folder: Path) -> list[str]:
+    """The meshes and Blueprints that are there for a case, by path: its catalog, and what its start level shows."""
+    return sorted({*case.catalog, *Level.read(agent_folder / "start.level.json").made_of()})
 
 
 def evidence_in(

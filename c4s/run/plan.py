@@ -13,7 +13,7 @@ from c4s.packs.suite_check import check_case
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.suite import SuiteFolder
-from c4s.run.choices import check_configurations, check_labels
+from c4s.run.choices import check_configurations, check_labels, check_substitutes
 
 _FIXED = {
     "run_id": "--run-id",
@@ -36,6 +36,11 @@ class Trial:
     configuration: Configuration
     case: PlannedCase
     repeat: int
+
+    @property
+    def working(self) -> Configuration:
+        """What works on the case: the configuration, or what it names for such a case."""
+        return self.configuration.on(self.case.case_id, self.case.setting)
 
     @property
     def folder(self) -> TrialFolder:
@@ -98,6 +103,7 @@ def make_plan(
         raise BadInput(f"{repeats} repeats are no plan", todo="give 1 or more")
     record = suite.suite()
     known = {case.case_id for case in record.cases}
+    check_substitutes(configurations, known, where=f"suite {record.suite_id}")
     for case_id in cases:
         if case_id not in known:
             raise unknown("case", case_id, known, where=f"suite {record.suite_id}")

@@ -52,6 +52,8 @@ def end(trial: Trial, number: int) -> None:
         ended_by="repeats_spent",
         submission=None,
         tool_calls=analyse(folder.trajectory).calls,
+        client=trial.working.client,
+        model=trial.working.model,
         message=f"{len(causes)} runs failed, the last: {causes[-1]}"[:2000],
     ).write(folder.outcome)
 

@@ -27,7 +27,7 @@ from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.run.check import LISTING, check_submission, judged_digests, noted_digests
 from c4s.run.faults import of_machinery
-from c4s.run.inputs import TrialInputs, evidence_in, inputs
+from c4s.run.inputs import TrialInputs, evidence_in, inputs, offered
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from c4s.verify.registry import make_verdict, measure, verifiers_of
@@ -60,11 +60,11 @@ def attempt(trial: Trial, plan: Plan, number: int) -> AttemptOutcome:
         return run_attempt(
             given.case,
             given.agent_folder,
-            trial.configuration,
+            trial.working,
             number,
             folder.root,
             given.packs,
-            given.withheld_folder.root if trial.configuration.client == ORACLE else None,
+            given.withheld_folder.root if trial.working.client == ORACLE else None,
             RunFolder(trial.run).spending,
             plan.engine,
         )
@@ -96,6 +96,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
                     packs=given.packs,
                     submission_content=folder.submission,
                     package=outcome.submission,
+                    offered=offered(given.case, given.agent_folder),
                 )
             )
             clean.export(trial.folder.evidence.root)
@@ -155,6 +156,7 @@ def look(trial: Trial, plan: Plan) -> None:
             package=str(AttemptOutcome.read(folder.outcome).submission),
             out=trial.folder.evidence.root,
             cameras=_cameras(trial, given),
+            offered=offered(given.case, given.agent_folder),
         )
 
 

@@ -30,14 +30,14 @@ class Do(Protocol):
         ...
 
 
-async def run_trial(trial: Trial, plan: Plan, do: Do) -> TrialScore:
+async def run_trial(trial: Trial, plan: Plan, do: Do, *, attempts: int = ATTEMPTS) -> TrialScore:
     """Attempt and integrity, once more if invalid; then the verifiers side by side; then score and persist.
 
     What the scene makes fail is an outcome (``c4s.run.overrun``), once the control has shown that the machinery can do
     it. All else passes through, on record, and leaves the trial pending, after what ran beside it has ended.
     """
     do = _recording(trial, do)
-    for number in range(1, ATTEMPTS + 1):
+    for number in range(1, attempts + 1):
         await _attempt(trial, number, do)
         if await _is_valid(trial, number, do):
             await _verify(trial, plan, do)

@@ -55,7 +55,8 @@ class Endpoint:
 class Gateway:
     """The server. Use it as a context manager; ``open`` and ``close`` of runs are thread-safe."""
 
-    def __init__(self, limits: loopback.DoorLimits | None = None) -> None:
+    def __init__(self, limits: loopback.DoorLimits | None = None, *, port: int = 0) -> None:
+        """``port`` 0 is any that is free; ``BadInput`` at the start where another one is taken."""
         self._limits = limits or loopback.DoorLimits()
         self._runs: dict[bytes, Run] = {}
         """By the digest of their token: the time of a look-up tells nothing of a token."""
@@ -67,12 +68,10 @@ class Gateway:
         self._server: uvicorn.Server | None = None
         self._thread: threading.Thread | None = None
         self._ready = threading.Event()
-        self.port = 0
+        self.port = port
 
     def __enter__(self) -> Self:
-        listener = socket.socket()
-        listener.bind(("127.0.0.1", 0))
-        listener.listen(loopback.BACKLOG)
+        listener = loopback.listener(self.port)
         self.port = listener.getsockname()[1]
         self._server = uvicorn.Server(loopback.config(self._app(), self._limits, log_level="critical", lifespan="on"))
         self._thread = threading.Thread(target=self._serve, args=(listener,), name="gateway", daemon=True)

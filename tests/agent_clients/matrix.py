@@ -18,6 +18,8 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -102,6 +104,26 @@ def stand_in(client: str) -> dict[str, Any]:
     return told if client == "antigravity" else {**told, "environment": environment, "wire": "openai-chat"}
 
 
+@contextmanager
+def endpoints(url: str) -> Iterator[None]:
+    """The environment in which a model endpoint ``scripted`` is at an address."""
+    formats = ["openai-chat", "openai-responses", "anthropic", "gemini"]
+    told = {"endpoints": {"scripted": {"url": url, "formats": formats, "key_env": "SCRIPTED_KEY"}}}
+    with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+        file.write(yaml.safe_dump(told))
+        file.flush()
+        os.environ |= {"C4S_ENDPOINTS": file.name, "SCRIPTED_KEY": "the-real-key"}
+        yield
+
+
+def built_suite() -> Path:
+    """The starter suite, built where it is not there."""
+    suite = suites_root() / "starter"
+    if not (suite / "suite.json").is_file():
+        subprocess.run([sys.executable, "-m", "c4s.cli", "suite", "build", "starter"], check=True)
+    return suite
+
+
 def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
     """One attempt of one client against a scripted endpoint, verified and scored."""
     row = Row(client, dict.fromkeys(COLUMNS, "no"))
@@ -113,24 +135,8 @@ def drive(client: str, suite: Path, runs: Path, case_id: str) -> Row:
         row.note = error.line()
         return row
     row.cells["installed"] = program.version or "yes" if program else "built in"
-    case = SuiteFolder(suite).agent_case(case_id)
-    with ScriptedEndpoint(script(case)) as endpoint, tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
-        os.environ["C4S_ENDPOINTS"] = file.name
-        file.write(
-            yaml.safe_dump(
-                {
-                    "endpoints": {
-                        "scripted": {
-                            "url": f"{endpoint.url}",
-                            "formats": ["openai-chat", "openai-responses", "anthropic", "gemini"],
-                            "key_env": "SCRIPTED_KEY",
-                        }
-                    }
-                }
-            )
-        )
-        file.flush()
-        os.environ["SCRIPTED_KEY"] = "the-real-key"
+    case = SuiteFolder(suite).agent_case(SuiteFolder(suite).case(case_id).alias)
+    with ScriptedEndpoint(script(case)) as endpoint, endpoints(endpoint.url):
         configuration = Configuration(
             name=client,
             client=client,
@@ -207,9 +213,7 @@ def main() -> int:
     parser.add_argument("--case", action="append", help=f"case ids (default {' '.join(CASES)})")
     parser.add_argument("clients", nargs="*", default=CLIENTS)
     chosen = parser.parse_args()
-    suite = suites_root() / "starter"
-    if not (suite / "suite.json").is_file():
-        subprocess.run([sys.executable, "-m", "c4s.cli", "suite", "build", "starter"], check=True)
+    suite = built_suite()
     rows = []
     for client in chosen.clients:
         agent = agent_of(Configuration(name=client, client=client))

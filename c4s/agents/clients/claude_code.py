@@ -8,7 +8,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from c4s.agents.clients.client import SERVER, TOOL_TIMEOUT_S, ExternalClient, Setup
+from c4s.agents.briefing import SERVER
+from c4s.agents.clients.client import ANSWER_BYTES, TOOL_TIMEOUT_S, ExternalClient, Setup
 from c4s.agents.clients.confined import Command
 from c4s.agents.clients.programs import Install
 
@@ -86,6 +87,7 @@ class ClaudeCode(ExternalClient):
                 "DISABLE_AUTOUPDATER": "1",
                 "DISABLE_TELEMETRY": "1",
                 "DISABLE_ERROR_REPORTING": "1",
+                "MAX_MCP_OUTPUT_TOKENS": str(ANSWER_BYTES),
                 "MCP_TIMEOUT": "60000",
                 "MCP_TOOL_TIMEOUT": str(TOOL_TIMEOUT_S * 1000),
                 "CLAUDE_CODE_SUBAGENT_MODEL": setup.model,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -11,15 +10,15 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from c4s.agents.base import AgentContext, AgentReport
-from c4s.agents.briefing import briefing, reference_pictures
+from c4s.agents.briefing import SERVER, briefing, copied_pictures
 from c4s.agents.clients import confined
 from c4s.agents.clients.programs import Install, Program, find
 from c4s.errors import AgentFault, MachineryFault
 from c4s.records.plan import Configuration
 
-SERVER = "c4s"
-"""Name of the tool server in every client's configuration."""
 TOOL_TIMEOUT_S = 600
+ANSWER_BYTES = 200_000
+"""What a client's own bound of a tool's answer is set to, where it has one: above any answer of the gateway."""
 MOST_TOLD_CHARACTERS = 400
 
 
@@ -98,7 +97,10 @@ class ExternalClient(ABC):
             self.program(context.options),
             home,
             briefing(context.case, SERVER, pictures=len(context.case.reference_views)),
-            tuple(_give_pictures(context, home)),
+            tuple(
+                str(confined.HOME / picture.name)
+                for picture in copied_pictures(context.case, context.agent_folder, home)
+            ),
             access.model,
             access.url,
             access.token,
@@ -119,14 +121,6 @@ class ExternalClient(ABC):
                 access.blame(what)
                 raise AgentFault(what)
         return AgentReport(client_version=version, message=words)
-
-
-def _give_pictures(context: AgentContext, home: Path) -> Iterator[str]:
-    """Copy the reference views into HOME; their paths as the client sees them."""
-    for number, picture in enumerate(reference_pictures(context.case, context.agent_folder)):
-        name = f"reference-{number + 1}{picture.suffix}"
-        shutil.copyfile(picture, home / name)
-        yield str(confined.HOME / name)
 
 
 def _json_lines(path: Path) -> Iterator[Mapping[str, Any]]:

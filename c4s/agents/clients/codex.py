@@ -10,8 +10,9 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from c4s.agents.briefing import SERVER
 from c4s.agents.clients import confined
-from c4s.agents.clients.client import SERVER, TOOL_TIMEOUT_S, ExternalClient, Setup
+from c4s.agents.clients.client import ANSWER_BYTES, TOOL_TIMEOUT_S, ExternalClient, Setup
 from c4s.agents.clients.confined import Command
 from c4s.agents.clients.programs import Install
 from c4s.errors import MachineryFault
@@ -56,6 +57,8 @@ PLAIN_TOOLS: dict[str, Any] = {
 }
 OWN_INSTRUCTIONS = "You are a coding agent. Work on the user's task with the tools that you are given until it is done."
 CONTEXT_TOKENS = 200_000
+BYTES_A_TOKEN = 4
+"""As the client counts them."""
 
 
 class Codex(ExternalClient):
@@ -76,6 +79,7 @@ class Codex(ExternalClient):
             "approval_policy": "never",
             "sandbox_mode": "read-only",
             "web_search": "disabled",
+            "tool_output_token_limit": ANSWER_BYTES // BYTES_A_TOKEN,
             "check_for_update_on_startup": False,
             "analytics.enabled": False,
             "history.persistence": "none",

@@ -13,7 +13,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar
 
-from c4s.agents.clients.client import SERVER, ExternalClient, Setup
+from c4s.agents.briefing import SERVER
+from c4s.agents.clients.client import ExternalClient, Setup
 from c4s.agents.clients.confined import Command
 from c4s.agents.clients.programs import Program
 from c4s.errors import BadInput

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from c4s.agents.clients.client import SERVER, TOOL_TIMEOUT_S, ExternalClient, Setup
+from c4s.agents.briefing import SERVER
+from c4s.agents.clients.client import ANSWER_BYTES, TOOL_TIMEOUT_S, ExternalClient, Setup
 from c4s.agents.clients.confined import Command
 from c4s.agents.clients.programs import Install
 
@@ -38,6 +39,7 @@ class GeminiCLI(ExternalClient):
             "general": {"disableAutoUpdate": True, "disableUpdateNag": True, "enableAutoUpdate": False},
             "privacy": {"usageStatisticsEnabled": False},
             "telemetry": {"enabled": False},
+            "tools": {"truncateToolOutputThreshold": ANSWER_BYTES},
             "mcpServers": {
                 SERVER: {
                     "httpUrl": setup.tools_url,

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from c4s.agents.clients.client import SERVER, TOOL_TIMEOUT_S, ExternalClient, Setup
+from c4s.agents.briefing import SERVER
+from c4s.agents.clients.client import TOOL_TIMEOUT_S, ExternalClient, Setup
 from c4s.agents.clients.confined import HOME, Command
 from c4s.agents.clients.programs import Install
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from c4s.agents.clients.client import SERVER, TOOL_TIMEOUT_S, ExternalClient, Setup
+from c4s.agents.briefing import SERVER
+from c4s.agents.clients.client import ANSWER_BYTES, TOOL_TIMEOUT_S, ExternalClient, Setup
 from c4s.agents.clients.confined import Command
 from c4s.agents.clients.programs import Install
 
@@ -45,6 +46,7 @@ class OpenCode(ExternalClient):
                 "model": f"{SERVER}/{setup.model}",
                 "small_model": f"{SERVER}/{setup.model}",
                 "enabled_providers": [SERVER],
+                "tool_output": {"max_bytes": ANSWER_BYTES, "max_lines": ANSWER_BYTES},
                 "tools": {"*": False, f"{SERVER}*": True},
                 "permission": {"*": "deny", f"{SERVER}*": "allow"},
                 "provider": {

@@ -28,6 +28,7 @@ def open_session(
     levels: Sequence[Path] = (),
     start_map: str | None = None,
     content_read_only: bool = False,
+    offered: Sequence[str] | None = None,
 ) -> EngineSession:
     """Start an engine process in a sandbox and wait until it serves."""
     from c4s.engine.headless.host.session import EngineSession
@@ -39,6 +40,7 @@ def open_session(
         levels=levels,
         start_map=start_map,
         content_read_only=content_read_only,
+        offered=offered,
     )
 
 

@@ -16,7 +16,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Literal, TypeAlias
 
 from c4s import errors
-from c4s.protocol.rules import ENGINE_ROOTS, INTEGRITY_POLICY
+from c4s.protocol.content import is_the_engines, package_of
+from c4s.protocol.rules import INTEGRITY_POLICY
 from c4s.records.evidence import ManifestDigests
 from c4s.records.snapshot_faults import snapshot_fault
 from c4s.records.verdict import Verdict
@@ -54,9 +55,7 @@ def content_actors(snapshot: Mapping[str, Any]) -> int:
 def _package(entry: Any) -> str:
     """Package name of a dependency entry, object and export quotes cut off."""
     name = entry.get("package") if isinstance(entry, Mapping) else entry
-    text = str(name or "").strip()
-    folder, slash, leaf = (text.split("'")[1] if text.count("'") >= 2 else text).rpartition("/")
-    return folder + slash + leaf.partition(".")[0]
+    return package_of(str(name or ""))
 
 
 def unresolved_packages(dependencies: Mapping[str, Any], tolerated: Iterable[str] = ()) -> list[str]:
@@ -66,9 +65,7 @@ def unresolved_packages(dependencies: Mapping[str, Any], tolerated: Iterable[str
     """
     known = {_package(name).casefold() for name in tolerated}
     names = {_package(entry) for entry in dependencies.get("unresolved") or ()}
-    return sorted(
-        name for name in names if name and name.casefold() not in known and not name.casefold().startswith(ENGINE_ROOTS)
-    )
+    return sorted(name for name in names if name and name.casefold() not in known and not is_the_engines(name))
 
 
 def _disagreement(side: str, digests: Mapping[str, str], frozen: Mapping[str, str]) -> str:

@@ -27,6 +27,7 @@ from c4s.engine.headless.host import kernels
 from c4s.engine.headless.host.jobs import JobBoard
 from c4s.engine.headless.host.server import BridgeServer
 from c4s.errors import BadInput, MachineryFault, shortage
+from c4s.files import write_json
 from c4s.folders import remove_tree
 
 START_TIMEOUT_S = 120.0
@@ -36,6 +37,8 @@ _STOP_TIMEOUT_S = 5.0
 _POLL_S = 10.0
 _SOCKET = "bridge.sock"
 _WITHHELD = "withheld"
+OFFERED = "offered.json"
+"""In scratch: paths of the assets that are there. It is read once, before any script runs."""
 
 
 class EngineSession:
@@ -76,6 +79,7 @@ class EngineSession:
         levels: Sequence[Path] = (),
         start_map: str | None = None,
         content_read_only: bool = False,
+        offered: Sequence[str] | None = None,
         limits: Limits | None = None,
         use: Backend | None = None,
     ) -> EngineSession:
@@ -114,6 +118,7 @@ class EngineSession:
                         "content": str(content),
                         "levels": [str(path) for path in levels],
                         "start_map": start_map,
+                        "offered": None if offered is None else str(_noted(offered, scratch)),
                         "scratch": str(scratch),
                     },
                     paths=paths,
@@ -291,6 +296,12 @@ def _check(packs: Sequence[Path], levels: Sequence[Path], content: Path, scratch
     for path in (*packs, *levels, content, scratch):
         if _WITHHELD in path.parts:
             raise MachineryFault("withheld files are never shown to an engine that may run agent code", where=str(path))
+
+
+def _noted(offered: Sequence[str], scratch: Path) -> Path:
+    """The file that tells the engine what is offered: a command line holds no long list."""
+    write_json(scratch / OFFERED, list(offered))
+    return scratch / OFFERED
 
 
 def _exit_text(code: int) -> str:

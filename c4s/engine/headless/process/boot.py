@@ -21,6 +21,7 @@ def boot(
     levels: Sequence[Path] = (),
     start_map: str | None = None,
     scratch: Path | None = None,
+    offered: Sequence[str] | None = None,
 ) -> ModuleType:
     """Build the world and install ``unreal`` in ``sys.modules``.
 
@@ -30,12 +31,13 @@ def boot(
         levels: read-only level documents, known by their own package name.
         start_map: package to open; without it an untitled empty level is open.
         scratch: the project's ``Saved`` folder (default: ``<content>/Saved``); the folder around it is the project's.
+        offered: paths of the packs' assets that are there; null for all.
 
     Raises:
         BadInput: a pack or level is missing or wrong, or there is no such start map.
     """
     content.mkdir(parents=True, exist_ok=True)
-    world = World(PackStore(pack_folders), content, known_levels(levels), _paint)
+    world = World(PackStore(pack_folders, offered), content, known_levels(levels), _paint)
     world.scratch = scratch if scratch is not None else content / "Saved"
     install(world)
     module = build()  # before any level: it declares the classes that a level names

@@ -35,9 +35,10 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
     from c4s.engine.headless.unreal.libraries import tick
     from c4s.engine.headless.version import ENGINE_VERSION
     from c4s.errors import BadInput
+    from c4s.files import read_json
 
     gc.disable()  # what loads now stays: looking through it again and again would take longer than loading it
-    saved = Path(settings["scratch"]) / "Saved"
+    saved, offered = Path(settings["scratch"]) / "Saved", settings["offered"]
     saved.mkdir(exist_ok=True)
     try:
         boot(
@@ -46,6 +47,7 @@ def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
             levels=[Path(level) for level in settings["levels"]],
             start_map=settings["start_map"],
             scratch=saved,
+            offered=None if offered is None else read_json(Path(offered)),
         )
     except BadInput as error:
         refused = {"what": error.what, "where": error.where, "todo": error.todo}

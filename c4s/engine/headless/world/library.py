@@ -122,6 +122,8 @@ class AssetLibrary(ABC):
             return self._shared(material.path, lambda: self._pack_material(material))
         asset = self.store.asset(path)
         if asset is None:
+            if self.store.is_left_out(path):
+                self.log.error(f"LoadAsset: '{path}' is not among the assets that this case offers")
             return None
         if asset.kind == "static_mesh":
             return self._shared(asset.path, lambda: StaticMesh._at(asset.path)._bind(asset))

@@ -77,7 +77,9 @@ class StaticMesh(AssetObject):
         return made
 
     def _references(self) -> list[str]:
-        return [
+        """What its slots show; of a copy also the original, where that is missing and there is nothing to show."""
+        lost = [] if world().store.asset(self._asset.path) is not None else [self._asset.path]
+        return lost + [
             self._slot_overrides[i]._path() if i in self._slot_overrides else slot.material
             for i, slot in enumerate(self._asset.slots)
         ]
