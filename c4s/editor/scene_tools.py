@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import fnmatch
 import math
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -124,9 +125,24 @@ def current_level() -> str:
 
 
 def list_actors(offset: int = 0, limit: int | None = None) -> dict[str, Any]:
-    """The actors of the level in its order, ``limit`` of them from ``offset`` on; ``total`` counts all."""
+    """The actors of the level in its order, ``limit`` of them from ``offset`` on; ``total`` counts all.
+
+    From the first on, ``kinds`` counts the classes and meshes of all.
+    """
     actors = _actors()
-    return {"actors": [describe(actor) for actor in actors[offset : _end(offset, limit)]], "total": len(actors)}
+    return {
+        "actors": [describe(actor) for actor in actors[offset : _end(offset, limit)]],
+        "total": len(actors),
+        "kinds": _kinds(actors) if not offset else {},
+    }
+
+
+def _kinds(actors: Sequence[Any]) -> dict[str, dict[str, int]]:
+    """How many actors have each class and each mesh."""
+    return {
+        "classes": dict(Counter(actor.get_class().get_path_name() for actor in actors)),
+        "meshes": dict(Counter(path for actor in actors for path in _mesh_paths(actor))),
+    }
 
 
 def _end(offset: int, limit: int | None) -> int | None:
@@ -155,6 +171,7 @@ def find_actors(pattern: str, offset: int = 0, limit: int | None = None) -> dict
             for actor, matched in found[offset : _end(offset, limit)]
         ],
         "total": len(found),
+        "kinds": _kinds([actor for actor, _ in found]) if not offset else {},
     }
 
 

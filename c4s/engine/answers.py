@@ -62,6 +62,7 @@ class _Actor(_Closed):
 class _Actors(_Closed):
     actors: Annotated[list[_Actor], Field(max_length=MOST_ROWS)]
     total: Count
+    kinds: dict[Literal["classes", "meshes"], dict[Text, Count]] = {}
 
 
 class _Spawned(_Closed):
@@ -149,6 +150,9 @@ class Page(_Open):
     python_logs: list[str]
     next_offset: Count
     more: bool
+    offset: Count = 0
+    """Where it begins, where a part of a certain length was asked for; ``log_bytes`` is then the length of it all."""
+    log_bytes: Count | None = None
 
 
 class JobReply(_Open):
@@ -158,6 +162,8 @@ class JobReply(_Open):
     job_id: Annotated[str, Field(min_length=1, max_length=200)]
     result: Page
     error: str | None = None
+    queued: bool = False
+    """Whether it has not begun: another job is running."""
 
     @property
     def running(self) -> bool:

@@ -17,6 +17,7 @@ from c4s.geometry.transform import Array
 from c4s.protocol.rules import GAP_CM
 from c4s.toolbox.pictures import read_picture, within_limit
 from c4s.toolbox.refusal import ToolRefused
+from c4s.toolbox.size import ANSWER_SIZE, AROUND, side_by_side
 from c4s.toolbox.tool import Arguments, Tool, ToolResult, names, number, text
 from c4s.toolbox.workbench import Workbench
 from c4s.verify.physics.support import excluded_by_name
@@ -24,8 +25,6 @@ from c4s.verify.physics.support import excluded_by_name
 GROUP = "Verification"
 WIDTH, HEIGHT = 1280, 720
 TOUCH_TOLERANCE_CM = 5.0
-LISTED = 200
-"""Actors and pairs that an answer lists at most; the counts are of all."""
 _FILE = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,99}")
 
 
@@ -51,8 +50,8 @@ def _label(actor: Mapping[str, Any]) -> dict[str, Any]:
 
 def _listed(**lists: list[dict[str, Any]]) -> dict[str, Any]:
     """The first rows of each list; a list that was cut is named with its full length under ``cut``."""
-    cut = {name: len(rows) for name, rows in lists.items() if len(rows) > LISTED}
-    told: dict[str, Any] = {name: rows[:LISTED] for name, rows in lists.items()}
+    told: dict[str, Any] = side_by_side(lists, ANSWER_SIZE - AROUND)
+    cut = {name: len(rows) for name, rows in lists.items() if len(rows) > len(told[name])}
     return told | ({"cut": cut, "hint": "the longest lists are cut: name actors to check fewer"} if cut else {})
 
 

@@ -17,8 +17,9 @@ PAGING = {
     "get_actors_in_level": {"offset", "limit"},
     "find_actors_by_name": {"offset", "limit"},
     "search_assets": {"offset"},
+    "read_job_log": {"offset", "action"},
 }
-"""Optional arguments beside those of the reference, for long lists."""
+"""Optional arguments beside those of the reference: for long lists, and for the jobs."""
 REFERENCE = SHARED / "reference/tools.yaml"
 
 
@@ -83,7 +84,7 @@ def test_three_hundred_nodes_are_planned_and_built(open_run: Callable) -> None:
     assert not report["valid"] and {"ghost", "hat"} <= set(report["dropped"])
     assert all(problem["problem"] for problem in report["problems"])
     told = client.call("solve_scene_graph", graph={"nodes": nodes}).data
-    assert (told["total"], told["shown"]) == (360, 300) and len(told["solved"]["entries"]) == 300
+    assert told["total"] == 360 and 40 < told["shown"] == len(told["solved"]["entries"]) < 360 and told["hint"]
     assert sum(told["solved"]["tier_counts"].values()) == 360
     built = 0
     for tier in told["solved"]["tier_counts"]:
