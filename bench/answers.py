@@ -18,7 +18,7 @@ import mcp_types as wire
 
 from bench.row import Row
 from bench.town import town
-from c4s.engine.headless.host.session import EngineSession
+from c4s.engine import DEFAULT_ENGINE, open_engine
 from c4s.home import packs_root
 from c4s.protocol.settings import OUTDOOR_REPAIR
 from c4s.records.folder import AttemptFolder
@@ -101,7 +101,8 @@ def opened(root: Path, level: Level) -> Iterator[GatewayClient]:
     )
     packs = [packs_root() / _PACK]
     with (
-        EngineSession.start(
+        open_engine(
+            DEFAULT_ENGINE,
             packs=packs,
             content=root / "content",
             scratch=root / "scratch",

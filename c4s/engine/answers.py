@@ -83,6 +83,12 @@ class _SpawnedMany(_Closed):
 class _Environment(_Closed):
     added: Texts
     already_there: Texts
+    turned: Texts = []
+
+
+class _Standing(_Closed):
+    stands: dict[Text, Texts]
+    missing: Texts
 
 
 class _Level(_Closed):
@@ -133,6 +139,7 @@ SHAPES: Final[Mapping[str, TypeAdapter[Any]]] = {
     "scene_tools.delete": TypeAdapter(_Actor),
     "scene_tools.delete_all_but": TypeAdapter(Texts),
     "scene_tools.setup_environment": TypeAdapter(_Environment),
+    "scene_tools.inspect_environment": TypeAdapter(_Standing),
     "scene_tools.save_scene": TypeAdapter(_Level),
     "scene_tools.open_level": TypeAdapter(_Level),
     "snapshot.export_if_changed": TypeAdapter(_IfChanged),

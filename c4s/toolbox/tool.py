@@ -136,3 +136,23 @@ SCALE: Schema = {
     "anyOf": [COORDINATE, {"type": "array", "items": COORDINATE, "minItems": 3, "maxItems": 3}],
 }
 ACTOR = text("The actor's label (or, where no label fits, its object name).")
+
+
+def kind(schema: Schema) -> str:
+    """What an argument may be, in a few words, with its limits."""
+    if "anyOf" in schema:
+        return " or ".join(kind(one) for one in schema["anyOf"])
+    if "enum" in schema:
+        return " / ".join(f"`{value}`" for value in schema["enum"])
+    kinds = schema["type"]
+    words = " or ".join(kinds) if isinstance(kinds, list) else str(kinds)
+    if words == "array":
+        low, high = schema.get("minItems"), schema.get("maxItems")
+        size = "" if high is None else f"{high} " if low == high else f"up to {high} "
+        first, _, rest = kind(schema["items"]).partition(" ")
+        return f"list of {size}{first}s {rest}".strip()
+    low, high = schema.get("minimum", schema.get("exclusiveMinimum")), schema.get("maximum")
+    if low is not None or high is not None:
+        over = "> " if "exclusiveMinimum" in schema else ""
+        words += f" ({over}{low:g} ...)" if high is None else f" ({over}{low:g} to {high:g})"
+    return words + (f", up to {schema['maxLength']} characters" if "maxLength" in schema else "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import threading
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any, Literal
 from c4s.engine import Calls, EngineCallError
 from c4s.engine.answers import JobReply, WrongAnswer, ask, ask_job
 from c4s.files import check_disk
+from c4s.protocol.settings import is_construction
 from c4s.records.snapshot_faults import export_fault
 from c4s.records.suite import AgentCase
 from c4s.toolbox.catalog import CaseCatalog
@@ -21,6 +23,10 @@ ENGINE_TIMEOUT_S = 60.0
 MOST_QUEUED = 8
 """Scripts that may run or wait at a time."""
 JOBS_LISTED = 20
+
+
+READING = frozenset({"actor_ids", "current_level", "find_actors", "inspect_environment", "list_actors"})
+"""Functions of ``c4s.editor.scene_tools`` that change nothing."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +43,7 @@ class JobLimits:
 
 JobState = Literal["queued", "running", "done", "error"]
 FULL = f"[Errno {errno.ENOSPC}]"
-REFUSAL = "c4s.editor.scene_tools.SceneRefused: "
+REFUSAL = "c4s.editor.conversions.SceneRefused: "
 
 
 @dataclass
@@ -86,6 +92,8 @@ class Workbench:
         self._pictures = 0
         self.ran_script = False
         """Whether agent code has run inside the engine."""
+        self._start: MeasuredScene | None = None
+        self._starting = threading.Lock()
         self._measured: tuple[int | None, MeasuredScene] | None = None
         """The last measured scene, and which state of the level it was."""
         self.given: list[str] = ask(engine, "scene_tools.actor_ids")
@@ -98,10 +106,13 @@ class Workbench:
 
     def scene(self, function: str, **params: Any) -> Any:
         """Call a function of ``c4s.editor.scene_tools``; what it raises becomes a refusal with its message."""
+        if function not in READING:
+            self._kept_start()
         return self._call(f"scene_tools.{function}", **params)
 
     def measured(self) -> MeasuredScene:
         """The scene as it is now. The same object while the engine knows that nothing has changed."""
+        self._kept_start()
         known = self._measured
         told = self._call("snapshot.export_if_changed", known=known[0] if known is not None else None)
         if told["snapshot"] is None:
@@ -110,8 +121,19 @@ class Workbench:
             return known[1]
         if self.ran_script and (fault := export_fault(told["snapshot"])):
             raise ToolRefused(f"the scene cannot be measured: {fault}", todo="mend those actors")
-        self._measured = told["revision"], MeasuredScene(self.case.setting, told["snapshot"])
-        return self._measured[1]
+        scene = MeasuredScene(self.case.setting, told["snapshot"], self._kept_start())
+        self._measured = told["revision"], scene
+        return scene
+
+    def _kept_start(self) -> MeasuredScene | None:
+        """The level as it was given, in a repair: exported before the first tool or script that may change it."""
+        if is_construction(self.case.setting):
+            return None
+        with self._starting:
+            if self._start is None:
+                told = ask(self.engine, "snapshot.export_snapshot", timeout_s=self.limits.tool_s)
+                self._start = MeasuredScene(self.case.setting, told)
+            return self._start
 
     def _call(self, function: str, **params: Any) -> Any:
         self.wait_for_editor()
@@ -146,6 +168,7 @@ class Workbench:
             raise ToolRefused(
                 f"{len(waiting)} scripts are running or queued", todo="wait for them, or cancel them with read_job_log"
             )
+        self._kept_start()
         self.ran_script = True
         reply = ask_job(
             self.engine,

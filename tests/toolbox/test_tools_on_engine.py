@@ -187,7 +187,12 @@ def test_scripts_are_jobs_with_a_log(open_run: Callable) -> None:
 def test_the_checks_use_the_collision_bodies(open_run: Callable) -> None:
     client = open_run().client
     floating = client.call("check_floating").data
-    assert [(item["label"], item["gap_cm"]) for item in floating["floating"]] == [("Sofa", 40.0)]
+    assert (floating["floating"], floating["stood_so_at_start"]["floating"]) == ([], 1)
+    assert [(row["label"], row["gap_cm"]) for row in floating["stood_so_at_start"]["examples"]] == [("Sofa", 40.0)]
+    client.call("set_actor_transform", name="Sofa", location=[50, 120, 41])
+    floating = client.call("check_floating").data
+    assert [(item["label"], item["gap_cm"]) for item in floating["floating"]] == [("Sofa", 41.0)]
+    assert floating["stood_so_at_start"] == {"floating": 0}
     assert client.call("check_floating", threshold_cm=50).data["count"] == 0
     assert client.call("check_collisions").data["pairs"] == []
     client.call("set_actor_transform", name="Box", location=[0, 0, 55])
@@ -197,7 +202,22 @@ def test_the_checks_use_the_collision_bodies(open_run: Callable) -> None:
     measured = client.call("measure_scene").data
     assert measured["actors"] == 6 and measured["collision_rate"] > 0
     assert {"label": "Sofa", "name": "StaticMeshActor_4"} in measured["floating"]
-    assert measured["extent"]["size_m"][0] >= 4
+    assert measured["extent"]["size_m"][0] >= 4 and measured["changed_or_added"] == 2
+    (box,) = measured["colliding"]
+    assert (box["label"], box["contacts"][0]["label"]) == ("Box", "Table")
+    client.call("delete_actor", name="Table")
+    fallen = client.call("measure_scene").data["floating"]
+    assert {row["label"] for row in fallen} == {"Sofa", "Box"}
+
+
+def test_what_an_agent_takes_away_unsettles_what_stood_on_it(open_run: Callable) -> None:
+    client = open_run().client
+    assert client.call("measure_scene").data["floating"] == []
+    client.call("delete_actor", name="Table")
+    (box,) = client.call("measure_scene").data["floating"]
+    assert box["label"] == "Box" and "what held it" in box["why"]
+    told = client.call("check_floating").data
+    assert [row["label"] for row in told["floating"]] == ["Box"] and told["stood_so_at_start"]["floating"] == 1
 
 
 def test_the_planner_builds_in_tiers(open_run: Callable) -> None:
