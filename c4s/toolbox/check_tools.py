@@ -205,8 +205,9 @@ TOOLS = (
     Tool(
         "take_screenshot",
         GROUP,
-        f"A {WIDTH} x {HEIGHT} picture of the viewport. Its camera is set in Python "
-        "(unreal.UnrealEditorSubsystem.set_level_viewport_camera_info).",
+        f"A {WIDTH} x {HEIGHT} picture of the viewport. Its camera is set in Python: "
+        "`unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem)"
+        ".set_level_viewport_camera_info(location, rotation)`.",
         _screenshot,
         {
             "filename": text("File name in the run's screenshot folder."),
@@ -217,14 +218,16 @@ TOOLS = (
         "measure_scene",
         GROUP,
         "Number of actors, shares of floating and of colliding actors with the "
-        "actors at fault, and the extent of the scene.",
+        "actors at fault, and the extent of the scene. In a repair the rates and lists are of what was changed; what "
+        "stood so at the start is summed.",
         _measure,
     ),
     Tool(
         "check_floating",
         GROUP,
         "Actors that hang further above the next surface than a threshold, with the "
-        "gap; and those that the physics score counts as floating by its own rule.",
+        "gap; and those that the physics score counts as floating by its own rule. In a repair what was not changed "
+        "and floated at the start is summed apart.",
         _check_floating,
         {
             "actor_names": ACTORS,
@@ -234,7 +237,7 @@ TOOLS = (
     Tool(
         "check_collisions",
         GROUP,
-        "Pairs of actors that overlap, with the depth.",
+        "Pairs of actors that overlap, with the depth. In a repair pairs that were not changed are summed apart.",
         _check_collisions,
         {
             "actor_names": ACTORS,

@@ -68,7 +68,7 @@ def _with_solved(bench: Workbench, arguments: Arguments, function: str) -> Any:
     solved = _solved(bench, arguments)
     try:
         return getattr(_planner(), function)(solved)
-    except (KeyError, TypeError, ValueError) as error:
+    except (AttributeError, LookupError, ArithmeticError, TypeError, ValueError) as error:
         raise ToolRefused(f"`solved` is not what solve_scene_graph gives: {error!r}") from error
 
 
