@@ -30,14 +30,14 @@ from c4s.toolbox.client import GatewayClient
 from c4s.toolbox.gateway import Gateway
 from c4s.toolbox.gateway_run import Run
 from c4s.toolbox.registry import ALL_TOOLS
+from c4s.toolbox.size import ANSWER_SIZE
 from c4s.toolbox.workbench import Workbench
 from cases.starter import harbour_scene
 from catalog.build import ensure_pack
 
 ACTORS = 6700
-MOST_CHARACTERS = 20_000
 LARGEST = 10
-_PACK = "c4s-harbour"
+PACK = "c4s-harbour"
 _WORDS = "import unreal\nfor number in range(200_000): print('line', number)\nraise ValueError('x' * 3_000_000)"
 
 
@@ -83,9 +83,9 @@ def calls(pack: Pack) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 @contextmanager
-def opened(root: Path, level: Level) -> Iterator[GatewayClient]:
+def opened(root: Path, level: Level, packs_folder: Path) -> Iterator[GatewayClient]:
     """A run on a level of the harbour's meshes, with its client."""
-    pack = ensure_pack(_PACK, packs_root())
+    pack = ensure_pack(PACK, packs_folder)
     folder = root / "agent" / "bench"
     level.write(folder / "start.level.json")
     case = AgentCase.parse(
@@ -99,7 +99,7 @@ def opened(root: Path, level: Level) -> Iterator[GatewayClient]:
             "budget": Budget(tool_calls=10_000, wall_minutes=60).plain(),
         }
     )
-    packs = [packs_root() / _PACK]
+    packs = [packs_folder / PACK]
     with (
         open_engine(
             DEFAULT_ENGINE,
@@ -119,8 +119,11 @@ def opened(root: Path, level: Level) -> Iterator[GatewayClient]:
 
 def sizes(level: Level) -> list[tuple[int, str]]:
     """Size and tool of every answer, the largest first."""
-    pack = ensure_pack(_PACK, packs_root())
-    with tempfile.TemporaryDirectory(prefix="c4s-answers-") as folder, opened(Path(folder), level) as client:
+    pack = ensure_pack(PACK, packs_root())
+    with (
+        tempfile.TemporaryDirectory(prefix="c4s-answers-") as folder,
+        opened(Path(folder), level, packs_root()) as client,
+    ):
         found = [(size_of(client.answer(name, arguments)), name) for name, arguments in calls(pack)]
     assert {name for _, name in found} == {tool.name for tool in ALL_TOOLS}
     return sorted(found, reverse=True)
@@ -128,7 +131,7 @@ def sizes(level: Level) -> list[tuple[int, str]]:
 
 def scenes() -> dict[str, Level]:
     """The largest shipped scene, and a town of its meshes."""
-    pack = ensure_pack(_PACK, packs_root())
+    pack = ensure_pack(PACK, packs_root())
     return {"harbour": harbour_scene.build().level, "town": town(pack, ACTORS)}
 
 
@@ -137,7 +140,7 @@ def rows() -> list[Row]:
     made = []
     for name, level in scenes().items():
         (largest, tool), *_ = sizes(level)
-        goal, met = f"at most {MOST_CHARACTERS:,}", largest <= MOST_CHARACTERS
+        goal, met = f"at most {ANSWER_SIZE:,}", largest <= ANSWER_SIZE
         what = f"the largest answer of a tool on the {name} of {len(level.actors)} actors ({tool})"
         made.append(Row(what, largest, goal, met, unit="characters"))
     return made

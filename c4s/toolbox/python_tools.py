@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from c4s.toolbox.refusal import ToolRefused
-from c4s.toolbox.size import ANSWER_SIZE, AROUND, ASKED_SIZE, clipped, tail_that_fits
+from c4s.toolbox.size import ANSWER_SIZE, AROUND, ASKED_SIZE, clipped, part_that_fits
 from c4s.toolbox.tool import Arguments, Tool, ToolResult, number, text
 from c4s.toolbox.workbench import JOBS_LISTED, JobLimits, ScriptJob, Workbench
 
@@ -36,11 +36,13 @@ def _state(bench: Workbench, job: ScriptJob, arguments: Arguments) -> dict[str, 
     page = reply.result
     error = {"error": clipped(reply.error, ERROR_BYTES)} if reply.error is not None else {}
     room = (ASKED_SIZE if MAX_BYTES in arguments else ANSWER_SIZE) - AROUND - 2 * ERROR_BYTES * bool(error)
+    of_end = "offset" not in arguments
     given = "\n".join(page.python_logs)
-    output = tail_that_fits(given, room)
-    ends = page.next_offset
-    begins = page.offset + len(given.encode()) - len(output.encode())
-    total = ends if page.log_bytes is None else page.log_bytes
+    output = part_that_fits(given, room, of_end=of_end)
+    left_out = len(given.encode()) - len(output.encode())
+    begins = page.offset + (left_out if of_end else 0)
+    ends = page.offset + len(output.encode()) if left_out and not of_end else page.next_offset
+    total = page.next_offset if page.log_bytes is None else page.log_bytes
     return {
         "status": job.state,
         **error,

@@ -70,10 +70,11 @@ def _in_json(text: str) -> int:
     return size(json_text(text)) - 2
 
 
-def tail_that_fits(text: str, room: int) -> str:
-    """The end of a text that takes at most ``room`` bytes as JSON."""
+def part_that_fits(text: str, room: int, *, of_end: bool) -> str:
+    """The beginning or the end of a text that takes at most ``room`` bytes as JSON."""
     while text and (over := size(json_text(text)) - room) > 0:
-        text = text[max(1, over // _MOST_ESCAPED) :]
+        less = max(1, over // _MOST_ESCAPED)
+        text = text[less:] if of_end else text[:-less]
     return text
 
 
