@@ -19,7 +19,8 @@ from typing import Any
 import orjson
 
 from c4s.engine.bridge import MAX_REQUEST_BYTES, decode, read_line
-from c4s.engine.headless.host.jobs import EngineJob, JobBoard
+from c4s.engine.headless.host.job import EngineJob
+from c4s.engine.headless.host.jobs import JobBoard
 
 DEFAULT_WAIT_S = 20.0
 MAX_SHOTS = 16
