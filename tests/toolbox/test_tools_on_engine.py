@@ -156,6 +156,58 @@ def test_an_ambiguous_label_is_refused_and_the_object_name_works(open_run: Calla
     assert [(actor["name"], actor["matched"]) for actor in found] == [("StaticMeshActor_6", ["label"])]
 
 
+def test_a_name_is_found_in_whatever_case_where_one_fits(open_run: Callable) -> None:
+    client = open_run().client
+    assert client.call("set_actor_transform", name="sofa", location=[1, 2, 3]).data["actor"]["label"] == "Sofa"
+    assert client.call("check_floating", actor_names=["SOFA"]).data["checked"] == 1
+    with pytest.raises(CallRefused, match="2 actors have the label 'twin'"):
+        client.call("delete_actor", name="twin")
+    with pytest.raises(CallRefused, match=r"no actor has the label or name 'Tabel': near are Table"):
+        client.call("delete_actor", name="Tabel")
+    client.call("spawn_actor", name="sofa", static_mesh="crate", location=[0, 0, 500])
+    assert client.call("delete_actor", name="sofa").data["deleted"]["static_meshes"] == [path_of("SM_crate")]
+
+
+def test_a_scale_of_nothing_is_refused_by_every_tool(open_run: Callable) -> None:
+    client = open_run().client
+    place = {"name": "Flat", "static_mesh": "crate", "location": [0, 0, 0]}
+    for scale in (0, [1, 0, 1]):
+        with pytest.raises(CallRefused, match="scale must not be 0"):
+            client.call("spawn_actor", scale=scale, **place)
+        with pytest.raises(CallRefused, match="scale must not be 0"):
+            client.call("set_actor_transform", name="Sofa", scale=scale)
+        with pytest.raises(CallRefused, match="scale must not be 0"):
+            client.call(
+                "build_tier", entries=[{"name": "Flat", "asset": "crate", "location": [0, 0, 0], "scale": scale}]
+            )
+    assert client.call("get_actors_in_level").data["total"] == 6
+    assert client.call("spawn_actor", scale=[1, -1, 1], **place).data["actor"]["scale"] == [1, -1, 1]
+
+
+WRONG = [
+    ("setup_environment", {"time_of_day": "dusk"}, "'dusk' is not allowed: it must be `morning` / `noon`"),
+    ("search_assets", {"query": "a", "k": 0}, r"0 is not allowed: it must be integer \(1 to 100\) - How many results"),
+    ("search_assets", {"query": "a", "limit": 5}, "there is no 'limit'"),
+    ("spawn_actor", {"name": "a", "static_mesh": "b", "locaton": [0, 0, 0]}, "did you mean 'location'|'location' is a"),
+    ("delete_actor", {"name": "Sofa", "nam": "Sofa"}, "there is no 'nam': did you mean 'name'"),
+    (
+        "set_actor_transform",
+        {"name": "Sofa", "scale": "big"},
+        r"'big' is not allowed: it must be number .* or list of 3",
+    ),
+    ("set_actor_transform", {"name": "Sofa", "location": [0, 0]}, r"must be list of 3 numbers.*World location"),
+    ("save_scene_as", {"name": "a b"}, "'a b' is not allowed: it must be string.*Letters, digits"),
+    ("read_job_log", {"action": "stop"}, "must be `read` / `list` / `cancel`"),
+    ("execute_python_script", {"script": 5}, "5 is not allowed: it must be string - Python source"),
+]
+
+
+@pytest.mark.parametrize(("tool", "arguments", "said"), WRONG)
+def test_wrong_arguments_are_told_what_is_allowed(open_run: Callable, tool: str, arguments: dict, said: str) -> None:
+    with pytest.raises(CallRefused, match=said):
+        open_run().client.call(tool, **arguments)
+
+
 def test_delete_all_spawned_spares_the_start_level(open_run: Callable) -> None:
     client = open_run().client
     before = {actor["name"] for actor in client.call("get_actors_in_level").data["actors"]}
@@ -255,6 +307,30 @@ def test_the_environment_adds_only_what_is_missing(open_run: Callable) -> None:
     assert client.call("setup_environment").data["added"] == []
     sun = client.call("find_actors_by_name", pattern="Arena_Env_Sun").data["actors"][0]
     assert sun["rotation"] == pytest.approx([-75, -30, 0])
+    later = client.call("setup_environment", time_of_day="sunset").data
+    assert later["turned"] == ["Arena_Env_Sun"] and later["added"] == []
+    assert client.call("setup_environment").data["turned"] == []
+    sun = client.call("find_actors_by_name", pattern="Arena_Env_Sun").data["actors"][0]
+    assert sun["rotation"] == pytest.approx([-10, 60, 0])
+
+
+def test_a_time_of_day_for_a_sun_of_somebody_else_is_refused(open_run: Callable) -> None:
+    client = open_run(setting="text-to-scene").client
+    script = (
+        "import unreal\nsun = unreal.get_editor_subsystem(unreal.EditorActorSubsystem).spawn_actor_from_class("
+        "unreal.DirectionalLight, unreal.Vector())\nsun.set_actor_label('My sun')"
+    )
+    client.call("execute_python_script", script=script, execution_mode="sync")
+    with pytest.raises(CallRefused, match=r"the sun 'My sun' is not this tool's.*rotation \[-75, -30, 0\]"):
+        client.call("setup_environment", time_of_day="noon")
+    assert client.call("get_actors_in_level").data["total"] == 1
+    assert len(client.call("setup_environment").data["added"]) == 4
+
+
+def test_tiles_are_a_ground(open_run: Callable) -> None:
+    client = open_run(setting="text-to-scene").client
+    client.call("ground_pass", scene_text="a concrete floor", half_extent_m=10)
+    assert "Arena_Env_Ground" in client.call("setup_environment").data["already_there"]
 
 
 def test_a_picture_is_taken_and_kept_in_the_run(open_run: Callable) -> None:
