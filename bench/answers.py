@@ -52,6 +52,9 @@ def calls(pack: Pack) -> Iterator[tuple[str, dict[str, Any]]]:
     """A call of every tool, some with what makes their answer large."""
     meshes = [asset.id for asset in pack.assets if asset.kind == "static_mesh"]
     place = {"location": [0, 0, 0]}
+    rows = [
+        {"name": f"E{i}", "asset": meshes[0], "location": [500 * (i % 40), 500 * (i // 40), 0]} for i in range(1000)
+    ]
     nodes = [{"id": f"n{i}", "asset": meshes[i % len(meshes)], "at": [i % 40 - 20, i // 40 - 20]} for i in range(1600)]
     ghosts = [{"id": f"ghost{i}", "asset": f"no such thing {i}"} for i in range(1000)]
     yield "search_assets", {"query": "a thing", "k": 100}
@@ -70,8 +73,8 @@ def calls(pack: Pack) -> Iterator[tuple[str, dict[str, Any]]]:
     yield "solve_scene_graph", {"graph": {"nodes": nodes}, "mode": "exact"}
     yield "render_plan", {}
     yield "tier_derivation", {}
-    yield "build_tier", {"entries": [{"name": f"E{i}", "asset": meshes[0], **place} for i in range(1000)]}
-    yield "build_tier", {"entries": [{"name": "E0", "asset": meshes[0], **place} for _ in range(1000)]}
+    yield "build_tier", {"entries": rows}
+    yield "build_tier", {"entries": rows}
     yield "measure_scene", {}
     yield "check_floating", {}
     yield "check_collisions", {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -16,7 +16,10 @@ from c4s.records.verdict import Verdict
 from c4s.verify.actors.roles import bounds_of, roles
 from c4s.verify.physics.edited import edited_actors
 from c4s.verify.physics.support import text_to_scene_support
-from c4s.verify.physics.verdict import verify_physics
+from c4s.verify.physics.verdict import measure_support, verify_physics
+
+NEAR_CM = 20.0
+"""Boxes that are no further apart than this may hold each other."""
 
 
 class MeasuredScene:
@@ -45,7 +48,7 @@ class MeasuredScene:
     @property
     def removed(self) -> int:
         """How many actors of the start are gone."""
-        return 0 if self.start is None else len(self.start.positions.keys() - self.positions.keys())
+        return 0 if self.start is None else len(self.start.named.keys() - self.named.keys())
 
     @cached_property
     def positions(self) -> dict[str, int]:
@@ -106,13 +109,31 @@ class MeasuredScene:
 
     @cached_property
     def unsettled(self) -> list[str]:
-        """Object names of actors that were not changed and stood at the start, but float now."""
-        if self.start is None or not (self.changed or self.removed):
+        """Object names of actors that were not changed and stood at the start, but float now: near to what was moved
+        or taken away."""
+        start = self.start
+        if start is None:
             return []
-        had = floating_of(self.start.whole_physics)
-        return sorted(
-            name for name in floating_of(self.whole_physics) - had if self.positions[name] not in self.changed
-        )
+        gone = [actor for name, actor in start.named.items() if self.positions.get(name, -1) not in self.same]
+        same = [self.actors[index] for index in sorted(self.same)]
+        beside = {str(same[position].get("name")) for position in _beside(same, gone)}
+        return sorted(self._floating_among(beside) - start._floating_among(beside)) if beside else []
+
+    @cached_property
+    def same(self) -> frozenset[int]:
+        """Positions of the actors that are as the start had them."""
+        return frozenset(range(len(self.actors))) - self.changed
+
+    @cached_property
+    def named(self) -> dict[str, Mapping[str, Any]]:
+        """The actors by their object names."""
+        return {name: self.actors[index] for name, index in self.positions.items()}
+
+    def _floating_among(self, names: Collection[str]) -> set[str]:
+        """Which of these actors float by the rule of repairs, each as if it were the only edit."""
+        others = [actor for name, actor in self.named.items() if name not in names]
+        rows = measure_support(self.setting, self.snapshot, {"actors": others}, alone=True)["rows"]
+        return {row["actor"] for row in rows if row["state"] == "floating"}
 
     def _floating_boxes(self) -> frozenset[str]:
         """The same by the rule of text-to-scene alone, which asks for nothing else of the verdict."""
@@ -130,3 +151,16 @@ class MeasuredScene:
 def floating_of(verdict: Verdict) -> frozenset[str]:
     """Object names of the actors that a verdict counts as floating."""
     return frozenset(verdict.measurements["leaf_results"][0]["floating_actors"])
+
+
+def _beside(actors: Sequence[Mapping[str, Any]], others: Sequence[Mapping[str, Any]]) -> list[int]:
+    """Positions of the actors whose box lies at one of the others'."""
+    boxes = [box for box in map(bounds_of, others) if box is not None]
+    if not boxes:
+        return []
+    middles, halves = (np.array(column) for column in zip(*boxes, strict=True))
+    return [
+        position
+        for position, box in enumerate(map(bounds_of, actors))
+        if box is not None and (np.abs(middles - box[0]) <= halves + box[1] + NEAR_CM).all(axis=1).any()
+    ]
