@@ -6,6 +6,7 @@ stood so at the start, which is only summed.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -96,7 +97,7 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
         return labels.get(name, {"name": name})
 
     unsettled = [{**labelled(name), "why": "not changed, but what held it was"} for name in scene.unsettled]
-    colliding = [_violation(item, labelled) for item in solid["violations"]]
+    colliding = [_violation(item, labelled) for item in sorted(solid["violations"], key=_depth_cm, reverse=True)]
     told = {
         "actors": len(scene.actors),
         "floating_rate": floating["score"],
@@ -125,6 +126,11 @@ def _measure(bench: Workbench, _: Arguments) -> ToolResult:
     )
 
 
+def _depth_cm(item: Mapping[str, Any]) -> float:
+    """The deepest contact of an actor that stands in others."""
+    return max((contact["depth_cm"] or 0.0 for contact in item["contacts"]), default=0.0)
+
+
 def _violation(item: Mapping[str, Any], labelled: Callable[[str], Row]) -> Row:
     """An actor that stands in others, with their labels."""
     found = {key: item[key] for key in ("tolerance_cm", "contacts_found") if key in item}
@@ -151,6 +157,7 @@ def _check_floating(bench: Workbench, arguments: Arguments) -> ToolResult:
     chosen = _chosen(actors, wanted)
     gaps = scene.all_gaps_cm if wanted is None else scene.gaps_cm(chosen)
     found = [i for i in chosen if i in gaps and _floats(gaps[i], threshold)]
+    found.sort(key=lambda i: -math.inf if (gap := gaps[i]) is None else -gap)
     stood = _floated_before(scene, found, threshold)
     rows = {i: {**_label(actors[i]), "gap_cm": None if (gap := gaps[i]) is None else round(gap, 2)} for i in found}
     counted = scene.scored_as_floating
@@ -185,7 +192,8 @@ def _check_collisions(bench: Workbench, arguments: Arguments) -> ToolResult:
     chosen = None if wanted is None else _chosen(actors, wanted)
     pairs: list[Row] = []
     stood: list[Row] = []
-    for contact in scene_contacts(scene.snapshot, scene.bodies, minimum_depth_cm=tolerance, actors=chosen):
+    contacts = scene_contacts(scene.snapshot, scene.bodies, minimum_depth_cm=tolerance, actors=chosen)
+    for contact in sorted(contacts, key=lambda contact: -contact.depth_cm):
         row = {
             "a": _label(actors[contact.a_index]),
             "b": _label(actors[contact.b_index]),
