@@ -26,7 +26,7 @@ from c4s.records.pack import MANIFEST, STAMP, Asset, Material, Pack
 from c4s.render import Camera, Instance, Lights, Renderer, Sky, Sun, SurfaceMaterial
 from c4s.trees import read_listing
 
-SIZE = 160
+SIZE = 320
 """Pixels a side of a preview."""
 _SAMPLES = 2
 _FOV_DEG = 30.0

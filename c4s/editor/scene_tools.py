@@ -6,18 +6,26 @@ is addressed by its label, then by its object name, and an ambiguous address is 
 
 from __future__ import annotations
 
+import difflib
 import fnmatch
 import math
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Sequence
 from typing import Any
 
 import unreal
 
+from c4s.editor.conversions import SceneRefused, rotator, rounded, scale_of, vector
+
 ENVIRONMENT_PREFIX = "Arena_Env_"
+SUN, GROUND, AFTERNOON = "Sun", "Ground", "afternoon"
+SUN_HEIGHT_CM = 5000.0
+MOST_SHOWN = 5
+"""Actors of one part of the environment that are named."""
 SUN_ANGLES = {
     "morning": (-25.0, -120.0),
     "noon": (-75.0, -30.0),
-    "afternoon": (-45.0, 30.0),
+    AFTERNOON: (-45.0, 30.0),
     "sunset": (-10.0, 60.0),
     "night": (10.0, 0.0),
 }
@@ -26,11 +34,15 @@ GROUND_TOP_CM = -10.0
 GROUND_MESH = "/Engine/BasicShapes/Plane"
 GROUND_AREA_CM2 = 4.0e6
 GROUND_FLATNESS = 0.05
-"""An actor whose plan covers at least 20 m x 20 m and that is this flat for its width is a ground."""
+FEWEST_TILES = 4
+"""Actors that are this flat for their width are a ground where their plans cover 20 m x 20 m together, and so many
+where they cover half of the scene's plan."""
 
 
-class SceneRefused(ValueError):
-    """What was asked cannot be done; the message is for the agent."""
+MOST_NAMED = 20
+"""Object names that an error lists."""
+MOST_SOUGHT, LONGEST_SOUGHT = 3000, 100
+"""Labels among which, and characters of a name for which, a near one is looked for."""
 
 
 def _actors() -> list[Any]:
@@ -39,28 +51,6 @@ def _actors() -> list[Any]:
 
 def _world() -> Any:
     return unreal.get_editor_subsystem(unreal.UnrealEditorSubsystem).get_editor_world()
-
-
-def _round(values: Iterable[float]) -> list[float]:
-    return [round(float(value), 4) + 0.0 for value in values]
-
-
-def _vector(values: Sequence[float], what: str) -> Any:
-    numbers = [float(value) for value in values]
-    if len(numbers) != 3 or not all(math.isfinite(value) for value in numbers):
-        raise SceneRefused(f"{what} must be three finite numbers")
-    return unreal.Vector(*numbers)
-
-
-def _rotator(values: Sequence[float]) -> Any:
-    numbers = [float(value) for value in values]
-    if len(numbers) != 3 or not all(math.isfinite(value) for value in numbers):
-        raise SceneRefused("rotation must be three finite numbers [pitch, yaw, roll]")
-    return unreal.Rotator(roll=numbers[2], pitch=numbers[0], yaw=numbers[1])
-
-
-def _scale(value: float | Sequence[float]) -> Any:
-    return _vector([value] * 3 if isinstance(value, (int, float)) else value, "scale")
 
 
 def actor_id(actor: Any) -> str:
@@ -85,32 +75,40 @@ def describe(actor: Any, *, bounds: bool = False) -> dict[str, Any]:
         "label": actor.get_actor_label(),
         "name": actor.get_name(),
         "class": actor.get_class().get_path_name(),
-        "location": _round((location.x, location.y, location.z)),
-        "rotation": _round((rotation.pitch, rotation.yaw, rotation.roll)),
-        "scale": _round((scale.x, scale.y, scale.z)),
+        "location": rounded((location.x, location.y, location.z)),
+        "rotation": rounded((rotation.pitch, rotation.yaw, rotation.roll)),
+        "scale": rounded((scale.x, scale.y, scale.z)),
         "static_meshes": _mesh_paths(actor),
     }
     if bounds:
         origin, extent = actor.get_actor_bounds(False)
         told["bounds"] = {
-            "origin_cm": _round((origin.x, origin.y, origin.z)),
-            "half_extent_cm": _round((extent.x, extent.y, extent.z)),
+            "origin_cm": rounded((origin.x, origin.y, origin.z)),
+            "half_extent_cm": rounded((extent.x, extent.y, extent.z)),
         }
     return told
 
 
 def find_one(name: str) -> Any:
-    """The actor with this label, else with this object name. Raises when there is none or more than one."""
+    """The actor with this label, else with this object name, else with either but for upper and lower case.
+
+    Raises when there is none or more than one.
+    """
     actors = _actors()
-    found = [actor for actor in actors if actor.get_actor_label() == name]
-    if not found:
-        found = [actor for actor in actors if actor.get_name() == name]
-    if not found:
-        raise SceneRefused(f"no actor has the label or name {name!r}")
-    if len(found) > 1:
-        listed = ", ".join(sorted(actor.get_name() for actor in found))
-        raise SceneRefused(f"{len(found)} actors have the label {name!r}: use an object name ({listed})")
-    return found[0]
+    for key in (str, str.casefold):
+        for read in ("get_actor_label", "get_name"):
+            found = [actor for actor in actors if key(getattr(actor, read)()) == key(name)]
+            if len(found) > 1:
+                listed = ", ".join(sorted(actor.get_name() for actor in found)[:MOST_NAMED])
+                raise SceneRefused(f"{len(found)} actors have the label {name!r}: use an object name ({listed})")
+            if found:
+                return found[0]
+    labels = sorted({actor.get_actor_label() for actor in actors})
+    near = difflib.get_close_matches(name[:LONGEST_SOUGHT], labels, n=3) if len(labels) <= MOST_SOUGHT else []
+    raise SceneRefused(
+        f"no actor has the label or name {name!r}: "
+        + (f"near are {', '.join(near)}" if near else "see find_actors_by_name")
+    )
 
 
 def actor_ids() -> list[str]:
@@ -124,9 +122,24 @@ def current_level() -> str:
 
 
 def list_actors(offset: int = 0, limit: int | None = None) -> dict[str, Any]:
-    """The actors of the level in its order, ``limit`` of them from ``offset`` on; ``total`` counts all."""
+    """The actors of the level in its order, ``limit`` of them from ``offset`` on; ``total`` counts all.
+
+    From the first on, ``kinds`` counts the classes and meshes of all.
+    """
     actors = _actors()
-    return {"actors": [describe(actor) for actor in actors[offset : _end(offset, limit)]], "total": len(actors)}
+    return {
+        "actors": [describe(actor) for actor in actors[offset : _end(offset, limit)]],
+        "total": len(actors),
+        "kinds": _kinds(actors) if not offset else {},
+    }
+
+
+def _kinds(actors: Sequence[Any]) -> dict[str, dict[str, int]]:
+    """How many actors have each class and each mesh."""
+    return {
+        "classes": dict(Counter(actor.get_class().get_path_name() for actor in actors)),
+        "meshes": dict(Counter(path for actor in actors for path in _mesh_paths(actor))),
+    }
 
 
 def _end(offset: int, limit: int | None) -> int | None:
@@ -155,6 +168,7 @@ def find_actors(pattern: str, offset: int = 0, limit: int | None = None) -> dict
             for actor, matched in found[offset : _end(offset, limit)]
         ],
         "total": len(found),
+        "kinds": _kinds([actor for actor, _ in found]) if not offset else {},
     }
 
 
@@ -173,8 +187,8 @@ def _spawn(
     """Spawn with a label that must be new; ``taken`` are the labels that are there, when the caller keeps them."""
     if label in (_labels() if taken is None else taken):
         raise SceneRefused(f"an actor labelled {label!r} is already there: choose another name")
-    at, turned = _vector(location, "location"), _rotator(rotation or (0.0, 0.0, 0.0))
-    sized = None if scale is None else _scale(scale)
+    at, turned = vector(location, "location"), rotator(rotation or (0.0, 0.0, 0.0))
+    sized = None if scale is None else scale_of(scale)
     subsystem = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
     if isinstance(what, unreal.Class):
         actor = subsystem.spawn_actor_from_class(what, at, turned)
@@ -245,9 +259,9 @@ def set_transform(
 ) -> dict[str, Any]:
     """Change position, rotation and/or scale of an actor; what is left out stays."""
     actor = find_one(name)
-    at = None if location is None else _vector(location, "location")
-    turned = None if rotation is None else _rotator(rotation)
-    sized = None if scale is None else _scale(scale)
+    at = None if location is None else vector(location, "location")
+    turned = None if rotation is None else rotator(rotation)
+    sized = None if scale is None else scale_of(scale)
     actor.modify()
     if at is not None:
         actor.set_actor_location(at, False, True)
@@ -279,71 +293,94 @@ def delete_all_but(ids: Sequence[str]) -> list[str]:
     return removed
 
 
-def _is_ground(actor: Any) -> bool:
-    _, extent = actor.get_actor_bounds(False)
-    width = 2 * min(extent.x, extent.y)
-    return (
-        4 * extent.x * extent.y >= GROUND_AREA_CM2
-        and extent.z * 2 <= GROUND_FLATNESS * width
-        and bool(_mesh_paths(actor))
-    )
+def _grounds(actors: Sequence[Any]) -> list[Any]:
+    """The actors that make the ground: flat ones that are large enough together, or that tile half of the scene."""
+    flat, area, low, high = [], 0.0, [math.inf, math.inf], [-math.inf, -math.inf]
+    for actor in actors:
+        if not _mesh_paths(actor):
+            continue
+        middle, extent = actor.get_actor_bounds(False)
+        low = [min(low[0], middle.x - extent.x), min(low[1], middle.y - extent.y)]
+        high = [max(high[0], middle.x + extent.x), max(high[1], middle.y + extent.y)]
+        if extent.z <= GROUND_FLATNESS * min(extent.x, extent.y):
+            flat.append(actor)
+            area += 4 * extent.x * extent.y
+    tiled = len(flat) >= FEWEST_TILES and area >= (high[0] - low[0]) * (high[1] - low[1]) / 2
+    return flat if tiled or area >= GROUND_AREA_CM2 else []
 
 
-def setup_environment(ground_size: float = 100.0, time_of_day: str = "afternoon") -> dict[str, Any]:
+def _standing() -> dict[str, list[Any]]:
+    """The actors that make each part of the environment."""
+    actors = _actors()
+    stands = {part: [actor for actor in actors if isinstance(actor, cls)] for part, cls in _parts().items()}
+    own = [actor for actor in actors if actor.get_actor_label() == f"{ENVIRONMENT_PREFIX}{GROUND}"]
+    return {**stands, GROUND: own or _grounds(actors)}
+
+
+def _parts() -> dict[str, Any]:
+    return {
+        "Atmosphere": unreal.SkyAtmosphere,
+        SUN: unreal.DirectionalLight,
+        "SkyLight": unreal.SkyLight,
+        "Fog": unreal.ExponentialHeightFog,
+    }
+
+
+def inspect_environment() -> dict[str, Any]:
+    """Which parts of an environment stand in the level, with the labels of some of their actors, and which do not."""
+    stands = _standing()
+    return {
+        "stands": {
+            part: [actor.get_actor_label() for actor in found[:MOST_SHOWN]] for part, found in stands.items() if found
+        },
+        "missing": [part for part, found in stands.items() if not found],
+    }
+
+
+def setup_environment(ground_size: float = 100.0, time_of_day: str | None = None) -> dict[str, Any]:
     """Add a sun, sky light, atmosphere, fog and ground where the level has none; existing ones are left as they are.
 
-    ``ground_size`` is the side of the ground in metres. Tells what was added and what was there.
+    ``ground_size`` is the side of the ground in metres. A ``time_of_day`` turns the sun that this added earlier; it is
+    refused where the sun is another. Tells what was added, what was there, and what was turned.
     """
-    pitch, yaw = SUN_ANGLES[time_of_day]
-    actors = _actors()
-    added: list[str] = []
-    present: list[str] = []
+    stands = _standing()
+    added = [f"{ENVIRONMENT_PREFIX}{part}" for part, found in stands.items() if not found]
+    present = [f"{ENVIRONMENT_PREFIX}{part}" for part, found in stands.items() if found]
+    turned: list[str] = []
+    pitch, yaw = SUN_ANGLES[time_of_day or AFTERNOON]
+    if stands[SUN] and time_of_day is not None:
+        own = [sun for sun in stands[SUN] if sun.get_actor_label() == f"{ENVIRONMENT_PREFIX}{SUN}"]
+        if not own:
+            raise SceneRefused(
+                f"the sun {stands[SUN][0].get_actor_label()!r} is not this tool's: leave time_of_day out, and turn it "
+                f"with set_actor_transform ({time_of_day} is rotation [{pitch:g}, {yaw:g}, 0])"
+            )
+        own[0].modify()
+        own[0].set_actor_rotation(rotator((pitch, yaw, 0.0)), True)
+        turned = [own[0].get_actor_label()]
+    for part, cls in _parts().items():
+        if not stands[part]:
+            high = (0.0, 0.0, SUN_HEIGHT_CM if cls in (unreal.DirectionalLight, unreal.SkyLight) else 0.0)
+            rotation = (pitch, yaw, 0.0) if part == SUN else None
+            _lit(part, _spawn(cls.static_class(), f"{ENVIRONMENT_PREFIX}{part}", high, rotation, None))
+    if not stands[GROUND]:
+        side = float(ground_size)
+        plane = unreal.EditorAssetLibrary.load_asset(GROUND_MESH)
+        _spawn(plane, f"{ENVIRONMENT_PREFIX}{GROUND}", (0.0, 0.0, GROUND_TOP_CM), None, (side, side, 1.0))
+    return {"added": added, "already_there": present, "turned": turned}
 
-    def missing(label: str, cls: Any) -> bool:
-        there = any(isinstance(actor, cls) for actor in actors)
-        (present if there else added).append(label)
-        return not there
 
-    def spawn(
-        label: str,
-        what: Any,
-        location: Sequence[float] = (0.0, 0.0, 0.0),
-        rotation: Sequence[float] | None = None,
-        scale: Sequence[float] | None = None,
-    ) -> Any:
-        return _spawn(what, label, location, rotation, scale)
-
-    label = f"{ENVIRONMENT_PREFIX}Atmosphere"
-    if missing(label, unreal.SkyAtmosphere):
-        spawn(label, unreal.SkyAtmosphere.static_class())
-    label = f"{ENVIRONMENT_PREFIX}Sun"
-    if missing(label, unreal.DirectionalLight):
-        sun = spawn(label, unreal.DirectionalLight.static_class(), (0.0, 0.0, 5000.0), (pitch, yaw, 0.0))
-        light = sun.get_component_by_class(unreal.DirectionalLightComponent)
+def _lit(part: str, actor: Any) -> None:
+    """Give a new part of the environment its values."""
+    if part == SUN:
+        light = actor.get_component_by_class(unreal.DirectionalLightComponent)
         light.set_intensity(10.0)
         light.set_atmosphere_sun_light(True)
-    label = f"{ENVIRONMENT_PREFIX}SkyLight"
-    if missing(label, unreal.SkyLight):
-        sky = spawn(label, unreal.SkyLight.static_class(), (0.0, 0.0, 5000.0))
-        sky.light_component.set_intensity(3.0)
-    label = f"{ENVIRONMENT_PREFIX}Fog"
-    if missing(label, unreal.ExponentialHeightFog):
-        fog = spawn(label, unreal.ExponentialHeightFog.static_class())
-        fog.component.set_fog_density(0.002)
-        fog.component.set_fog_max_opacity(0.6)
-    label = f"{ENVIRONMENT_PREFIX}Ground"
-    if any(_is_ground(actor) for actor in actors) or any(actor.get_actor_label() == label for actor in actors):
-        present.append(label)
-    else:
-        spawn(
-            label,
-            unreal.EditorAssetLibrary.load_asset(GROUND_MESH),
-            (0.0, 0.0, GROUND_TOP_CM),
-            None,
-            (float(ground_size), float(ground_size), 1.0),
-        )
-        added.append(label)
-    return {"added": added, "already_there": present}
+    elif part == "SkyLight":
+        actor.light_component.set_intensity(3.0)
+    elif part == "Fog":
+        actor.component.set_fog_density(0.002)
+        actor.component.set_fog_max_opacity(0.6)
 
 
 def save_scene(package: str) -> dict[str, Any]:

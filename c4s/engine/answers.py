@@ -62,6 +62,7 @@ class _Actor(_Closed):
 class _Actors(_Closed):
     actors: Annotated[list[_Actor], Field(max_length=MOST_ROWS)]
     total: Count
+    kinds: dict[Literal["classes", "meshes"], dict[Text, Count]] = {}
 
 
 class _Spawned(_Closed):
@@ -82,6 +83,12 @@ class _SpawnedMany(_Closed):
 class _Environment(_Closed):
     added: Texts
     already_there: Texts
+    turned: Texts = []
+
+
+class _Standing(_Closed):
+    stands: dict[Text, Texts]
+    missing: Texts
 
 
 class _Level(_Closed):
@@ -132,6 +139,7 @@ SHAPES: Final[Mapping[str, TypeAdapter[Any]]] = {
     "scene_tools.delete": TypeAdapter(_Actor),
     "scene_tools.delete_all_but": TypeAdapter(Texts),
     "scene_tools.setup_environment": TypeAdapter(_Environment),
+    "scene_tools.inspect_environment": TypeAdapter(_Standing),
     "scene_tools.save_scene": TypeAdapter(_Level),
     "scene_tools.open_level": TypeAdapter(_Level),
     "snapshot.export_if_changed": TypeAdapter(_IfChanged),
@@ -149,6 +157,9 @@ class Page(_Open):
     python_logs: list[str]
     next_offset: Count
     more: bool
+    offset: Count = 0
+    """Where it begins, where a part of a certain length was asked for; ``log_bytes`` is then the length of it all."""
+    log_bytes: Count | None = None
 
 
 class JobReply(_Open):
@@ -158,6 +169,8 @@ class JobReply(_Open):
     job_id: Annotated[str, Field(min_length=1, max_length=200)]
     result: Page
     error: str | None = None
+    queued: bool = False
+    """Whether it has not begun: another job is running."""
 
     @property
     def running(self) -> bool:

@@ -18,6 +18,8 @@ from c4s.bounds import BOUNDS, Bound
 from c4s.errors import MachineryFault
 from c4s.files import parse_bounded
 
+OVER_TIME = "JobOverTime"
+"""The ``fault`` of a job that was ended because it ran longer than it may."""
 FAILED = frozenset({"error", "failed", "failure"})
 MAX_REQUEST_BYTES = 64 << 20
 MAX_UNIX_PATH = 103

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from c4s.toolbox.pictures import within_limit
 from c4s.toolbox.refusal import ToolRefused
+from c4s.toolbox.size import ANSWER_SIZE, AROUND, rows_that_fit, side_by_side
 from c4s.toolbox.tool import Arguments, Tool, ToolResult, names, page, paged, text
 from c4s.toolbox.workbench import Workbench
 
@@ -28,7 +29,14 @@ def _search(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 def _categories(bench: Workbench, _: Arguments) -> ToolResult:
-    return ToolResult({"categories": bench.catalog.categories()})
+    """All categories; the largest ones without their texts, where an answer does not hold them all."""
+    found = bench.catalog.categories()
+    kept = rows_that_fit(found, ANSWER_SIZE - AROUND)
+    if len(kept) == len(found):
+        return ToolResult({"categories": kept})
+    brief = [{"category": row["category"], "count": row["count"]} for row in found]
+    kept = rows_that_fit(sorted(brief, key=lambda row: -row["count"]), ANSWER_SIZE - AROUND)
+    return ToolResult({"categories": kept, "total": len(found), "hint": "the largest; search_assets finds in all"})
 
 
 def _metadata(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -40,7 +48,10 @@ def _metadata(bench: Workbench, arguments: Arguments) -> ToolResult:
             missing.append({"id": key, "error": refusal.line()})
     if not found:
         raise ToolRefused("; ".join(item["error"] for item in missing))
-    return ToolResult({"assets": found, "missing": missing})
+    kept = side_by_side({"assets": found, "missing": missing}, ANSWER_SIZE - AROUND)
+    left = len(found) - len(kept["assets"])
+    hint = {"left_out": left, "hint": f"ask again for the last {left} ids that were found"} if left else {}
+    return ToolResult(kept | hint)
 
 
 def _preview(bench: Workbench, arguments: Arguments) -> ToolResult:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from c4s.protocol.settings import is_construction
 from c4s.toolbox.tool import Arguments, Tool, ToolResult, number, text
 from c4s.toolbox.workbench import Workbench
 
@@ -10,11 +13,22 @@ SAVED_FOLDER = "/Game/SavedScenes"
 DEFAULT_GROUND_M = 100.0
 
 
+UNUSED = ("ground_size", "time_of_day")
+
+
 def _setup(bench: Workbench, arguments: Arguments) -> ToolResult:
+    if not is_construction(bench.case.setting):
+        return ToolResult(_inspected(bench, arguments))
     size = float(arguments.get("ground_size", bench.case.plate_m or DEFAULT_GROUND_M))
-    return ToolResult(
-        bench.scene("setup_environment", ground_size=size, time_of_day=arguments.get("time_of_day", "afternoon"))
-    )
+    return ToolResult(bench.scene("setup_environment", ground_size=size, time_of_day=arguments.get("time_of_day")))
+
+
+def _inspected(bench: Workbench, arguments: Arguments) -> dict[str, Any]:
+    """What stands in a repair: whatever was added there would count as a wrong change."""
+    told = bench.scene("inspect_environment")
+    unused = [name for name in UNUSED if name in arguments]
+    note = "this is a repair: light, sky, fog and ground stay as they are, nothing was added or changed"
+    return {"added": [], **told, "note": f"{note}; {' and '.join(unused)} not used" if unused else note}
 
 
 def _save(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -31,7 +45,7 @@ TOOLS = (
         "setup_environment",
         GROUP,
         "Add sun, sky light, atmosphere, fog and ground where the level has none. What is "
-        "there stays as it is. Call it first and last.",
+        "there stays as it is. In a repair nothing is added or changed: it tells what stands. Call it first and last.",
         _setup,
         {
             "ground_size": number(
@@ -41,7 +55,7 @@ TOOLS = (
             ),
             "time_of_day": {
                 "enum": ["morning", "noon", "afternoon", "sunset", "night"],
-                "description": "Where a sun that is added stands (default afternoon).",
+                "description": "Where a sun that is added stands (default afternoon); a later call turns it.",
             },
         },
     ),

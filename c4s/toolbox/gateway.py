@@ -40,6 +40,8 @@ MAX_BODY_BYTES = 4 << 20
 MOST_SESSIONS = 256
 """Sessions that a run may open in all."""
 CLOSE = {"Connection": "close"}
+SIZE = "anthropic/maxResultSizeChars"
+"""Where a client reads how much text the answers of a tool may have."""
 REQUEST_KEYS = ("claudecode/toolUseId", "callId", "c4s/callId")
 """Where clients put the identity of a call in ``_meta`` (Claude Code, Codex, ours)."""
 
@@ -267,7 +269,9 @@ async def _list_tools(context: Any, _: wire.PaginatedRequestParams | None) -> wi
     run = _run_in(context)
     return wire.ListToolsResult(
         tools=[
-            wire.Tool(name=tool.name, description=tool.description, input_schema=tool.input_schema)
+            wire.Tool(
+                name=tool.name, description=tool.description, input_schema=tool.input_schema, meta={SIZE: tool.most}
+            )
             for tool in ALL_TOOLS
             if tool.name in run.tools
         ]

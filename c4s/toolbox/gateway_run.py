@@ -9,7 +9,6 @@ process left behind is on record as unfinished.
 from __future__ import annotations
 
 import asyncio
-import json
 import secrets
 import threading
 import time
@@ -27,18 +26,21 @@ from c4s.errors import C4SError, MachineryFault
 from c4s.files import digest_bytes
 from c4s.records.suite import Budget
 from c4s.toolbox.arguments import plain, schema_problem
-from c4s.toolbox.record import RunRecord, short, whole
+from c4s.toolbox.record import RunRecord, short
 from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.registry import TOOLS, tool_set
+from c4s.toolbox.size import ANSWER_SIZE, ERROR_SIZE, clipped, held, json_text, size, whole
 from c4s.toolbox.workbench import Workbench
 
 EndReason = Literal["finished", "wall_budget", "killed", "fault"]
 Outcome = Literal["ok", "error", "ended", "fault"]
 KEPT_ANSWERS = 32
 """Answers kept for repeats of a request id; older repeats are refused, never run again."""
-RECORDED_RESULT_CHARACTERS = 20_000
+RECORDED_RESULT_CHARACTERS = ANSWER_SIZE
 RECORDED_REFUSED_BYTES = 20_000
 """Longest arguments of a refused call that are recorded."""
+_BUDGET_SIZE = 120
+"""Room in an answer for the budget and what holds both."""
 UNCOUNTED_CALLS = 10_000
 """Refused calls and repeats that a run may send: each is a line of its record, and more of them end it."""
 PARALLEL_CALLS = 8
@@ -61,6 +63,8 @@ class _Given:
     """What a tool gave: its data as JSON, its picture, and how the trajectory names that."""
 
     text: str
+    whole_size: int
+    """Bytes of the data before it was held to the bound of an answer."""
     image: bytes | None
     images: list[dict[str, Any]]
 
@@ -270,9 +274,10 @@ class Run:
     def _carry_out(self, call: _Call) -> _Given | BaseException:
         """Run the tool: what it gives, or raises."""
         try:
-            result = TOOLS[call.name].run(self.bench, call.arguments)
+            tool = TOOLS[call.name]
+            result = tool.run(self.bench, call.arguments)
             images = [] if result.image is None else [self._record.keep(result.image)]
-            return _Given(_json(result.data), result.image, images)
+            return _Given(*held(result.data, tool.bound(call.arguments) - _BUDGET_SIZE), result.image, images)
         except BaseException as error:
             return error
 
@@ -281,11 +286,12 @@ class Run:
         if call not in self._waiting:
             return
         self._waiting.discard(call)
-        image, images, stop, error = None, [], "", ""
-        budget = json.dumps(self.left())
+        image, images, stop, error, cut = None, [], "", "", {}
         if isinstance(given, _Given):
             outcome: Outcome = "ok"
-            image, images, text = given.image, given.images, f'{{"result": {given.text}, "budget": {budget}}}'
+            image, images = given.image, given.images
+            text = f'{{"result":{given.text},"budget":{json_text(self.left())}}}'
+            cut = {"cut_from": given.whole_size} if given.whole_size > size(given.text) else {}
         else:
             outcome, error = _failure(given, self.end_message)
             stop = self.end_message if outcome == "ended" else ""
@@ -302,6 +308,7 @@ class Run:
             duration_s=round(time.perf_counter() - call.clock, 4),
             result=text[:RECORDED_RESULT_CHARACTERS],
             result_characters=len(text),
+            **cut,
             images=images,
         )
         call.answered.set_result(
@@ -311,7 +318,8 @@ class Run:
             self._end("fault", "the engine or a tool failed")
 
     def _refusal(self, error: str, *, stop: bool = False) -> CallAnswer:
-        return CallAnswer(_json({"error": error, "budget": self.left(), **({"stop": error} if stop else {})}), True)
+        error = clipped(error, ERROR_SIZE // 2 if stop else ERROR_SIZE)
+        return CallAnswer(json_text({"error": error, "budget": self.left(), **({"stop": error} if stop else {})}), True)
 
     def _write(self, event: str, **fields: Any) -> bool:
         """Record a line. A line that cannot be written is a fault of the machinery and ends the run: False."""
@@ -334,12 +342,3 @@ def _failure(given: BaseException | None, end_message: str) -> tuple[Outcome, st
         return "ended", f"the run has ended: {end_message}"
     line = given.line() if isinstance(given, C4SError) else f"{type(given).__name__}: {given}"
     return "error" if isinstance(given, ToolRefused) else "fault", whole(line)
-
-
-def _json(value: dict[str, Any]) -> str:
-    """JSON that can be sent. ``ToolRefused`` for numbers that are not finite."""
-    try:
-        text = json.dumps(value, ensure_ascii=False, allow_nan=False)
-    except ValueError:
-        raise ToolRefused("the scene holds numbers that are not finite", todo="mend those actors") from None
-    return text if whole(text) == text else json.dumps(value, allow_nan=False)

@@ -7,6 +7,7 @@ from typing import Any
 
 from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.scene_tools import spawn_path
+from c4s.toolbox.size import ANSWER_SIZE, AROUND, side_by_side
 from c4s.toolbox.tool import LOCATION, ROTATION, SCALE, Arguments, Schema, Tool, ToolResult, label, number, text
 from c4s.toolbox.workbench import Workbench
 
@@ -15,8 +16,7 @@ DEFAULT_HALF_EXTENT_M = 100.0
 MOST_ENTRIES = 5000
 BATCH = 500
 """Entries that one engine call spawns."""
-SHOWN = 300
-"""Entries, names and problems that an answer lists at most; the whole solution is kept for the other tools."""
+ROOM = ANSWER_SIZE - AROUND
 
 
 def _planner() -> ModuleType:
@@ -32,7 +32,8 @@ def _half_extent(bench: Workbench, arguments: Arguments) -> float:
 
 def _validate(bench: Workbench, arguments: Arguments) -> ToolResult:
     report = _planner().validate(arguments["graph"], bench.catalog.assets, _half_extent(bench, arguments))
-    return ToolResult(report | {"problems": report["problems"][:SHOWN], "problem_count": len(report["problems"])})
+    counts = {"problem_count": len(report["problems"]), "dropped_count": len(report["dropped"])}
+    return ToolResult(report | counts | side_by_side({key: report[key] for key in ("dropped", "problems")}, ROOM))
 
 
 def _solve(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -46,9 +47,10 @@ def _solve(bench: Workbench, arguments: Arguments) -> ToolResult:
     except ValueError as error:
         raise ToolRefused(str(error)) from error
     bench.solved = solved
-    shown = {key: value[:SHOWN] if isinstance(value, list) else value for key, value in solved.items()}
+    lists = {key: value for key, value in solved.items() if isinstance(value, list)}
+    shown = solved | side_by_side(lists, ROOM)
     told: dict[str, Any] = {"solved": shown, "total": len(solved["entries"]), "shown": len(shown["entries"])}
-    if len(solved["entries"]) > SHOWN:
+    if told["shown"] < told["total"]:
         told["hint"] = "the whole solution is kept: leave `solved` out of render_plan, tier_derivation and build_tier"
     return ToolResult(told)
 
@@ -66,7 +68,7 @@ def _with_solved(bench: Workbench, arguments: Arguments, function: str) -> Any:
     solved = _solved(bench, arguments)
     try:
         return getattr(_planner(), function)(solved)
-    except (KeyError, TypeError, ValueError) as error:
+    except (AttributeError, LookupError, ArithmeticError, TypeError, ValueError) as error:
         raise ToolRefused(f"`solved` is not what solve_scene_graph gives: {error!r}") from error
 
 
@@ -77,7 +79,9 @@ def _render(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 def _tiers(bench: Workbench, arguments: Arguments) -> ToolResult:
-    return ToolResult(_with_solved(bench, arguments, "tiers"))
+    named = _with_solved(bench, arguments, "tiers")
+    counts = {tier: len(members) for tier, members in named["tiers"].items()}
+    return ToolResult(named | {"counts": counts, "tiers": side_by_side(named["tiers"], ROOM)})
 
 
 def _ground(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -105,7 +109,11 @@ def _spawn_entries(bench: Workbench, entries: list[dict[str, Any]]) -> ToolResul
     if failed and not spawned:
         raise ToolRefused(f"none of {len(entries)} entries was spawned; the first: {failed[0]['error']}")
     return ToolResult(
-        {"spawned": spawned[:SHOWN], "count": len(spawned), "failed": failed[:SHOWN], "failed_count": len(failed)}
+        {
+            "count": len(spawned),
+            "failed_count": len(failed),
+            **side_by_side({"failed": failed, "spawned": spawned}, ROOM),
+        }
     )
 
 

@@ -12,6 +12,7 @@ from typing import Any, BinaryIO
 import orjson
 
 from c4s.files import digest_bytes, write_bytes
+from c4s.toolbox.size import whole
 
 
 class RunRecord:
@@ -66,8 +67,3 @@ def short(name: str) -> str:
         if len(name) <= NAME_CHARACTERS
         else f"{whole(name[: NAME_CHARACTERS // 2])} ... sha256 {digest_bytes(whole(name).encode())}"
     )
-
-
-def whole(text: str) -> str:
-    """The text with halves of characters spelt out: they can stand in JSON as escapes, but in no UTF-8."""
-    return text if text.isascii() else text.encode("utf-8", "backslashreplace").decode()

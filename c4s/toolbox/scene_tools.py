@@ -5,13 +5,28 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.toolbox.refusal import ToolRefused
-from c4s.toolbox.tool import ACTOR, LOCATION, ROTATION, SCALE, Arguments, Tool, ToolResult, label, page, paged, text
+from c4s.toolbox.size import ANSWER_SIZE, AROUND, ASKED_SIZE, json_text, rows_that_fit, size
+from c4s.toolbox.tool import (
+    ACTOR,
+    LOCATION,
+    ROTATION,
+    SCALE,
+    Arguments,
+    Tool,
+    ToolResult,
+    asked_page,
+    label,
+    paged,
+    text,
+)
 from c4s.toolbox.workbench import Workbench
 
 EDITING, INSPECTION = "Scene editing", "State inspection"
-PAGE, MOST_PAGE = 250, 1000
-"""Actors in one answer: as a rule, and at most."""
-LABELS_TOLD = 200
+PAGE, MOST_PAGE = 200, 1000
+"""Actors that are asked of the engine for one answer: as a rule, and at most."""
+LIMIT = "limit"
+KINDS_TOLD = 15
+"""Classes and meshes that the sum of a long list names, the most frequent first."""
 
 
 def spawn_path(bench: Workbench, key: str) -> str:
@@ -55,7 +70,7 @@ def _delete_all_spawned(bench: Workbench, _: Arguments) -> ToolResult:
             "its actors were not spawned by this run"
         )
     removed = bench.scene("delete_all_but", ids=bench.given)
-    return ToolResult({"deleted": removed[:LABELS_TOLD], "count": len(removed)})
+    return ToolResult({"deleted": rows_that_fit(removed, ANSWER_SIZE - AROUND), "count": len(removed)})
 
 
 def _list(bench: Workbench, arguments: Arguments) -> ToolResult:
@@ -67,11 +82,21 @@ def _find(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 def _part(bench: Workbench, function: str, arguments: Arguments, **more: str) -> ToolResult:
-    offset = arguments.get("offset", 0)
-    found = bench.scene(function, offset=offset, limit=arguments.get("limit", PAGE), **more)
+    offset, bound = arguments.get("offset", 0), ASKED_SIZE if LIMIT in arguments else ANSWER_SIZE
+    found = bench.scene(function, offset=offset, limit=arguments.get(LIMIT, PAGE), **more)
     if offset and offset >= found["total"]:
         raise ToolRefused(f"offset {offset} is past the end: there are {found['total']} actors")
-    return ToolResult(paged("actors", found["actors"], found["total"], offset))
+    summed = _summed(found["kinds"]) if not offset else {}
+    told = paged("actors", found["actors"], found["total"], offset, bound - size(json_text(summed)))
+    return ToolResult(told if told["next"] is None else summed | told)
+
+
+def _summed(kinds: dict[str, dict[str, int]]) -> dict[str, Any]:
+    """How many actors there are of the most frequent classes and meshes."""
+    return {
+        f"most_frequent_{what}": dict(sorted(counts.items(), key=lambda pair: (-pair[1], pair[0]))[:KINDS_TOLD])
+        for what, counts in kinds.items()
+    }
 
 
 TOOLS = (
@@ -124,9 +149,10 @@ TOOLS = (
         INSPECTION,
         "All actors: label, object name, class, location (cm), "
         "rotation [pitch, yaw, roll] (degrees), scale, static meshes. `total` counts them; where `next` is a number, "
-        "call again with it as offset.",
+        "call again with it as offset. A list in parts begins with the most frequent classes and meshes.",
         _list,
-        page(PAGE, MOST_PAGE),
+        asked_page(MOST_PAGE),
+        asks=LIMIT,
     ),
     Tool(
         "find_actors_by_name",
@@ -138,8 +164,9 @@ TOOLS = (
             "pattern": text(
                 "Text to look for, ignoring case; * and ? stand for any text and any character.", maxLength=500
             ),
-            **page(PAGE, MOST_PAGE),
+            **asked_page(MOST_PAGE),
         },
         ("pattern",),
+        asks=LIMIT,
     ),
 )

@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from c4s.toolbox.size import ANSWER_SIZE, AROUND, ASKED_SIZE, rows_that_fit
+
 if TYPE_CHECKING:
     from c4s.toolbox.workbench import Workbench
 
@@ -33,6 +35,8 @@ class Tool:
     required: tuple[str, ...] = ()
     instant: bool = False
     """It looks up a few things in memory and never waits: it runs where its call arrives, without a thread."""
+    asks: str = ""
+    """The argument by which a caller asks for a long answer."""
 
     @property
     def input_schema(self) -> Schema:
@@ -43,6 +47,15 @@ class Tool:
             "required": list(self.required),
             "additionalProperties": False,
         }
+
+    @property
+    def most(self) -> int:
+        """Bytes of text of the longest answer that can be asked for."""
+        return ASKED_SIZE if self.asks else ANSWER_SIZE
+
+    def bound(self, arguments: Arguments) -> int:
+        """Bytes of text that the answer to a call may have."""
+        return self.most if self.asks in arguments else ANSWER_SIZE
 
 
 def text(description: str, **more: Any) -> Schema:
@@ -82,10 +95,22 @@ def page(default: int, most: int) -> dict[str, Schema]:
     }
 
 
-def paged(key: str, rows: list[Any], total: int, offset: int) -> dict[str, Any]:
-    """A part of a list: the rows, how many there are in all, and the offset of the next part, null at the end."""
-    end = offset + len(rows)
-    return {key: rows, "count": len(rows), "total": total, "next": end if end < total else None}
+def asked_page(most: int) -> dict[str, Schema]:
+    """Schemas of the two arguments that ask for a part of a long list, as many rows as an answer holds by default."""
+    arguments = page(most, most)
+    arguments["limit"]["description"] = (
+        f"How many at most (default: as many as {ANSWER_SIZE:,} characters hold). With a limit an answer has up to "
+        f"{ASKED_SIZE:,} characters, which some clients cut."
+    )
+    return arguments
+
+
+def paged(key: str, rows: list[Any], total: int, offset: int, bound: int = ANSWER_SIZE) -> dict[str, Any]:
+    """A part of a list: the rows that an answer of ``bound`` bytes holds, how many there are in all, and the offset of
+    the next part, null at the end."""
+    kept = rows_that_fit(rows, bound - AROUND)
+    end = offset + len(kept)
+    return {key: kept, "count": len(kept), "total": total, "next": end if end < total else None}
 
 
 def number(description: str, **more: Any) -> Schema:
@@ -111,3 +136,23 @@ SCALE: Schema = {
     "anyOf": [COORDINATE, {"type": "array", "items": COORDINATE, "minItems": 3, "maxItems": 3}],
 }
 ACTOR = text("The actor's label (or, where no label fits, its object name).")
+
+
+def kind(schema: Schema) -> str:
+    """What an argument may be, in a few words, with its limits."""
+    if "anyOf" in schema:
+        return " or ".join(kind(one) for one in schema["anyOf"])
+    if "enum" in schema:
+        return " / ".join(f"`{value}`" for value in schema["enum"])
+    kinds = schema["type"]
+    words = " or ".join(kinds) if isinstance(kinds, list) else str(kinds)
+    if words == "array":
+        low, high = schema.get("minItems"), schema.get("maxItems")
+        size = "" if high is None else f"{high} " if low == high else f"up to {high} "
+        first, _, rest = kind(schema["items"]).partition(" ")
+        return f"list of {size}{first}s {rest}".strip()
+    low, high = schema.get("minimum", schema.get("exclusiveMinimum")), schema.get("maximum")
+    if low is not None or high is not None:
+        over = "> " if "exclusiveMinimum" in schema else ""
+        words += f" ({over}{low:g} ...)" if high is None else f" ({over}{low:g} to {high:g})"
+    return words + (f", up to {schema['maxLength']} characters" if "maxLength" in schema else "")

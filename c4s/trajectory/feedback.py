@@ -13,8 +13,8 @@ _RAISED = re.compile(
     r"([A-Z]\w*(?:Error|Exception|Exit|Interrupt|Iteration))(?::|$)",
     re.MULTILINE,
 )
-_JOB = re.compile(r'"job_id": "((?:[^"\\]|\\.)*)"')
-_STATUS = re.compile(r'"status": "(\w+)"')
+_JOB = re.compile(r'"job_id":\s*"((?:[^"\\]|\\.)*)"')
+_STATUS = re.compile(r'"status":\s*"(\w+)"')
 
 
 @dataclass(frozen=True, slots=True)

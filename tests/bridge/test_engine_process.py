@@ -17,6 +17,7 @@ import pytest
 from PIL import Image
 
 from c4s.engine import EngineCallError, EngineDied
+from c4s.engine.faults import EngineOverLimit
 from c4s.engine.headless.host.session import EngineSession
 from c4s.errors import BadInput, MachineryFault
 
@@ -286,3 +287,31 @@ def test_screenshots_show_the_level_and_name_its_actors(tmp_path: Path, level: P
     assert mask["labels"][centre] == "Box" and mask["names"][centre] == "StaticMeshActor_1"
     assert mask["depth_cm"][45, 80] == pytest.approx(353, abs=8)
     assert mask["actor"][0, 0] == -1 and np.isinf(mask["depth_cm"][0, 0])
+
+
+def test_a_job_is_held_to_its_time_and_says_whether_it_has_begun(shared_engine: EngineSession) -> None:
+    script = {"script": "while True: pass", "wait_s": 0}
+    first = shared_engine.request("execute_python_script", {**script, "limit_s": 0.5})
+    second = shared_engine.request("execute_python_script", {**script, "limit_s": 0.5})
+    assert second["queued"] and second["status"] == "running"
+    for job in (first, second):
+        ended = shared_engine.request("read_job_log", {"job_id": job["job_id"], "wait_s": 60})
+        assert (ended["status"], ended["fault"]) == ("error", "JobOverTime") and "longer than 0.5 s" in ended["error"]
+    assert "queued" not in ended and lines(shared_engine.execute("print('alive')")) == ["alive"]
+
+
+def test_a_job_that_cannot_be_ended_ends_with_its_engine(engine: EngineSession) -> None:
+    engine.request("execute_python_script", {"script": "sum(range(10 ** 12))", "wait_s": 0, "limit_s": 0.5})
+    with pytest.raises(EngineOverLimit, match=r"job-1 ran longer than 0.5 s and could not be ended"):
+        engine.request("execute_python_script", {"script": "print(1)", "wait_s": 60})
+
+
+def test_a_part_of_an_output_is_as_long_as_was_asked(shared_engine: EngineSession) -> None:
+    reply = shared_engine.execute("print('x' * 3_000_000)\nprint('end')")
+    asked = {"job_id": reply["job_id"], "max_bytes": 6}
+    last = shared_engine.request("read_job_log", asked)["result"]
+    assert (last["python_logs"], last["log_bytes"]) == (["x", "end"], 3_000_005)
+    assert (last["offset"], last["next_offset"], last["more"]) == (2_999_999, 3_000_005, False)
+    first = shared_engine.request("read_job_log", asked | {"offset": 0})["result"]
+    assert (first["python_logs"], first["next_offset"], first["more"]) == (["x" * 6], 6, True)
+    assert shared_engine.request("read_job_log", asked | {"max_bytes": 0})["result"]["python_logs"] == []

@@ -14,6 +14,7 @@ from c4s.agents.baselines.composing import compose
 from c4s.agents.baselines.mending import mends
 from c4s.agents.baselines.palette import asked_counts, palette
 from c4s.planner import ground_tiles, render_plan, solve, tiers, validate
+from c4s.planner import picture as picture_module
 from c4s.records.pack import Asset
 
 
@@ -157,6 +158,26 @@ def test_the_plan_picture_shows_footprints() -> None:
     solved = solve({"nodes": [{"id": "h", "asset": "house", "at": [0, 0]}]}, CATALOG)
     image = Image.open(io.BytesIO(render_plan(solved)))
     assert image.size == (900, 900) and len(image.convert("RGB").getcolors(100000) or []) > 3
+
+
+def test_the_plan_picture_names_what_has_room_and_draws_the_facing() -> None:
+    def picture(nodes: list[dict[str, object]]) -> Image.Image:
+        return Image.open(io.BytesIO(render_plan(solve({"nodes": nodes}, CATALOG)))).convert("RGB")
+
+    def pixels(image: Image.Image) -> set[tuple[int, int]]:
+        data = image.load()
+        return {(x, y) for x in range(image.width) for y in range(image.height) if data[x, y] == picture_module.ARROW}
+
+    east, south = (pixels(picture([{"id": "h", "asset": "house", "at": [0, 0], "yaw_deg": yaw}])) for yaw in (0, 90))
+    (east_x, east_y), (south_x, south_y) = (tuple(map(max, zip(*found, strict=True))) for found in (east, south))
+    assert east_x > south_x and south_y > east_y
+    crowd = [{"id": f"mug-{i}-of-a-long-row", "asset": "mug", "at": [0.3 * i, 0]} for i in range(300)]
+    solved = solve({"nodes": crowd}, CATALOG)
+    assert Image.open(io.BytesIO(render_plan(solved))).size == (900, 900)
+    assert render_plan({"entries": [{**entry, "name": "two\nlines" * 999} for entry in solved["entries"]]})
+    for far in (1e300, float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="too large"):
+            render_plan({"entries": [{**solved["entries"][0], "footprint_cm": [far, far, far, far]}]})
 
 
 def test_a_palette_and_its_counts_are_read() -> None:

@@ -92,7 +92,7 @@ FORGERIES: dict[str, tuple[str, tuple[str, dict[str, Any]], str]] = {
     "saved elsewhere": (ANSWER + "s.save_scene = lambda **k: {'package': '../../etc', 'actors': 1}", SAVE, AGENT),
     "saved a list": (ANSWER + "s.save_scene = lambda **k: ['/Game/A']", SAVE, AGENT),
     "an environment of numbers": (
-        ANSWER + "s.setup_environment = lambda **k: {'added': [1], 'already_there': []}",
+        ANSWER + "s.inspect_environment = lambda **k: {'stands': {}, 'missing': [1]}",
         SKY,
         AGENT,
     ),

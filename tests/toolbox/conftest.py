@@ -78,13 +78,14 @@ def open_run(
     with ExitStack() as stack:
 
         def start(**options: Any) -> Opened:
-            tools = options.pop("tools", None)
+            tools, limits = options.pop("tools", None), options.pop("limits", None)
             case, agent_folder = make_case(tmp_path / "suite", pack, **options)
             engine, folder = engines(case.setting)
             stack.callback(_idle, engine)
             engine.call("scene_tools.open_level", package=case.start_map)
             gateway = stack.enter_context(Gateway())
-            bench = Workbench(case, agent_folder, CaseCatalog.load(case, [pack]), engine, folder / "scratch")
+            catalog = CaseCatalog.load(case, [pack])
+            bench = Workbench(case, agent_folder, catalog, engine, folder / "scratch", limits)
             run = Run("room-1", bench, case.budget, tmp_path / "trajectory.jsonl", tools)
             endpoint = gateway.open_run(run)
             return Opened(run, endpoint, stack.enter_context(GatewayClient(endpoint)), folder, engine, gateway, pack)

@@ -54,7 +54,7 @@ def test_tools_and_verdict_tell_the_same(open_run: Callable, setting: str) -> No
     gaps = {row["label"]: row["gap_cm"] for row in hanging["floating"]}
     assert gaps["Hanging"] == pytest.approx(60, abs=0.01) and "Nearly down" not in gaps
     pairs = client.call("check_collisions", touch_tolerance_cm=5).data["pairs"]
-    wanted = contacts(snapshot, minimum_depth_cm=5.0)
+    wanted = sorted(contacts(snapshot, minimum_depth_cm=5.0), key=lambda contact: -contact.depth_cm)
     assert [(row["a"]["name"], row["b"]["name"]) for row in pairs] == [(one.a, one.b) for one in wanted]
     assert [row["depth_cm"] for row in pairs] == pytest.approx([one.depth_cm for one in wanted], abs=0.01)
     at_fault = {row["name"] for row in measured["colliding"]}

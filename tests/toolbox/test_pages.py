@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
+
+import pytest
+from made_case import path_of
 
 from c4s.agents.briefing import briefing
 from c4s.records.suite import AgentCase, Budget
@@ -27,6 +31,20 @@ def test_the_skill_has_four_parts_and_names_only_what_is_there() -> None:
     fields = {"size_m", "bounds_min_cm", "bounds_max_cm", "spawn_path", "spawn_with", "job_id"}
     assert named - fields <= set(TOOLS)
     assert {"setup_environment", "save_scene_as", "search_assets", "validate_scene_graph"} <= named
+
+
+def test_the_snippets_of_the_skill_work_as_they_are_written(open_run: Callable) -> None:
+    opened = open_run()
+    snippets = re.findall(r"```python\n(.*?)```", skill_text(), re.DOTALL)
+    assert len(snippets) == 2
+    for snippet in snippets:
+        script = snippet.replace("/Game/Pack/SM_Chair.SM_Chair", path_of("SM_crate"))
+        told = opened.client.call("execute_python_script", script=script, execution_mode="sync").data
+        assert told["status"] == "done", told
+    assert "Chair_1" in opened.client.call("find_actors_by_name", pattern="Chair_1").data["actors"][0]["label"]
+    camera = opened.engine.call("capture.viewport_camera")
+    assert camera["location_cm"] == [-800, -800, 500] and camera["rotation_deg"][1] == pytest.approx(45)
+    assert opened.client.call("take_screenshot").images
 
 
 def test_every_case_is_told_the_same_skill() -> None:

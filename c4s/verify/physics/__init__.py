@@ -1,3 +1,3 @@
 """Support and penetration."""
 
-__all__ = ["batch", "support", "verdict", "verifier"]
+__all__ = ["batch", "edited", "support", "verdict", "verifier"]

@@ -57,6 +57,23 @@ class JobLog:
         lines = text.removesuffix("\n").split("\n") if text else []
         return {"python_logs": lines, "next_offset": offset + len(data), "more": not last}
 
+    def part(self, offset: int | None, most: int) -> dict[str, Any]:
+        """At most ``most`` bytes from byte ``offset`` on, or the last ones, as lines, whether they are whole or not.
+
+        As ``read``, with where it begins (``offset``) and how much there is (``log_bytes``).
+        """
+        with self._lock:
+            size = self.size
+        start = max(0, size - most) if offset is None else min(offset, size)
+        data = b""
+        if start < size and most:
+            with self.path.open("rb") as file:
+                file.seek(start)
+                data = file.read(min(most, size - start))
+        end = start + len(data)
+        lines = data.decode("utf-8", "replace").removesuffix("\n").split("\n") if data else []
+        return {"python_logs": lines, "offset": start, "next_offset": end, "more": end < size, "log_bytes": size}
+
     def tail(self, size: int) -> str:
         """The last ``size`` bytes as text."""
         with self._lock:

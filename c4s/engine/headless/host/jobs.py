@@ -25,7 +25,9 @@ from typing import Any
 import orjson
 
 from c4s.bounds import BOUNDS
+from c4s.engine.bridge import OVER_TIME
 from c4s.engine.headless import channel
+from c4s.engine.headless.host.job import EngineJob
 from c4s.engine.headless.host.joblog import JobLog
 from c4s.errors import MachineShort, Unforeseen, shortage
 from c4s.files import parse_bounded
@@ -35,48 +37,15 @@ KEPT_VALUES = 16
 """Jobs whose value can still be read; the values of older ones are dropped."""
 MAX_PRINTED_BYTES = 1 << 30
 """What an engine and its jobs may print together."""
+GRACE_S = 5.0
+"""How long a job may take to end after its time is over, at most as long again (seconds)."""
+_AGAIN_S = 0.5
+"""Seconds between two requests to a job over its time to end: a script may catch the first ones."""
 _SEND_S = 60.0
 _CHUNK = 1 << 18
 _TAIL_BYTES = 4000
 _HEAD_BYTES = 1 << 20
 """Of a message, up to the value that a job returned: its number, and an error with its traceback."""
-
-
-class EngineJob:
-    """One piece of work for the engine's main thread."""
-
-    def __init__(self, number: int, request: Mapping[str, Any], log: JobLog) -> None:
-        self.number = number
-        self.id = f"job-{number}"
-        self.request = request
-        self.log = log
-        self.done = threading.Event()
-        self.started: float | None = None
-        """``time.monotonic()`` of its start."""
-        self.value: bytes | None = None
-        """What it returned, as JSON."""
-        self.error: str | None = None
-        self.fault: str | None = None
-        """Class name of the exception behind ``error``."""
-        self.ended = False
-        """Whether the engine ended before the job did."""
-        self.abandoned = False
-
-    def reply(self, offset: int = 0) -> dict[str, Any]:
-        """The state of the job as a bridge reply."""
-        finished = self.done.is_set()
-        reply: dict[str, Any] = {
-            "status": "running",
-            "job_id": self.id,
-            "result": self.log.read(offset, complete=finished),
-        }
-        if finished and self.error is None:
-            reply |= {"status": "ok", "value": orjson.Fragment(self.value or b"null")}
-        elif finished:
-            reply |= {"status": "error", "error": self.error, "fault": self.fault}
-            if self.ended:
-                reply["engine_ended"] = True
-        return reply
 
 
 class EngineGone(Exception):
@@ -125,11 +94,11 @@ class JobBoard:
         self._thread = threading.Thread(target=self._work, name="engine-jobs", daemon=True)
         self._thread.start()
 
-    def submit(self, request: Mapping[str, Any]) -> EngineJob:
-        """Queue work for the engine."""
+    def submit(self, request: Mapping[str, Any], limit_s: float | None = None) -> EngineJob:
+        """Queue work for the engine. One that runs longer than ``limit_s`` is ended, if need be with the engine."""
         with self._lock:
             self._count += 1
-            job = EngineJob(self._count, request, JobLog(self._folder / f"job-{self._count}.log"))
+            job = EngineJob(self._count, request, JobLog(self._folder / f"job-{self._count}.log"), limit_s)
             self._jobs[job.id] = job
             while len(self._jobs) > KEPT_JOBS and next(iter(self._jobs.values())).done.is_set():
                 self._jobs.popitem(last=False)
@@ -228,7 +197,8 @@ class JobBoard:
     def _serve(self, selector: selectors.BaseSelector) -> None:
         """Until the engine is gone: start jobs, keep what they print, take their results."""
         while True:
-            ready = {key.fd for key, _ in selector.select()}
+            ready = {key.fd for key, _ in selector.select(self._left_s())}
+            self._hold_to_time()
             if self._reason is not None:
                 raise EngineGone(self._reason)
             if self._wake_end in ready:
@@ -253,6 +223,26 @@ class JobBoard:
             if self.running is None and self.ready.is_set():
                 self._start_next(selector)
 
+    def _left_s(self) -> float | None:
+        """Seconds until the running job must be looked at; None for one without an end."""
+        job = self.running
+        if job is None or job.started is None or job.limit_s is None:
+            return None
+        due = job.started + job.limit_s if job.asked_to_end is None else job.asked_to_end + _AGAIN_S
+        return max(0.0, due - time.monotonic())
+
+    def _hold_to_time(self) -> None:
+        """Ask a job over its time to end, again and again; end the engine where it does not."""
+        job, now = self.running, time.monotonic()
+        if job is None or job.started is None or job.limit_s is None or now < job.started + job.limit_s:
+            return
+        if now > job.started + job.limit_s + min(GRACE_S, job.limit_s):
+            self._reason = f"{job.id} ran longer than {job.limit_s:g} s and could not be ended"
+            raise EngineGone(self._reason)
+        if job.asked_to_end is None or now >= job.asked_to_end + _AGAIN_S:
+            job.asked_to_end = now
+            self.abandon(job)
+
     def _take(self, message: bytes, selector: selectors.BaseSelector) -> None:
         """A message of the engine: that it serves, that it refuses its input, or the result of the running job."""
         head, _, value = message.partition(b"\n")
@@ -262,6 +252,8 @@ class JobBoard:
             self.ready.set()
         elif job is not None and fields.get("job") == job.number:
             error, fault = _text(fields, "error"), _text(fields, "fault")
+            if fault == "JobAbandoned" and job.asked_to_end is not None:
+                error, fault = f"ended: it ran longer than {job.limit_s:g} s", OVER_TIME
             _pour(self._printing, job.log, _available(self._printing))
             if self._printing in selector.get_map():
                 selector.unregister(self._printing)

@@ -19,7 +19,8 @@ from typing import Any
 import orjson
 
 from c4s.engine.bridge import MAX_REQUEST_BYTES, decode, read_line
-from c4s.engine.headless.host.jobs import EngineJob, JobBoard
+from c4s.engine.headless.host.job import EngineJob
+from c4s.engine.headless.host.jobs import JobBoard
 
 DEFAULT_WAIT_S = 20.0
 MAX_SHOTS = 16
@@ -115,11 +116,11 @@ class BridgeServer:
         script = params.get("script")
         if not isinstance(script, str):
             raise BadRequest("script must be a string")
-        wait_s = _number(params, "wait_s", DEFAULT_WAIT_S)
+        wait_s, limit_s = _number(params, "wait_s", DEFAULT_WAIT_S), _optional(params, "limit_s")
         with self._lock:
             self._scripts += 1
-            job = self._board.submit({"script": script, "name": self._scripts})
-        return self._finish(job, wait_s)
+            job = self._board.submit({"script": script, "name": self._scripts}, limit_s)
+        return self._finish(job, wait_s, params)
 
     def _call(self, params: Params) -> dict[str, Any]:
         function, arguments = params.get("function"), params.get("params")
@@ -128,12 +129,13 @@ class BridgeServer:
             raise BadRequest("function must be module.function")
         if not isinstance(arguments, dict):
             raise BadRequest("params of a function must be an object")
-        wait_s = _number(params, "wait_s", DEFAULT_WAIT_S)
-        return self._finish(self._board.submit({"function": function, "params": arguments}), wait_s)
+        wait_s, limit_s = _number(params, "wait_s", DEFAULT_WAIT_S), _optional(params, "limit_s")
+        return self._finish(self._board.submit({"function": function, "params": arguments}, limit_s), wait_s, params)
 
-    def _finish(self, job: EngineJob, wait_s: float) -> dict[str, Any]:
+    def _finish(self, job: EngineJob, wait_s: float, params: Params) -> dict[str, Any]:
+        offset, most = _optional(params, "offset"), _optional(params, "max_bytes")
         job.done.wait(wait_s)
-        return job.reply()
+        return job.reply(None if offset is None else int(offset), None if most is None else int(most))
 
     def _known(self, params: Params) -> EngineJob:
         job = self._board.job(str(params.get("job_id")))
@@ -142,10 +144,7 @@ class BridgeServer:
         return job
 
     def _read(self, params: Params) -> dict[str, Any]:
-        job = self._known(params)
-        offset = int(_number(params, "offset", 0.0))
-        job.done.wait(_number(params, "wait_s", 0.0))
-        return job.reply(offset)
+        return self._finish(self._known(params), _number(params, "wait_s", 0.0), params)
 
     def _abandon(self, params: Params) -> dict[str, Any]:
         self._board.abandon(self._known(params))
@@ -155,7 +154,8 @@ class BridgeServer:
         return {"status": "ok", "engine": "headless", **self._board.status()}
 
     def _screenshot(self, params: Params) -> dict[str, Any]:
-        reply = self._screenshots({"shots": [dict(params)]})
+        limit = {"limit_s": params["limit_s"]} if "limit_s" in params else {}
+        reply = self._screenshots({"shots": [dict(params)], **limit})
         if reply["status"] == "success":
             return {"status": "ok", **reply["results"][0]}
         return reply
@@ -170,7 +170,8 @@ class BridgeServer:
             {
                 "function": "capture.take_screenshots",
                 "params": {"shots": shots, "folder": str(self._scratch / "screenshots")},
-            }
+            },
+            _optional(params, "limit_s"),
         )
         job.done.wait()
         if job.error is not None or job.value is None:
@@ -231,6 +232,10 @@ def _is_batch(taken: Any) -> bool:
 
 def _refusal(text: str) -> dict[str, Any]:
     return {"status": "error", "error": text.encode("utf-8", "replace").decode(), "fault": "BadRequest"}
+
+
+def _optional(params: Params, name: str) -> float | None:
+    return _number(params, name, 0.0) if name in params else None
 
 
 def _number(params: Params, name: str, default: float) -> float:

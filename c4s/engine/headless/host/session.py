@@ -15,7 +15,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from c4s.engine.bridge import FAILED, BridgeFault, SocketBridge
+from c4s.engine.bridge import FAILED, OVER_TIME, BridgeFault, SocketBridge
 from c4s.engine.confine import leftovers
 from c4s.engine.confine.confinement import Backend, Limits
 from c4s.engine.confine.sandbox import Mounts
@@ -35,6 +35,8 @@ WATCH_S = 0.25
 """Seconds between two looks at what an engine uses."""
 _STOP_TIMEOUT_S = 5.0
 _POLL_S = 10.0
+_LATER_S = 1.0
+"""The engine holds a job to its time a little later than who waits for it."""
 _SOCKET = "bridge.sock"
 _WITHHELD = "withheld"
 OFFERED = "offered.json"
@@ -209,10 +211,11 @@ class EngineSession:
     def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
         """Run ``c4s.editor.<module>.<function>(**params)`` in the engine and return its value.
 
-        Raises ``EngineCallError`` when the function raised, ``BridgeFault`` when it took longer than ``timeout_s``.
+        Raises ``EngineCallError`` when the function raised, ``BridgeFault`` when it took longer than ``timeout_s`` once
+        it had begun.
         """
         reply = self._run("call_function", {"function": function, "params": params}, timeout_s)
-        if reply["status"] == "running":
+        if reply["status"] == "running" or reply.get("fault") == OVER_TIME:
             raise BridgeFault(f"no result in {timeout_s:g} s", where=function)
         if reply["status"] in FAILED:
             raise EngineCallError(str(reply.get("error")), function=function, kind=str(reply.get("fault")))
@@ -220,11 +223,14 @@ class EngineSession:
 
     def _run(self, kind: str, params: Mapping[str, Any], timeout_s: float) -> dict[str, Any]:
         deadline = time.monotonic() + timeout_s
-        reply = self.request(kind, {**params, "wait_s": min(_POLL_S, timeout_s)}, timeout_s + _POLL_S)
+        asked = {"wait_s": min(_POLL_S, timeout_s), "limit_s": timeout_s + _LATER_S}
+        reply = self.request(kind, {**params, **asked}, timeout_s + _POLL_S)
         lines: list[str] = []
         while "job_id" in reply:
             page = reply["result"]
             lines += page["python_logs"]
+            if reply.get("queued"):
+                deadline = time.monotonic() + timeout_s
             late = time.monotonic() >= deadline
             if not page["more"] and (reply["status"] != "running" or late):
                 break

@@ -13,18 +13,22 @@ import json
 import linecache
 import os
 import queue
+import signal
 import socket
 import sys
 import threading
 import traceback
 from collections.abc import Callable
 from pathlib import Path
+from types import FrameType
 from typing import Any, TextIO
 
 from c4s.bounds import BOUNDS, values_in
 from c4s.engine.headless import channel
 
 _TICK_S = 1 / 60
+_WAKE, _AT_ONCE_S = signal.SIGALRM, 1e-6
+"""Interrupts a system call that a job waits in. A timer sends it: the sandbox lets no process send signals."""
 _LONGEST_ERROR = 100_000
 """Characters at the end of an error that are told."""
 _OWN_FILES = frozenset({__file__, str(Path(__file__).with_name("main.py"))})
@@ -60,6 +64,7 @@ class Worker:
     def run_forever(self) -> None:
         """Run jobs until the host says stop or is gone."""
         self._thread = threading.get_ident()
+        signal.signal(_WAKE, self._wake)
         threading.Thread(target=self._listen, name="host", daemon=True).start()
         channel.send(self._connection, _json({"ready": True, "version": self._version}))
         self._point_output(self._own_output)
@@ -76,6 +81,7 @@ class Worker:
             self._run(*order)
 
     def _listen(self) -> None:
+        signal.pthread_sigmask(signal.SIG_BLOCK, {_WAKE})
         while True:
             try:
                 payload, output = channel.receive(self._connection)
@@ -90,6 +96,10 @@ class Worker:
     def _interrupt(self, number: int) -> None:
         if self._running == number:
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(JobAbandoned))
+            signal.setitimer(signal.ITIMER_REAL, _AT_ONCE_S)
+
+    def _wake(self, _: int, __: FrameType | None) -> None:
+        """End a wait of the job (a sleep, a lock): what was sent to its thread is raised when this returns."""
 
     def _run(self, order: dict[str, Any], output: int) -> None:
         """Run one job and send its result, whatever it does."""
