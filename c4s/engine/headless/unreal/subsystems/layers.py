@@ -65,7 +65,7 @@ class LayersSubsystem(EditorSubsystem):
         return _put([actor], [layer_name])
 
     @api
-    def add_actor_to_layers(self, actor: Actor, layer_names: Sequence[Name | str]) -> bool:
+    def add_actor_to_layers(self, actor: Actor, layer_names: Sequence[Name]) -> bool:
         """Put an actor in layers."""
         return _put([actor], layer_names)
 
@@ -75,7 +75,7 @@ class LayersSubsystem(EditorSubsystem):
         return _put(actors, [layer_name])
 
     @api
-    def add_actors_to_layers(self, actors: Sequence[Actor], layer_names: Sequence[Name | str]) -> bool:
+    def add_actors_to_layers(self, actors: Sequence[Actor], layer_names: Sequence[Name]) -> bool:
         """Put actors in layers."""
         return _put(actors, layer_names)
 
@@ -85,7 +85,7 @@ class LayersSubsystem(EditorSubsystem):
         return _put(chosen(), [layer_name])
 
     @api
-    def add_selected_actors_to_layers(self, layer_names: Sequence[Name | str]) -> bool:
+    def add_selected_actors_to_layers(self, layer_names: Sequence[Name]) -> bool:
         """Put the selected actors in layers."""
         return _put(chosen(), layer_names)
 
@@ -127,7 +127,7 @@ class LayersSubsystem(EditorSubsystem):
         return _within([layer_name])
 
     @api
-    def get_actors_from_layers(self, layer_names: Sequence[Name | str]) -> Array:
+    def get_actors_from_layers(self, layer_names: Sequence[Name]) -> Array:
         """The actors of several layers."""
         return _within(layer_names)
 
