@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated
 
@@ -9,10 +10,8 @@ import typer
 
 from c4s.cli.output import check_new_file, print_json, print_table, say, tell
 from c4s.engine import DEFAULT_ENGINE, backend
-from c4s.errors import BadInput, unknown
+from c4s.errors import BadInput
 from c4s.folders import check_out
-from c4s.home import packs_root
-from c4s.records.pack import Pack
 
 app = typer.Typer(help="Engines: levels as GLB files, and what every engine must do.", no_args_is_help=True)
 Kind = Annotated[str, typer.Option("--engine", help="kind of the engine")]
@@ -40,11 +39,13 @@ def export(
         raise BadInput("no such level document", where=str(level))
     if glb.suffix.lower() != ".glb":
         raise BadInput("the output must be a .glb file", where=str(glb), todo="give --glb OUT.glb")
+    from c4s.cli.levels import named_pack, packs_of
+
     chosen = backend(engine)
     used = chosen.asset_paths(level)
     check_new_file(glb)
     check_out(glb, replace=replace, magic=b"glTF")
-    packs = [_pack(name) for name in pack] if pack else _packs_of(used)
+    packs = [named_pack(name) for name in pack] if pack else packs_of(used)
     report = {**chosen.export_glb(level, packs, glb), "file": str(glb), "packs": [p.name for p in packs]}
     if json_output:
         print_json(report)
@@ -66,8 +67,6 @@ def conformance(
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Check that an engine does what c4s asks of every engine. Exit 1 when a check fails."""
-    from dataclasses import asdict
-
     from c4s.engine.conformance import run
 
     results = run(engine, only or ())
@@ -84,24 +83,58 @@ def conformance(
         raise typer.Exit(1)
 
 
-def _pack(name: str) -> Path:
-    built = [path.parent.name for path in packs_root().glob("*/pack.json")]
-    if name in built:
-        return packs_root() / name
-    if name and (Path(name) / "pack.json").is_file():
-        return Path(name)
-    raise unknown("pack", name, built, where=str(packs_root()), todo="or give the folder of a pack")
+@app.command()
+def python(
+    file: Annotated[Path, typer.Argument(help="Python source; `-` reads standard input")],
+    case: Annotated[str | None, typer.Option("--case", "-c", help="run on the start level of this case")] = None,
+    suite: Annotated[str, typer.Option(help="id of the built suite that has the case")] = "starter",
+    level: Annotated[
+        Path | None, typer.Option(help="run on this level document; without it and a case on an empty level")
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option(help="level document to write at the end, NAME.level.json, whatever was saved")
+    ] = None,
+    picture: Annotated[
+        Path | None, typer.Option(help="PNG file to write: what the viewport shows, or the whole level")
+    ] = None,
+    engine: Kind = DEFAULT_ENGINE,
+    replace: Annotated[bool, typer.Option("--replace", help="overwrite files of these names")] = False,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
+    """Run a script as an agent's is run, and tell what it printed and what it changed. Exit 1 when it failed."""
+    from c4s.cli.changed import lines
+    from c4s.cli.levels import ground_of
+    from c4s.cli.scripting import read_script, run_script, save_package
 
-
-def _packs_of(paths: list[str]) -> list[Path]:
-    """The built packs that hold one of these assets."""
-    from c4s.packs.store import object_path
-
-    wanted = {object_path(path.removesuffix("_C")) for path in paths}
-    found = []
-    for path in sorted(packs_root().glob("*/pack.json")):
-        manifest = Pack.read(path)
-        held = {asset.path for asset in manifest.assets} | {material.path for material in manifest.materials}
-        if any(object_path(path) in held for path in wanted):
-            found.append(path.parent)
-    return found
+    if case is not None and level is not None:
+        raise BadInput("--case and --level are two levels", where=str(level), todo="give one of them")
+    backend(engine)
+    script = read_script(file)
+    ground = ground_of(case, suite, level)
+    if save is not None:
+        save_package(save)
+    if picture is not None and picture.suffix.lower() != ".png":
+        raise BadInput("the picture must be a .png file", where=str(picture), todo="give --picture OUT.png")
+    for out, magic in ((save, b"{"), (picture, b"\x89PNG")):
+        if out is not None:
+            check_new_file(out)
+            check_out(out, replace=replace, magic=magic)
+    ran = run_script(script, ground, engine=engine, save=save, picture=picture)
+    if json_output:
+        print_json(asdict(ran))
+    else:
+        for line in ran.output:
+            say(line)
+        if ran.found:
+            say(f"-- {ran.level}", style="dim")
+            for line in lines(ran.found):
+                say(line)
+        for written in (ran.saved, ran.picture):
+            if written is not None:
+                say(str(written))
+        for line in ran.error.splitlines():
+            tell(line)
+    for path in ran.left_out:
+        tell(f"c4s: not kept, the script made it: {path}")
+    if ran.status != "ok":
+        raise typer.Exit(1)

@@ -113,6 +113,11 @@ class PackStore:
         asset = self.asset(path)
         return file_in(self._home[asset.path], asset.mesh) if asset is not None and asset.mesh is not None else None
 
+    def file(self, path: str) -> Path | None:
+        """The file that holds an asset or material of a pack, a mesh or the manifest; ``None`` where no pack has it."""
+        home = self._home.get(object_path(path))
+        return None if home is None else self.mesh_file(path) or home / "pack.json"
+
     def assets(self) -> list[Asset]:
         """All assets, those of the engine first, then in the order of the packs."""
         return list(self._assets.values())

@@ -27,6 +27,13 @@ from c4s.engine.headless.unreal.table import FILE, MADE
 
 _ROW = re.compile(r"(?m)^    - ``(\w+)`` \((.+?)\):  \[([\w-]+)\]")
 _PLAIN = {"float": "float", "double": "float", "bool": "bool", "str": "str", "Name": "Name", "Text": "Text"}
+KNOWN_BY_NAME = (
+    *("Actor", "ActorComponent", "LevelStreaming", "FoliageType", "LandscapeGrassType", "LandscapeLayerInfoObject"),
+    *("Texture", "SkeletalMesh", "Skeleton", "PhysicsAsset", "AnimationAsset", "SoundBase", "MovieSceneSequence"),
+    *("NiagaraSystem", "ParticleSystem", "Font", "DataAsset", "DataTable", "CurveBase", "Blueprint"),
+    *("MaterialFunctionInterface", "MaterialParameterCollection", "SubsurfaceProfile"),
+)
+"""What a level or a content folder may hold: scripts ask whether something is one of these, and here nothing is."""
 _WHOLE = re.compile(r"u?int\d+")
 _CONTAINERS = ("Map[", "Set[", "FixedArray[")
 
@@ -41,6 +48,7 @@ class Table:
         self.takes: dict[str, int] = {}
         self.enums: dict[str, dict[str, int]] = {}
         self.objects: dict[str, str] = {}
+        self.expressions: dict[str, str] = {}
 
     def collect(self) -> dict[str, Any]:
         """The whole table."""
@@ -51,8 +59,20 @@ class Table:
         ]
         for name, cls in sorted(kinds, key=lambda each: (len(each[1].__mro__), each[0])):
             self.classes[name] = self._class(name, cls)
+        for name in self.stub.below(("MaterialExpression",)):
+            if name not in self.ours:
+                self.expressions[name] = self.stub.cls(name).bases[0]
+                above = {prop for prop, _, _ in self._listed(self.expressions[name])}
+                rows = {
+                    prop: self._row(prop, kind, access, self.stub.has(name, prop), None)
+                    for prop, kind, access in self._listed(name)
+                    if prop not in above
+                }
+                self.classes[name] = {prop: row for prop, row in rows.items() if row}
         self.classes = {name: rows for name, rows in self.classes.items() if rows}
         for name in NAMED:
+            self._kind(name)
+        for name in self.stub.below(KNOWN_BY_NAME):
             self._kind(name)
         self.structs["PostProcessSettings"] = self._fields("PostProcessSettings", {}, [])
         return {
@@ -61,6 +81,7 @@ class Table:
             "takes": dict(sorted(self.takes.items())),
             "enums": dict(sorted(self.enums.items())),
             "objects": dict(sorted(self.objects.items())),
+            "expressions": dict(sorted(self.expressions.items())),
         }
 
     def _class(self, name: str, cls: type) -> dict[str, str]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import metadata
@@ -105,6 +106,17 @@ class StubIndex:
     def classes(self) -> set[str]:
         """Names of all classes."""
         return set(self._starts)
+
+    def below(self, roots: Iterable[str]) -> list[str]:
+        """Names of these classes and of all that derive from them, bases first."""
+        derived: dict[str, list[str]] = {}
+        for name, start in self._starts.items():
+            found = _CLASS.match(self._lines[start])
+            derived.setdefault(found[2] if found else "", []).append(name)
+        told = [name for name in roots if name in self._starts]
+        for name in told:
+            told += derived.get(name, [])
+        return told
 
     def functions(self) -> set[str]:
         """Names of all functions of the module."""

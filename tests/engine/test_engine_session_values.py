@@ -69,7 +69,7 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> tuple[list[str], list[str]
 def test_a_wrong_name_raises_and_the_project_can_be_written_to(told):
     printed, _, root = told
     assert printed[0] == "'PostProcessSettings' object has no attribute 'film_slop'"
-    assert [line for line in printed if line.startswith("5.6")] == ["5.6.0-c4s.headless True"]
+    assert [line for line in printed if line.startswith("5.6")] == ["5.6.0-c4s.headless+5.8-names True"]
     assert (root / "one" / "Saved" / "notes" / "a.json").is_file() and printed[-1] == "True"
 
 

@@ -138,6 +138,8 @@ def test_classes_follow_the_stub(stub, ours):
             for b in cls.__mro__[1:]
             if ours.get(b.__name__) is b and b.__name__ not in line
         ]
+        if getattr(cls, "_absent", False):
+            continue  # known by name: nothing is one
         wrong += call_differences(stub, name, cls)
         calls += sum(1 for _ in members(cls))
         if issubclass(cls, StructBase):

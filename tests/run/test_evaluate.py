@@ -102,7 +102,7 @@ def test_every_trial_has_one_recorded_run_valid_or_not(ran: Path) -> None:
 
 def test_each_attempt_tells_its_engine_and_time(ran: Path) -> None:
     found = rows(ran / "warehouse", "SELECT * FROM attempts")
-    assert {row["engine_version"] for row in found} == {"5.6.0-c4s.headless"}
+    assert {row["engine_version"] for row in found} == {"5.6.0-c4s.headless+5.8-names"}
     assert all(row["wall_s"] > 0 and row["client_version"] == f"{row['configuration']} 1" for row in found)
 
 
@@ -140,7 +140,7 @@ def test_components_stand_beside_every_verdict(ran: Path) -> None:
 def test_another_machine_goes_on_with_a_run(ran: Path, c4s: Command) -> None:
     path = ran / "runs/small/plan.json"
     plan, kept = Plan.read(path), path.read_bytes()
-    assert plan.host is not None and plan.host.cores >= 1 and plan.host.engine_version == "5.6.0-c4s.headless"
+    assert plan.host is not None and plan.host.cores >= 1 and plan.host.engine_version == "5.6.0-c4s.headless+5.8-names"
     elsewhere = plan.model_copy(update={"host": plan.host.model_copy(update={"processor": "another", "cores": 999})})
     try:
         elsewhere.write(path)

@@ -116,6 +116,10 @@ class Editor(Protocol):
         """File of a package under the writable content root."""
         ...
 
+    def package_file(self, package: str, kind: str | None = None) -> Path | None:
+        """The file that holds a package, of a ``level`` or an ``asset`` only where that is told."""
+        ...
+
     def find(self, path: str) -> Any:
         """The asset or Blueprint class of a path, or None."""
         ...

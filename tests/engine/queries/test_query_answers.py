@@ -183,7 +183,7 @@ def test_both_layouts_of_results(scene: Scene) -> None:
     down, aside = ((0, 0, 500), (0, 0, 0)), ((500, 0, 500), (500, 0, 0))
     hit = scene.line(*down)
     assert len(hit.to_tuple()) == len(hit.to_dict()) == 18
-    with layout("5.8"):
+    with layout("pair"):
         found, hit = scene.line(*down)
         assert found is True and hit.to_tuple()[3] == pytest.approx(400)
         found, hit = scene.line(*aside)

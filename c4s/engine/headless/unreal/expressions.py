@@ -37,6 +37,8 @@ class MaterialExpression(Object):
 
     _inputs: tuple[str, ...] = ()
     """Names of its inputs, the first being meant by an empty name."""
+    _any_input = False
+    """Whether its inputs are not known: any name is one."""
 
     def _start(self, name: str, outer: Object | None) -> None:
         super()._start(name, outer)

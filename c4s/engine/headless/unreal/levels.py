@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from c4s.engine.headless.editor import world
+from c4s.engine.headless.unreal.actors.settings import WorldSettings
 from c4s.engine.headless.unreal.assets import AssetObject
 from c4s.engine.headless.unreal.core import Object, api, public
 
@@ -26,9 +27,11 @@ class World(AssetObject):
 
     def _lay(self) -> Any:
         self._level = Level._make("PersistentLevel", self)
+        self._settings = WorldSettings._make("WorldSettings", self._level)
         return self
 
     @api
-    def get_world_settings(self) -> Any:
-        """World settings are not modelled: None."""
-        return None
+    def get_world_settings(self) -> WorldSettings:
+        """How the level plays."""
+        settings: WorldSettings = self._settings
+        return settings

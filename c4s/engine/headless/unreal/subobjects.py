@@ -96,6 +96,8 @@ class SubobjectDataSubsystem(Object):
         wanted = as_class(fields.new_class) if fields.new_class is not None else None
         if parent is None or wanted is None or not issubclass(wanted._python_type, ActorComponent):
             return SubobjectDataHandle(), Text("a parent and a component class are needed")
+        if wanted._python_type._absent:
+            return SubobjectDataHandle(), Text(f"the headless engine has no components of class {wanted._path()}")
         if wanted._python_type.__name__ in ABSTRACT_COMPONENTS:
             return SubobjectDataHandle(), Text(f"{wanted._path()} is abstract")
         actor: Any = parent if isinstance(parent, Actor) else parent._outer

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.engine.headless.unreal.containers import Array
-from c4s.engine.headless.unreal.core import TYPES, EnumBase, Object, Prop, public
+from c4s.engine.headless.unreal.core import TYPES, EnumBase, Prop, public
 from c4s.engine.headless.unreal.core.later import offer
 from c4s.engine.headless.unreal.structs import ClosedStruct
 
@@ -33,7 +33,7 @@ def _table() -> dict[str, dict[str, Any]]:
 
 def names() -> set[str]:
     """Names of all types of the table."""
-    return {name for part in ("structs", "enums", "objects") for name in _table()[part]}
+    return {name for part in ("structs", "enums", "objects", "expressions") for name in _table()[part]}
 
 
 def properties(name: str) -> dict[str, Prop]:
@@ -66,13 +66,11 @@ def _made(name: str) -> type | None:
         return type(name, (ClosedStruct,), members)
     if name in table["objects"]:
         above: Any = TYPES[table["objects"][name]]
-        return type(name, (above,), {"__doc__": "None exists here.", "_abstract": classmethod(_never)})
+        return type(name, (above,), {"__doc__": "None exists here.", "_absent": True})
+    if name in table["expressions"]:
+        above = TYPES[table["expressions"][name]]
+        return type(name, (above,), {"__doc__": "Made and connected; drives nothing here.", "_any_input": True})
     return None
-
-
-def _never(cls: type[Object]) -> bool:
-    """Whether scripts may make none."""
-    return True
 
 
 def _props(rows: dict[str, str]) -> dict[str, Prop]:

@@ -155,7 +155,7 @@ def _component_for(
     wanted = world.native_class(doc.class_path)
     if wanted is None or not issubclass(wanted, ActorComponent):
         raise BadInput(f"unknown component class {doc.class_path!r}", where=where)
-    if wanted.__name__ in ABSTRACT_COMPONENTS:
+    if wanted._absent or wanted.__name__ in ABSTRACT_COMPONENTS:
         raise BadInput(f"no component can be of the abstract class {doc.class_path!r}", where=where)
     for match in (
         [c for c in free if c._name == doc.name and c._class_path() == doc.class_path],

@@ -81,6 +81,16 @@ class AssetLibrary(ABC):
             return None
         return self.content / f"{package[1:]}{suffix}"
 
+    def package_file(self, package: str, kind: str | None = None) -> Path | None:
+        """The file that holds a package, or None: a level's document, the document of a created asset that was saved,
+        the mesh of a pack's asset, or the manifest of its pack. ``kind``: ``level`` or ``asset`` only.
+        """
+        level = self.level_file(package) if kind != "asset" else None
+        if level is not None or kind == "level":
+            return level
+        saved = self.content_file(package, ".asset.json")
+        return saved if saved is not None and saved.is_file() else self.store.file(package)
+
     def find(self, path: str) -> AssetObject | Class | None:
         """The asset of ``/Game/A/B`` or ``/Game/A/B.B``, the class of ``/Game/A/B.B_C`` or ``/Script/Module.Name``, or
         None; each path may have the class around it that export text has."""

@@ -196,7 +196,9 @@ class World(AssetLibrary):
         """An actor of a class, with default components, in no level yet; None when there is no such class."""
         native = self.native_class(class_path)
         if native is not None:
-            return native._make(name, self.map._level) if issubclass(native, Actor) else None
+            if not issubclass(native, Actor) or native._absent:
+                return None
+            return native._make(name, self.map._level)  # type: ignore[no-any-return]
         asset = self.store.asset(class_path)
         generated = self.find(class_path)
         if asset is None or not isinstance(generated, Class):
@@ -251,7 +253,7 @@ class World(AssetLibrary):
         stem = class_path.rsplit(".", 1)[-1]
         actor = self.make(class_path, self._fresh_name(stem))
         if actor is None:
-            raise Exception(f"cannot spawn an actor of class '{class_path}'")
+            raise Exception(f"SpawnActor: the headless engine has no actors of class '{class_path}'")
         actor._label = self._fresh_label(label or stem.removesuffix("_C"))
         actor._move(pose)
         self._enter(actor)

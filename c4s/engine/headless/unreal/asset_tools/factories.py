@@ -16,6 +16,8 @@ from c4s.engine.headless.unreal.core import Class, Object, Prop, api, as_class, 
 from c4s.engine.headless.unreal.structs import StructBase
 from c4s.records import pack
 
+NO_BLUEPRINTS = "the headless engine makes no Blueprints: place the actors themselves, or spawn those of the packs"
+
 
 @public
 class Factory(Object):
@@ -87,6 +89,9 @@ class AssetTools(Object):
             made: AssetObject = Material._at(target, created=True)._bind(pack.Material(path=target))
         elif isinstance(factory, MaterialInstanceConstantFactoryNew) and kind in (None, MaterialInstanceConstant):
             made = MaterialInstanceConstant._at(target, created=True)
+        elif isinstance(factory, BlueprintFactory):
+            world().log.error(f"CreateAsset: '{target}': {NO_BLUEPRINTS}")
+            return None
         else:
             world().log.error(
                 f"CreateAsset: {type(factory).__name__} does not make a {kind.__name__ if kind else 'asset'}"

@@ -159,6 +159,8 @@ class MaterialEditingLibrary(Object):
         """Let an expression feed an input of another (its first for an empty name); False for a wrong one, a circle."""
         names = {name.casefold(): name for name in to_expression._inputs}
         wanted = names.get(to_input_name.casefold()) if to_input_name else next(iter(to_expression._inputs), None)
+        if to_expression._any_input:
+            wanted = to_input_name or "Input"
         if (
             wanted is None
             or from_expression._outer is not to_expression._outer
@@ -255,6 +257,36 @@ class MaterialEditingLibrary(Object):
     def get_static_switch_parameter_names(cls, material: MaterialInterface) -> Array:
         """None: materials here have no switches."""
         return Array._of("Name", [])
+
+    @classmethod
+    @api
+    def set_material_instance_static_switch_parameter_value(
+        cls,
+        instance: MaterialInstanceConstant,
+        parameter_name: Name | str,
+        value: bool,
+        association: MaterialParameterAssociation = _GLOBAL,
+        update_material_instance: bool = True,
+    ) -> bool:
+        """False: materials here have no switches."""
+        return False
+
+    @classmethod
+    @api
+    def get_material_instance_static_switch_parameter_value(
+        cls,
+        instance: MaterialInstanceConstant,
+        parameter_name: Name | str,
+        association: MaterialParameterAssociation = _GLOBAL,
+    ) -> bool:
+        """False: materials here have no switches."""
+        return False
+
+    @classmethod
+    @api
+    def get_material_default_static_switch_parameter_value(cls, material: Material, parameter_name: Name | str) -> bool:
+        """False: materials here have no switches."""
+        return False
 
     @classmethod
     @api

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from c4s.engine.headless.unreal.components.queries import ComponentQueries, overlapped
+from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Prop, api, public, with_setters
 from c4s.engine.headless.unreal.kept import KEPT
 from c4s.engine.headless.unreal.setters import SETTERS
@@ -19,12 +20,34 @@ class PrimitiveComponent(ComponentQueries):
         **KEPT["PrimitiveComponent"],
         "cast_shadow": Prop("bool", True),
         "hidden_in_scene_capture": Prop("bool", False),
+        "simulate_physics": Prop("bool", False, attribute=False, scripts=False),
+        "enable_gravity": Prop("bool", True, attribute=False, scripts=False),
     }
 
     @api
     def set_simulate_physics(self, simulate: bool) -> None:
-        """Refused: the headless engine has no dynamics."""
-        raise Exception("set_simulate_physics: the headless engine has no dynamics")
+        """Set whether it would fall in play. Nothing moves by itself in the editor, and there is no play here."""
+        self._put("simulate_physics", simulate)
+
+    @api
+    def is_simulating_physics(self, bone_name: Name | str = "None") -> bool:
+        """Whether it would fall in play."""
+        return bool(self._own("simulate_physics"))
+
+    @api
+    def is_any_simulating_physics(self) -> bool:
+        """Whether it would fall in play."""
+        return bool(self._own("simulate_physics"))
+
+    @api
+    def set_enable_gravity(self, gravity_enabled: bool) -> None:
+        """Set whether gravity would pull it in play."""
+        self._put("enable_gravity", gravity_enabled)
+
+    @api
+    def is_gravity_enabled(self) -> bool:
+        """Whether gravity would pull it in play; never without simulated physics."""
+        return bool(self._own("simulate_physics") and self._own("enable_gravity"))
 
     @api
     def set_cast_shadow(self, new_cast_shadow: bool) -> None:

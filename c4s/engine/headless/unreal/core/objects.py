@@ -14,9 +14,11 @@ class Object(ObjectBase):
     """Base of all engine objects."""
 
     _class_module: ClassVar[str] = "Engine"
+    _absent: ClassVar[bool] = False
+    """Whether it is known by its name only: nothing here is one, and none can be made."""
 
     def __init__(self, outer: Object | None = None, name: str | Name = "None") -> None:
-        if type(self)._abstract():
+        if type(self)._absent or type(self)._abstract():
             raise Exception(f"{type(self).__name__}: an object of this class cannot be made from Python here")
         self._start(str(name) if str(name) != "None" else f"{type(self).__name__}_0", outer)
 

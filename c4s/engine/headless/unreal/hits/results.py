@@ -12,15 +12,16 @@ from c4s.engine.headless.unreal.containers import Array, Name
 from c4s.engine.headless.unreal.core import Prop, public
 from c4s.engine.headless.unreal.structs import ClosedStruct, Vector
 
-Layout = Literal["5.6", "5.8"]
-_layout: Layout = "5.6"
+Layout = Literal["value", "pair"]
+_layout: Layout = "value"
 
 
 @contextmanager
-def layout(version: Layout) -> Iterator[None]:
-    """Return results as that Unreal version does: 5.6 the value or None, 5.8 ``(found, value)``."""
+def layout(kind: Layout) -> Iterator[None]:
+    """Return results as the value or None, which is how Unreal does in 5.6 and as far as is known in 5.8, or as a
+    ``pair`` of found and value, which scripts guard against."""
     global _layout
-    before, _layout = _layout, version
+    before, _layout = _layout, kind
     try:
         yield
     finally:
@@ -29,7 +30,7 @@ def layout(version: Layout) -> Iterator[None]:
 
 def returned(found: bool, value: Any) -> Any:
     """What a call that answers "found it" and a value returns."""
-    if _layout == "5.8":
+    if _layout == "pair":
         return found, value
     return value if found else None
 
@@ -121,6 +122,6 @@ def first(hits: Sequence[Hit], start: Vector, end: Vector) -> Any:
 
 
 def many(hits: Sequence[Hit], start: Vector, end: Vector) -> Any:
-    """All hits as a call returns them; without one that blocks, Unreal 5.6 returns None."""
+    """All hits as a call returns them; without one that blocks, Unreal returns None."""
     results = Array._of("HitResult", [HitResult._of(hit, start, end) for hit in hits])
     return returned(any(hit.blocking for hit in hits), results)

@@ -11,6 +11,8 @@ from c4s.packs.store import package_path
 
 _FORBIDDEN = re.compile(r"""[\\:*?"<>|' ,.&!~\n\r\t@#(){}\[\]=;^%$`]""")
 
+_KINDS = {".umap": "level", ".uasset": "asset"}
+
 
 @public
 class PackageTools(Object):
@@ -27,9 +29,14 @@ class PackageTools(Object):
     @classmethod
     @api
     def package_name_to_filename(cls, package_name: str, extension: str = "") -> str:
-        """The file of a package in the content folder, whether or not it is there; empty outside of ``/Game``."""
+        """The file that holds a package, and for one that is not there its place in the content; empty for no package.
+
+        An extension of Unreal's finds only what it is for: ``.umap`` a level, ``.uasset`` an asset.
+        """
         package = package_path(str(package_name))
-        file = world().content_file(package, str(extension))
+        file = world().package_file(package, _KINDS.get(str(extension).lower()))
+        if file is None:
+            file = world().content_file(package, str(extension))
         return file.as_posix() if file is not None else ""
 
     @classmethod

@@ -110,6 +110,17 @@ class EditorLevelLibrary(Object):
 
     @classmethod
     @api
+    def pilot_level_actor(cls, actor_to_pilot: Actor) -> None:
+        """Look from where an actor is."""
+        world().camera = actor_to_pilot._pose()
+
+    @classmethod
+    @api
+    def eject_pilot_level_actor(cls) -> None:
+        """The viewport stays where it is."""
+
+    @classmethod
+    @api
     def load_level(cls, asset_path: str) -> bool:
         """Open a level."""
         return open_map(asset_path) is not None
@@ -229,7 +240,8 @@ class EditorLevelLibrary(Object):
 
 _NOW_IN = {
     "Level Editor Subsystem": "load_level new_level new_level_from_template save_current_level save_all_dirty_levels "
-    "set_current_level_by_name editor_invalidate_viewports editor_set_game_view",
+    "set_current_level_by_name editor_invalidate_viewports editor_set_game_view pilot_level_actor "
+    "eject_pilot_level_actor",
     "Unreal Editor Subsystem": "get_editor_world get_game_world set_level_viewport_camera_info "
     "get_level_viewport_camera_info",
     "Static Mesh Editor Subsystem": "replace_mesh_components_meshes replace_mesh_components_meshes_on_actors "

@@ -13,7 +13,7 @@ from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class, Object, as_class, subclass_of
 from c4s.engine.headless.unreal.structs import Rotator, Vector
 
-ABSTRACT = ("Light", "Info", "Volume", "SceneCapture", "TriggerBase", "ReflectionCapture")
+ABSTRACT = ("Light", "Info", "Volume", "SceneCapture", "TriggerBase", "ReflectionCapture", "WorldSettings")
 """Actor classes that cannot be placed."""
 
 
