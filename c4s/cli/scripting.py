@@ -22,7 +22,7 @@ from c4s.packs.store import object_path
 from c4s.records.level import Level
 from c4s.toolbox.pictures import read_picture
 from c4s.toolbox.refusal import ToolRefused
-from c4s.toolbox.workbench import JOB_LIMIT_S
+from c4s.toolbox.workbench import JobLimits
 
 STDIN = Path("-")
 SAVED_SCENES, SUFFIX, PICTURE = "/Game/SavedScenes", ".level.json", "picture.png"
@@ -36,7 +36,7 @@ class Ran:
     """What came of a script."""
 
     status: Status
-    """``running``: it was given up on after ``JOB_LIMIT_S``; ``died``: it ended the engine, or made it unusable."""
+    """``running``: it was given up on after the limit of a job; ``died``: it ended the engine, or made it unusable."""
     output: list[str]
     error: str = ""
     level: str = ""
@@ -113,10 +113,10 @@ class _Unsaved(C4SError):
 
 
 def _execute(session: Engine, script: str, ran: Ran) -> None:
-    reply = session.execute(script, JOB_LIMIT_S)
+    reply = session.execute(script, JobLimits.script_s)
     ran.output += reply.get("result", {}).get("python_logs", [])
     if reply["status"] == "running":
-        ran.fail("running", f"it ran for more than {JOB_LIMIT_S:.0f} s and was given up on")
+        ran.fail("running", f"it ran for more than {JobLimits.script_s:.0f} s and was given up on")
     elif reply["status"] in FAILED:
         ran.fail("error", str(reply.get("error")))
 
@@ -125,7 +125,7 @@ def _picture(session: Engine, scratch: Path, camera: Any) -> bytes:
     """What the viewport shows; where the script left its camera alone, the whole level."""
     if session.call("capture.viewport_camera") == camera:
         session.call("capture.frame_level")
-    reply = ask_picture(session, {"filepath": PICTURE, "width": WIDTH, "height": HEIGHT}, timeout_s=JOB_LIMIT_S)
+    reply = ask_picture(session, {"filepath": PICTURE, "width": WIDTH, "height": HEIGHT}, timeout_s=JobLimits.script_s)
     if reply.status in FAILED:
         raise ToolRefused(f"no picture was taken: {reply.error or reply.missing}")
     return read_picture(Path(reply.filepath), scratch)

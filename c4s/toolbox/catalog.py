@@ -1,7 +1,7 @@
 """The catalog of one case: its assets from the pack manifests, and the search over them by meaning.
 
-Search is offline and reproducible (``c4s.toolbox.search``): an asset is found by its words, by other names of what it
-is, by its kind, and by what it is for.
+Search is offline and reproducible (``c4s.toolbox.search``): an asset is found by what it means to people, by its words,
+by its kind, and by what it is for.
 """
 
 from __future__ import annotations
@@ -20,12 +20,10 @@ from c4s.records.suite import AgentCase
 from c4s.toolbox.refusal import ToolRefused
 
 if TYPE_CHECKING:
-    from c4s.toolbox.search import Index
+    from c4s.toolbox.search import Document, Index
 
-NAME_WEIGHTS = (4.0, 2.0)
-"""Weights of an asset's name and of its tags, which say what it is."""
 TEXT_WEIGHTS = (2.0, 1.5, 1.0)
-"""Weights of its id, category and description."""
+"""Weights of an asset's id, category and description beside its name and tags."""
 NEAREST = 3
 
 
@@ -61,6 +59,14 @@ class CatalogEntry:
         }
 
 
+def document_of(asset: Asset) -> Document:
+    """What the search reads of an asset."""
+    from c4s.toolbox.search import Document
+
+    texts = zip((asset.id, asset.category, asset.description), TEXT_WEIGHTS, strict=True)
+    return Document(asset.name, tuple(asset.tags), tuple(texts))
+
+
 class CaseCatalog:
     """The assets that a case offers."""
 
@@ -74,16 +80,14 @@ class CaseCatalog:
     @cached_property
     def _index(self) -> Index:
         """The search index, made when it is first asked for."""
-        from c4s.toolbox.search import Document, Index
+        from c4s.toolbox.search import Index
 
+        families: dict[Path, list[Asset]] = {}
+        for entry in self.entries:
+            families.setdefault(entry.folder, list(entry.pack.assets)).append(entry.asset)
         return Index(
-            [
-                Document(
-                    tuple(zip((asset.name, " ".join(asset.tags)), NAME_WEIGHTS, strict=True)),
-                    tuple(zip((asset.id, asset.category, asset.description), TEXT_WEIGHTS, strict=True)),
-                )
-                for asset in self.assets
-            ]
+            [document_of(asset) for asset in self.assets],
+            [[document_of(asset) for asset in family] for family in families.values()],
         )
 
     @classmethod

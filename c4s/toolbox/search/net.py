@@ -26,6 +26,8 @@ class WordThing:
     names: tuple[Name, ...]
     kinds: tuple[str, ...]
     uses: tuple[str, ...]
+    told: str
+    """Its kinds and uses as they are written."""
 
 
 class WordNet:
@@ -42,6 +44,7 @@ class WordNet:
                 tuple(tuple(map(stem_of, words_of(name))) for name in names.split(",")),
                 tuple(map(stem_of, words_of(kinds))),
                 tuple(map(stem_of, words_of(uses))),
+                " ".join(words_of(kinds) + words_of(uses)),
             )
             for name in thing.names:
                 self._things.setdefault(name, []).append(thing)
@@ -60,6 +63,10 @@ class WordNet:
             else:
                 at += 1
         return found
+
+    def told(self, name: Name) -> list[str]:
+        """What its lines tell of a name: kinds and uses, in words."""
+        return [thing.told for thing in self._things.get(name, ())]
 
     def widen(self, name: Name) -> Mapping[str, float]:
         """Stems that go with a name, each with its weight (0 to 1)."""
