@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from c4s.agents.baselines.blind import Guess, Scene, Thing, chosen, guesses
+from c4s.agents.baselines.blind import Guess, SeenActor, SeenLevel, chosen, guesses
 from c4s.editor.identity import ID_TAG, ORIGIN_TAG
 from c4s.errors import BadInput
 from c4s.files import read_json
@@ -101,22 +101,22 @@ def check_blind(rows: Sequence[CaseAudit]) -> None:
             )
 
 
-def seen(level: Level, boxes: Boxes) -> Scene:
+def seen(level: Level, boxes: Boxes) -> SeenLevel:
     """A level as agent code can read it: its actors that show a single static mesh."""
     things = [
         _thing(actor, order, boxes)
         for order, actor in enumerate(level.actors)
         if actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1 and actor.components[0].static_mesh
     ]
-    return Scene(level.package, tuple(things))
+    return SeenLevel(level.package, tuple(things))
 
 
-def _thing(actor: LevelActor, order: int, boxes: Boxes) -> Thing:
+def _thing(actor: LevelActor, order: int, boxes: Boxes) -> SeenActor:
     component = actor.components[0]
     low, high = world_box(actor, actor.transform, boxes)
     place = actor.transform
     flags = (str(actor.hidden), str(component.collision_enabled), str(sorted(component.properties)))
-    return Thing(
+    return SeenActor(
         name=actor.name,
         label=actor.label,
         guid=actor.guid,
@@ -136,7 +136,7 @@ def _thing(actor: LevelActor, order: int, boxes: Boxes) -> Thing:
     )
 
 
-def _ways(scene: Scene) -> Iterator[tuple[str, list[Guess]]]:
+def _ways(scene: SeenLevel) -> Iterator[tuple[str, list[Guess]]]:
     """Names of ways and the guesses that each makes."""
     together = guesses(scene)
     for name, made in together.items():

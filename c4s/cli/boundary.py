@@ -50,15 +50,25 @@ def run(command: Callable[[], object]) -> NoReturn:
     """
     code = _code(command)
     try:
-        sys.stdout.flush()
+        fault = _output_fault()
     except BrokenPipeError:
-        code = OK
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except OSError as error:
-        _line(f"standard output: {no_place(error)}")
+        code, fault = OK, None
+    if fault is not None:
+        _line(fault)
         code = MACHINERY
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     sys.exit(code)
+
+
+def _output_fault() -> str | None:
+    """Why standard output takes nothing more, once; from then on it takes all and keeps nothing."""
+    try:
+        sys.stdout.flush()
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if isinstance(error, BrokenPipeError):
+            raise
+        return f"standard output: {no_place(error)}"
+    return None
 
 
 def _code(command: Callable[[], object]) -> int:
@@ -81,7 +91,8 @@ def _code(command: Callable[[], object]) -> int:
     except (BrokenPipeError, SystemExit):  # typer ends the process itself where a reader has gone, and only there
         return OK
     except OSError as error:
-        _line(f"{error.filename}: {no_place(error)}" if error.filename else no_place(error))
+        fault = f"{error.filename}: {no_place(error)}" if error.filename else _output_fault() or no_place(error)
+        _line(fault)
         return BAD_INPUT if error.errno in PLACES and error.filename else MACHINERY
     except Exception as error:
         _line(f"this is a fault of c4s: {error} (please report it; the traceback is in {_traceback(error)})")

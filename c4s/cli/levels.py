@@ -34,11 +34,9 @@ def ground_of(case: str | None, suite: str, level: Path | None) -> ScriptGround:
     if case is None:
         return ScriptGround([path.parent for path in sorted(packs_root().glob("*/pack.json"))])
     folder = SuiteFolder(built_suite(suite))
-    rows = {row.case_id: row for row in folder.suite().cases}
-    if case not in rows:
-        raise unknown("case", case, rows, where=suite)
-    opened, packs = check_case(folder, rows[case])
-    return ScriptGround(packs, folder.agent(case) / "start.level.json", opened.start_map)
+    row = folder.case(case)
+    opened, packs = check_case(folder, row)
+    return ScriptGround(packs, folder.agent(row.alias) / "start.level.json", opened.start_map)
 
 
 def named_pack(name: str) -> Path:

@@ -12,7 +12,7 @@ import pytest
 
 from c4s.agents import base
 from c4s.agents.base import AgentContext, AgentReport
-from c4s.agents.baselines.blind import Scene, Thing, chosen, guesses
+from c4s.agents.baselines.blind import SeenActor, SeenLevel, chosen, guesses
 from c4s.errors import BadInput
 from c4s.files import read_json
 from c4s.records.level import Level
@@ -33,7 +33,7 @@ from catalog.build import ensure_pack
 from tests.cases.test_case_suite import small
 
 PASTURE, YARD = "outdoor-farm-pasture", "outdoor-farm-yard"
-Change = Callable[[Thing], dict[str, Any]]
+Change = Callable[[SeenActor], dict[str, Any]]
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +58,7 @@ def start(suite: SuiteFolder, case_id: str) -> Level:
     return Level.read(suite.agent(suite.case(case_id).alias) / "start.level.json")
 
 
-def things(suite: SuiteFolder, case_id: str) -> Scene:
+def things(suite: SuiteFolder, case_id: str) -> SeenLevel:
     pack = Pack.read(suite.root.parent / "packs/c4s-farm/pack.json")
     return seen(start(suite, case_id), boxes_of(pack.assets))
 
@@ -133,13 +133,13 @@ def test_a_suite_that_can_be_repaired_blindly_is_not_built(farm: SuiteFolder, tm
     assert not (tmp_path / "suite").exists()
 
 
-def spoilt(scene: Scene, victim: int, change: Change, others: Change | None = None) -> Scene:
+def spoilt(scene: SeenLevel, victim: int, change: Change, others: Change | None = None) -> SeenLevel:
     """A scene in which one thing was changed, and perhaps all others."""
     rows = [
         dataclasses.replace(thing, **(change(thing) if row == victim else others(thing) if others else {}))
         for row, thing in enumerate(scene.things)
     ]
-    return Scene(scene.package, tuple(rows))
+    return SeenLevel(scene.package, tuple(rows))
 
 
 SPOILT: dict[str, tuple[Change, Change | None]] = {

@@ -10,7 +10,7 @@ from typing import Any
 
 from c4s.agents.base import SUBMISSION_NAME, AgentContext, AgentReport
 from c4s.agents.baselines.blind.guess import chosen
-from c4s.agents.baselines.blind.scene import Scene, Thing
+from c4s.agents.baselines.blind.scene import SeenActor, SeenLevel
 from c4s.agents.baselines.blind.scripts import READ, REPAIR, SHOW
 from c4s.agents.baselines.blind.tricks import guesses
 from c4s.errors import AgentFault
@@ -36,18 +36,18 @@ class Blind:
         return AgentReport(client_version="blind 1", message=message)
 
 
-def _read(tools: GatewayClient) -> Scene:
+def _read(tools: GatewayClient) -> SeenLevel:
     """The level as a script tells it, part by part."""
     size = int(_script(tools, READ))
     text = "".join(_script(tools, SHOW.format(start=at, end=at + PART)) for at in range(0, size, PART))
     told: dict[str, Any] = json.loads(zlib.decompress(base64.b64decode(text)))
-    return Scene(told["package"], tuple(_thing(row, order) for order, row in enumerate(told["actors"])))
+    return SeenLevel(told["package"], tuple(_thing(row, order) for order, row in enumerate(told["actors"])))
 
 
-def _thing(row: dict[str, Any], order: int) -> Thing:
+def _thing(row: dict[str, Any], order: int) -> SeenActor:
     lists = {name: tuple(row[name]) for name in ("component", "location", "rotation", "scale", "low", "high")}
     lists["materials"] = tuple((slot, path) for slot, path in row["materials"])
-    return Thing(**row | lists | {"tags": frozenset(row["tags"]), "order": order})
+    return SeenActor(**row | lists | {"tags": frozenset(row["tags"]), "order": order})
 
 
 def _script(tools: GatewayClient, script: str) -> str:

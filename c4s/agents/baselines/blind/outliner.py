@@ -10,7 +10,7 @@ from collections.abc import Callable, Hashable, Iterator
 from itertools import pairwise
 
 from c4s.agents.baselines.blind.guess import Guess
-from c4s.agents.baselines.blind.scene import Scene, Thing
+from c4s.agents.baselines.blind.scene import SeenActor, SeenLevel
 
 NAMESPACE = uuid.uuid5(uuid.NAMESPACE_URL, "https://simworld.ai/SimCodeArena/stable-actor-id/v1")
 RARE = 0.04
@@ -19,7 +19,7 @@ FEW = 3
 
 
 def _odd(
-    scene: Scene, trick: str, of: Callable[[Thing], Hashable], chance: float = 0.9, *, rare: float = RARE
+    scene: SeenLevel, trick: str, of: Callable[[SeenActor], Hashable], chance: float = 0.9, *, rare: float = RARE
 ) -> Iterator[Guess]:
     """Delete the few things of which something is told that is told of hardly any other."""
     counts = Counter(map(of, scene.things))
@@ -29,7 +29,7 @@ def _odd(
             yield Guess(thing.name, "delete", trick, chance / len(odd))
 
 
-def recomputed_ids(scene: Scene) -> Iterator[Guess]:
+def recomputed_ids(scene: SeenLevel) -> Iterator[Guess]:
     """Ids of the published scheme can be worked out; an actor whose id does not follow from its name was put there."""
     words = {word for word in re.split(r"[/_.]", scene.package) if word} | {scene.package, *scene.package.split("/")}
     for word in sorted(words):
@@ -43,7 +43,7 @@ def recomputed_ids(scene: Scene) -> Iterator[Guess]:
                 yield Guess(thing.name, "delete", "recomputed ids", 0.95)
 
 
-def recomputed_guids(scene: Scene) -> Iterator[Guess]:
+def recomputed_guids(scene: SeenLevel) -> Iterator[Guess]:
     """A guid that is the digest of its actor's id, where others are not."""
     same = [
         thing
@@ -55,13 +55,13 @@ def recomputed_guids(scene: Scene) -> Iterator[Guess]:
             yield Guess(thing.name, "delete", "recomputed guids", 0.9)
 
 
-def other_ids(scene: Scene) -> Iterator[Guess]:
+def other_ids(scene: SeenLevel) -> Iterator[Guess]:
     """An id of another form, or none."""
     yield from _odd(scene, "another form of id", lambda t: (len(t.stable_id), re.sub("[0-9a-f]{8,}", "", t.stable_id)))
     yield from _odd(scene, "another form of guid", lambda t: (len(t.guid), t.guid.isupper()))
 
 
-def folders(scene: Scene) -> Iterator[Guess]:
+def folders(scene: SeenLevel) -> Iterator[Guess]:
     """No folder where others have one; a folder unlike that of all that is near; one thing of a mesh elsewhere."""
     yield from _odd(scene, "another folder", lambda t: bool(t.folder))
     foreign = [t for row, t in enumerate(scene.things) if all(o.folder != t.folder for o in scene.nearest(row, 5))]
@@ -70,14 +70,14 @@ def folders(scene: Scene) -> Iterator[Guess]:
             yield Guess(thing.name, "delete", "a folder unlike its neighbours'", 0.6 / (1 + len(foreign)))
 
 
-def tags_and_components(scene: Scene) -> Iterator[Guess]:
+def tags_and_components(scene: SeenLevel) -> Iterator[Guess]:
     """Tags, component names, flags that hardly any other actor has."""
     yield from _odd(scene, "other tags", lambda t: t.tags)
     yield from _odd(scene, "another component", lambda t: t.component)
     yield from _odd(scene, "a label that is not the name", lambda t: t.label == t.name)
 
 
-def names(scene: Scene) -> Iterator[Guess]:
+def names(scene: SeenLevel) -> Iterator[Guess]:
     """The form of names, their numbers, and names after another mesh than the one that is shown."""
     yield from _odd(scene, "another form of name", lambda t: (t.name.startswith(("SM_", "BP_")), t.number is None))
     yield from _odd(scene, "another width of number", lambda t: bool(re.search(r"_\d$", t.name)))
@@ -96,14 +96,14 @@ def names(scene: Scene) -> Iterator[Guess]:
             yield Guess(thing.name, "mesh", "a name after another mesh", 0.9, mesh=plain[own])
 
 
-def _last_after_gap(things: list[Thing]) -> Thing | None:
+def _last_after_gap(things: list[SeenActor]) -> SeenActor | None:
     numbered = sorted((t.number, t) for t in things if t.number is not None)
     if len(numbered) < 3 or any(b[0] - a[0] != 1 for a, b in pairwise(numbered[:-1])):
         return None
     return numbered[-1][1] if numbered[-1][0] - numbered[-2][0] != 1 else None
 
 
-def order(scene: Scene) -> Iterator[Guess]:
+def order(scene: SeenLevel) -> Iterator[Guess]:
     """In a list that is sorted by what things are, one that stands apart from its like, or at the very end."""
     things = scene.things
     alone = [
@@ -118,7 +118,7 @@ def order(scene: Scene) -> Iterator[Guess]:
         yield Guess(things[-1].name, "delete", "last in the list", 0.15)
 
 
-def paint(scene: Scene) -> Iterator[Guess]:
+def paint(scene: SeenLevel) -> Iterator[Guess]:
     """One thing of a mesh without the materials that all its like have, or with some that none of them has."""
     for things in scene.of_mesh.values():
         counts = Counter(t.materials for t in things)

@@ -8,13 +8,13 @@ from itertools import pairwise
 import numpy as np
 
 from c4s.agents.baselines.blind.guess import Guess
-from c4s.agents.baselines.blind.scene import Scene, Thing, Vector
+from c4s.agents.baselines.blind.scene import SeenActor, SeenLevel, Vector
 
 IN_ROW_CM, STAND_CM = 3.0, 5.0
 LARGE_CM = 1000.0
 
 
-def rows(scene: Scene) -> Iterator[Guess]:
+def rows(scene: SeenLevel) -> Iterator[Guess]:
     """Equal things at equal distances: fill the one hole, or put there the one of its like that stands out of line."""
     holes = []
     for things in scene.of_mesh.values():
@@ -28,10 +28,10 @@ def rows(scene: Scene) -> Iterator[Guess]:
         yield Guess(model.name, "copy", "a hole in a row", 0.5 / len(holes), location=place)
 
 
-def _holes(things: Sequence[Thing]) -> Iterator[tuple[list[Thing], Vector]]:
+def _holes(things: Sequence[SeenActor]) -> Iterator[tuple[list[SeenActor], Vector]]:
     """Rows along one axis of at least three things at equal steps but one of two, with the place between."""
     for axis in (0, 1):
-        lines: dict[tuple[float, float], list[Thing]] = {}
+        lines: dict[tuple[float, float], list[SeenActor]] = {}
         for thing in things:
             across, up = thing.location[1 - axis], thing.location[2]
             key = (round(across / IN_ROW_CM), round(up / IN_ROW_CM))
@@ -48,7 +48,7 @@ def _holes(things: Sequence[Thing]) -> Iterator[tuple[list[Thing], Vector]]:
                 yield line, ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2)
 
 
-def strangers(scene: Scene) -> Iterator[Guess]:
+def strangers(scene: SeenLevel) -> Iterator[Guess]:
     """A thing that is alone of its mesh among neighbours of another kind."""
     odd = [
         thing
@@ -61,7 +61,7 @@ def strangers(scene: Scene) -> Iterator[Guess]:
         yield Guess(thing.name, "delete", "alone of its kind", 0.6 / (1 + len(odd)))
 
 
-def hovering(scene: Scene) -> Iterator[Guess]:
+def hovering(scene: SeenLevel) -> Iterator[Guess]:
     """A thing with nothing under it and nothing beside it: what it stood on may have been moved from below it."""
     odd = [row for row, thing in enumerate(scene.things) if thing.side_cm < LARGE_CM and not _touched(scene, row)]
     for row in odd:
@@ -74,9 +74,9 @@ def hovering(scene: Scene) -> Iterator[Guess]:
         yield Guess(thing.name, "place", "it hovers", 0.3 / len(odd), location=(x, y, z - drop))
 
 
-def sinking(scene: Scene) -> Iterator[Guess]:
+def sinking(scene: SeenLevel) -> Iterator[Guess]:
     """Two things of different meshes whose boxes share much: one of them was put there, grew, or was moved."""
-    found: list[Thing] = []
+    found: list[SeenActor] = []
     for row, thing in enumerate(scene.things):
         if thing.side_cm < LARGE_CM / 2:
             deep = [scene.things[i] for i in np.flatnonzero(scene.shared(row) > 0.3)]
@@ -86,6 +86,6 @@ def sinking(scene: Scene) -> Iterator[Guess]:
         yield Guess(thing.name, "delete", "it sinks into another", 0.5 * max(rare, 0.3) / len(found))
 
 
-def _touched(scene: Scene, row: int) -> bool:
+def _touched(scene: SeenLevel, row: int) -> bool:
     near = (scene.low < scene.high[row] + STAND_CM) & (scene.high > scene.low[row] - STAND_CM)
     return int(np.all(near, axis=1).sum()) > 1

@@ -9,12 +9,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from c4s.agents.baselines.blind.guess import Guess
-from c4s.agents.baselines.blind.scene import Scene, Thing, Vector
+from c4s.agents.baselines.blind.scene import SeenActor, SeenLevel, Vector
 
 SAME, STEP_DEG = 0.01, 15.0
 
 
-def mirrored(scene: Scene) -> Iterator[Guess]:
+def mirrored(scene: SeenLevel) -> Iterator[Guess]:
     """Negative scales."""
     found = [t for t in scene.things if min(t.scale) < 0]
     for thing in found:
@@ -25,10 +25,10 @@ def mirrored(scene: Scene) -> Iterator[Guess]:
         yield Guess(thing.name, "place", "a mirrored thing", chance, scale=(x, y, z))
 
 
-def odd_sizes(scene: Scene) -> Iterator[Guess]:
+def odd_sizes(scene: SeenLevel) -> Iterator[Guess]:
     """A scale that its like do not have, or one that is not 1 on a thing that is alone of its mesh."""
     one: Vector = (1.0, 1.0, 1.0)
-    odd: list[tuple[Thing, Vector]] = []
+    odd: list[tuple[SeenActor, Vector]] = []
     for things in scene.of_mesh.values():
         usual, count = Counter(t.scale for t in things).most_common(1)[0]
         if len(things) == 1:
@@ -42,9 +42,9 @@ def odd_sizes(scene: Scene) -> Iterator[Guess]:
         yield Guess(thing.name, "place", "a size unlike its like", chance, scale=wanted)
 
 
-def odd_turns(scene: Scene) -> Iterator[Guess]:
+def odd_turns(scene: SeenLevel) -> Iterator[Guess]:
     """A yaw that is no multiple of 15 degrees, or another one than that of its like."""
-    odd: list[tuple[Thing, float]] = []
+    odd: list[tuple[SeenActor, float]] = []
     for things in scene.of_mesh.values():
         usual, count = Counter(round(t.rotation[1], 1) for t in things).most_common(1)[0]
         for thing in things:
@@ -58,7 +58,7 @@ def odd_turns(scene: Scene) -> Iterator[Guess]:
         yield Guess(thing.name, "place", "a turn unlike its like", 0.7 / len(odd), rotation=(pitch, yaw, roll))
 
 
-def round_numbers(scene: Scene) -> Iterator[Guess]:
+def round_numbers(scene: SeenLevel) -> Iterator[Guess]:
     """Places with fewer or more decimals than those of hardly any other thing."""
     counts = Counter(map(_decimals, scene.things))
     odd = [t for t in scene.things if counts[_decimals(t)] <= max(1, 0.02 * len(scene.things))]
@@ -69,19 +69,19 @@ def round_numbers(scene: Scene) -> Iterator[Guess]:
         yield Guess(thing.name, "place", "another number of decimals", 0.5 / len(odd), scale=(1.0, 1.0, 1.0))
 
 
-def _decimals(thing: Thing) -> int:
+def _decimals(thing: SeenActor) -> int:
     return max(len(f"{value:.6f}".rstrip("0").partition(".")[2]) for value in thing.location[:2])
 
 
-def _scale_decimals(thing: Thing) -> int:
+def _scale_decimals(thing: SeenActor) -> int:
     return max(len(f"{value:.6f}".rstrip("0").partition(".")[2]) for value in thing.scale)
 
 
-def copies(scene: Scene) -> Iterator[Guess]:
+def copies(scene: SeenLevel) -> Iterator[Guess]:
     """Two of one mesh with the very same turn and an uneven or odd scale, or one inside the other."""
     pairs = []
     for things in scene.of_mesh.values():
-        seen: dict[tuple[Vector, Vector], Thing] = {}
+        seen: dict[tuple[Vector, Vector], SeenActor] = {}
         for thing in things:
             pose = (thing.rotation, thing.scale)
             special = max(abs(abs(s) - 1) for s in thing.scale) > SAME

@@ -17,7 +17,7 @@ _NUMBERED = re.compile(r"(.*?)_?(\d+)")
 
 
 @dataclass(frozen=True)
-class Thing:
+class SeenActor:
     """One actor that shows a single static mesh. Places in cm, [pitch, yaw, roll] degrees; the box is the world's."""
 
     name: str
@@ -64,19 +64,19 @@ class Thing:
 
 
 @dataclass(frozen=True)
-class Scene:
+class SeenLevel:
     """The things of a level in its order, and what its package is called."""
 
     package: str
-    things: tuple[Thing, ...]
+    things: tuple[SeenActor, ...]
 
     @cached_property
-    def of_mesh(self) -> dict[str, list[Thing]]:
+    def of_mesh(self) -> dict[str, list[SeenActor]]:
         """Things by mesh."""
         return grouped((thing.mesh, thing) for thing in self.things)
 
     @cached_property
-    def of_stem(self) -> dict[str, list[Thing]]:
+    def of_stem(self) -> dict[str, list[SeenActor]]:
         """Things by what they are called after."""
         return grouped((thing.stem, thing) for thing in self.things)
 
@@ -90,7 +90,7 @@ class Scene:
         """Highest corners, a row a thing."""
         return np.array([thing.high for thing in self.things]).reshape(-1, 3)
 
-    def nearest(self, row: int, count: int) -> list[Thing]:
+    def nearest(self, row: int, count: int) -> list[SeenActor]:
         """The things whose middles are nearest to that of the thing in a row, the nearest first."""
         middles = (self.low + self.high) / 2
         far = np.linalg.norm(middles - middles[row], axis=1)
@@ -107,9 +107,9 @@ class Scene:
         return np.asarray(parts)
 
 
-def grouped(pairs: Iterable[tuple[str, Thing]]) -> dict[str, list[Thing]]:
+def grouped(pairs: Iterable[tuple[str, SeenActor]]) -> dict[str, list[SeenActor]]:
     """Things by a key, in their order."""
-    found: dict[str, list[Thing]] = defaultdict(list)
+    found: dict[str, list[SeenActor]] = defaultdict(list)
     for key, thing in pairs:
         found[key].append(thing)
     return dict(found)

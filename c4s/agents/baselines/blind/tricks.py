@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator
 
 from c4s.agents.baselines.blind import outliner, places, poses
 from c4s.agents.baselines.blind.guess import Guess
-from c4s.agents.baselines.blind.scene import Scene
+from c4s.agents.baselines.blind.scene import SeenLevel
 
-TRICKS: dict[str, Callable[[Scene], Iterator[Guess]]] = {
+TRICKS: dict[str, Callable[[SeenLevel], Iterator[Guess]]] = {
     "recomputed ids": outliner.recomputed_ids,
     "recomputed guids": outliner.recomputed_guids,
     "other ids": outliner.other_ids,
@@ -29,6 +29,6 @@ TRICKS: dict[str, Callable[[Scene], Iterator[Guess]]] = {
 }
 
 
-def guesses(scene: Scene) -> dict[str, list[Guess]]:
+def guesses(scene: SeenLevel) -> dict[str, list[Guess]]:
     """What every trick says of a scene, by the trick's name."""
     return {name: list(trick(scene)) for name, trick in TRICKS.items()}
