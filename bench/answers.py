@@ -93,7 +93,7 @@ def opened(root: Path, level: Level, packs_folder: Path) -> Iterator[GatewayClie
     level.write(folder / "start.level.json")
     case = AgentCase.parse(
         {
-            "case_id": "bench",
+            "alias": "bench",
             "setting": OUTDOOR_REPAIR,
             "prompt": "-",
             "start_map": level.package,
