@@ -26,6 +26,8 @@ from c4s.home import home
 Told = dict[str, Any]
 FARM, FLAT, REPAIR = "text-small-farm", "text-flat-family", "outdoor-harbour-cafe"
 PLATE = {"location": [0, 0, 0]}
+BY_CLIENT = "must not have additional properties"
+"""What Gemini CLI says of an argument that no schema has: it looks at them itself, and the gateway hears nothing."""
 ENDLESS = {"script": "while True:\n    pass"}
 
 
@@ -83,7 +85,7 @@ STATEMENTS = [
         FARM,
         "a wrong argument's name is put right",
         [Use("spawn_actor", {"name": "A", "static_mesh": "barn", "rotaton": [0, 0, 0], **PLATE})],
-        lambda told: "mean 'rotation'" in said(told),
+        lambda told: "mean 'rotation'" in said(told) or BY_CLIENT in said(told),
     ),
     Statement(
         FARM,
