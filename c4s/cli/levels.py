@@ -38,7 +38,7 @@ def ground_of(case: str | None, suite: str, level: Path | None) -> ScriptGround:
     if case not in rows:
         raise unknown("case", case, rows, where=suite)
     opened, packs = check_case(folder, rows[case])
-    return ScriptGround(packs, folder.agent(case) / "start.level.json", opened.start_map)
+    return ScriptGround(packs, folder.agent(rows[case].alias) / "start.level.json", opened.start_map)
 
 
 def named_pack(name: str) -> Path:
