@@ -65,7 +65,10 @@ def _facts(actor: Mapping[str, Any]) -> Facts:
         "tags": actor["actor_tags"],
         "folder": actor["export_diagnostics"]["folder_path"],
         "attached_to": actor["attachment_parent_label"],
-        "collision": actor["collision"]["collision_enabled"],
+        **{
+            f"collision {part['name']}": part["collision_enabled"]
+            for part in actor["collision"]["collision_enabled_components"]
+        },
         "hidden": own["hidden"],
         "components": sorted(parts),
         "bounds_cm": [round(value, 2) for side in actor["bounds"].values() for value in side],

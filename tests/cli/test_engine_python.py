@@ -29,6 +29,7 @@ actors["Crate_0"].destroy_actor()
 actors["Crate_1"].set_actor_location(unreal.Vector(300, 0, 80), False, False)
 actors["Crate_1"].tags.append("moved")
 actors["Crate_2"].set_actor_label("Box")
+actors["Crate_2"].set_actor_enable_collision(False)
 made = unreal.AssetToolsHelpers.get_asset_tools().create_asset(
     "M_Made", "/Game/Made", unreal.Material, unreal.MaterialFactoryNew()
 )
@@ -72,6 +73,7 @@ def test_what_a_script_changes_is_told_with_what(c4s, tmp_path):
     assert set(what["Crate_1"]) == {"location_cm", "tags"}
     assert what["Crate_1"]["location_cm"] == [[300, 0, 50], [300, 0, 80]]
     assert what["Box"]["label"] == ["Crate_2", "Box"]
+    assert what["Box"]["collision StaticMeshComponent0"][1] is None
     assert [told["left_out"], "not kept" in done.err] == [["/Game/Made/M_Made.M_Made"], True]
 
 
