@@ -11,8 +11,7 @@ import numpy as np
 from c4s.records.pack import Asset
 from c4s.toolbox.catalog import CatalogEntry, document_of
 from c4s.toolbox.refusal import ToolRefused
-from c4s.toolbox.search import sentence_model
-from c4s.toolbox.search.words import stems_of
+from c4s.toolbox.search import sentence_model, stems_of
 
 INDOORS = frozenset(stems_of("floor flooring carpet parquet plank laminate linoleum"))
 OUTDOORS = frozenset(
