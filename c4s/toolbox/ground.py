@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from c4s.records.pack import Asset
 from c4s.toolbox.catalog import CatalogEntry, document_of
@@ -65,7 +66,9 @@ def choose_ground(scene_text: str, entries: Sequence[CatalogEntry]) -> GroundCho
     clauses = [clause.strip() for clause in _CLAUSE.split(scene_text) if stems_of(clause)]
     if not clauses:
         raise ToolRefused("the scene text says nothing of what the place is", todo="give the scene in words")
-    fits = [_fit(entry, scene_text, clauses) for entry in grounds]
+    texts = [scene_text, INSIDE, OUTSIDE, *clauses]
+    said = dict(zip(texts, sentence_model().vectors(texts), strict=True))
+    fits = [_fit(entry.asset, scene_text, clauses, said) for entry in grounds]
     ranked = sorted(zip(fits, grounds, strict=True), key=lambda row: (-row[0].score, row[1].asset.id))
     best, entry = ranked[0]
     others = [row[1].asset.id for row in ranked[1:]]
@@ -86,20 +89,18 @@ class _Fit:
     own_side: bool | None
 
 
-def _fit(entry: CatalogEntry, scene_text: str, clauses: Sequence[str]) -> _Fit:
+def _fit(asset: Asset, scene_text: str, clauses: Sequence[str], said: dict[str, NDArray[np.float32]]) -> _Fit:
     """The text's opening clause says what the place is, all of it what it is like, one clause what its ground is."""
-    asset, model = entry.asset, sentence_model()
-    line, description = model.vectors([document_of(asset).line, asset.description or asset.name])
-    whole, inside, outside = model.vectors([scene_text, INSIDE, OUTSIDE])
-    said = model.vectors(clauses)
-    near = np.maximum(said @ line, said @ description)
+    line, description = sentence_model().vectors([document_of(asset).line, asset.description or asset.name])
+    whole, parts = said[scene_text], np.array([said[clause] for clause in clauses])
+    near = np.maximum(parts @ line, parts @ description)
     best = int(near.argmax())
     name = set(stems_of(asset.name))
-    indoors = float(whole @ inside - whole @ outside)
+    indoors = float(whole @ said[INSIDE] - whole @ said[OUTSIDE])
     side = bool(name & INDOORS) - bool(name & OUTDOORS)
     own_side = None if abs(indoors) < CLEAR or not side else (side > 0) == (indoors > 0)
     material = (name & (INDOORS | OUTDOORS) & set(stems_of(scene_text))) - GENERIC
-    score = float(said[0] @ line + whole @ line + near[best]) + NAMED * bool(material)
+    score = float(parts[0] @ line + whole @ line + near[best]) + NAMED * bool(material)
     score -= MIXED * max(0, len(asset.slots) - 1) + ASTRAY * (own_side is False)
     told = next((clause for clause in clauses if material & set(stems_of(clause))), clauses[best])
     return _Fit(round(score, 4), float(max(near[best], whole @ line)), told, own_side)
