@@ -21,6 +21,8 @@ from c4s.toolbox.workbench import Workbench
 from cases.starter.suite import build_starter
 
 Built = tuple[SuiteFolder, Path]
+pytestmark = pytest.mark.timeout(900)
+"""The whole suite is built once, with every preview."""
 SPAWNED_WITH = {"spawn_actor": ("name", "static_mesh"), "spawn_blueprint_actor": ("actor_name", "blueprint_id")}
 """The arguments of a spawning tool that take the label and the asset."""
 
