@@ -68,10 +68,10 @@ class Problem:
 
 
 def index_catalog(catalog: Sequence[Asset]) -> dict[str, Asset]:
-    """Assets by id, path, package path and name, lower case; the first of equal names wins."""
+    """Assets by id, path, spawn path, package path and name, lower case; the first of equal names wins."""
     found: dict[str, Asset] = {}
     for asset in catalog:
-        for key in (asset.id, asset.path, asset.path.split(".")[0], asset.name):
+        for key in (asset.id, asset.path, asset.spawn_path, asset.path.split(".")[0], asset.name):
             found.setdefault(key.lower(), asset)
     return found
 

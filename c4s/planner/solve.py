@@ -83,7 +83,7 @@ def _plain(entry: PlacedEntry) -> dict[str, Any]:
     return {
         "name": entry.name,
         "node": entry.node.id,
-        "asset": entry.node.asset.path,
+        "asset": entry.node.asset.spawn_path,
         "kind": entry.node.asset.kind,
         "location": [round(x, 3), round(y, 3), round(z, 3)],
         "rotation": [0.0, round(entry.yaw_deg, 4), 0.0],

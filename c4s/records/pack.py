@@ -124,6 +124,11 @@ class Asset(Record):
     """Preview picture relative to the pack folder."""
 
     @property
+    def spawn_path(self) -> str:
+        """Path to spawn by, as cases offer it: a mesh's object path, a Blueprint's generated class."""
+        return f"{self.path}_C" if self.kind == "blueprint" else self.path
+
+    @property
     def size_m(self) -> Vector:
         """Width (X), depth (Y) and height (Z) in metres."""
         low, high = self.bounds_min_cm, self.bounds_max_cm

@@ -56,12 +56,12 @@ def _metadata(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 def _preview(bench: Workbench, arguments: Arguments) -> ToolResult:
     entry = bench.catalog.find(arguments["id"])
-    if entry.asset.preview is None:
+    picture = entry.preview()
+    if picture is None:
         raise ToolRefused(
             f"{entry.asset.id} has no preview picture", todo="its size and description are in get_asset_metadata"
         )
-    picture = within_limit((entry.folder / entry.asset.preview).read_bytes())
-    return ToolResult({"id": entry.asset.id, "name": entry.asset.name}, image=picture)
+    return ToolResult({"id": entry.asset.id, "name": entry.asset.name}, image=within_limit(picture))
 
 
 TOOLS = (

@@ -35,10 +35,9 @@ class CatalogEntry:
     pack: Pack
     folder: Path
 
-    @property
-    def spawn_path(self) -> str:
-        """Path to spawn by: a mesh's object path, a Blueprint's generated class."""
-        return f"{self.asset.path}_C" if self.asset.kind == "blueprint" else self.asset.path
+    def preview(self) -> bytes | None:
+        """The asset's preview picture (PNG), where it has one."""
+        return None if self.asset.preview is None else (self.folder / self.asset.preview).read_bytes()
 
     def metadata(self) -> dict[str, Any]:
         """What an agent is told of the asset; sizes in metres (X, Y, Z), the pivot's place in the bounds in cm."""
@@ -53,7 +52,7 @@ class CatalogEntry:
             "size_m": [round(side, 3) for side in asset.size_m],
             "bounds_min_cm": list(asset.bounds_min_cm),
             "bounds_max_cm": list(asset.bounds_max_cm),
-            "spawn_path": self.spawn_path,
+            "spawn_path": asset.spawn_path,
             "spawn_with": "spawn_blueprint_actor" if asset.kind == "blueprint" else "spawn_actor",
             "preview": asset.preview is not None,
         }
@@ -74,7 +73,8 @@ class CaseCatalog:
         self.entries = list(entries)
         self._by_key: dict[str, list[CatalogEntry]] = {}
         for entry in self.entries:
-            for key in {entry.asset.id, entry.asset.path, entry.asset.path.split(".")[0]}:
+            asset = entry.asset
+            for key in {asset.id, asset.path, asset.spawn_path, asset.path.split(".")[0]}:
                 self._by_key.setdefault(key, []).append(entry)
 
     @cached_property
@@ -92,13 +92,13 @@ class CaseCatalog:
 
     @classmethod
     def load(cls, case: AgentCase, packs: Sequence[Path]) -> CaseCatalog:
-        """Read the manifests of the packs and keep what the case's catalog names."""
+        """Read the manifests of the packs and keep what the case's catalog names (spawn paths: a Blueprint's class)."""
         offered = set(case.catalog)
         entries = []
         for folder in packs:
             pack = Pack.read(folder / "pack.json")
-            entries += [CatalogEntry(asset, pack, folder) for asset in pack.assets if asset.path in offered]
-        return cls(entries)
+            entries += [CatalogEntry(asset, pack, folder) for asset in pack.assets]
+        return cls([entry for entry in entries if entry.asset.spawn_path in offered])
 
     @property
     def assets(self) -> list[Asset]:
@@ -107,7 +107,7 @@ class CaseCatalog:
 
     def find(self, key: str) -> CatalogEntry:
         """An entry by id, or by package, object or class path. Refused when there is none, or more than one."""
-        found = self._by_key.get(key) or self._by_key.get(key.removesuffix("_C") if "." in key else key, [])
+        found = self._by_key.get(key, [])
         if len(found) == 1:
             return found[0]
         if found:

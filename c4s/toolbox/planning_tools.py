@@ -5,6 +5,7 @@ from __future__ import annotations
 from types import ModuleType
 from typing import Any
 
+from c4s.toolbox.pictures import within_limit
 from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.scene_tools import spawn_path
 from c4s.toolbox.size import ANSWER_SIZE, AROUND, side_by_side
@@ -85,10 +86,23 @@ def _tiers(bench: Workbench, arguments: Arguments) -> ToolResult:
 
 
 def _ground(bench: Workbench, arguments: Arguments) -> ToolResult:
-    tiles = _planner().ground_tiles(arguments["scene_text"], bench.catalog.assets, _half_extent(bench, arguments))
-    if not tiles:
-        raise ToolRefused("the catalog has no flat asset that can be laid as ground")
-    return _spawn_entries(bench, tiles)
+    from c4s.toolbox.ground import choose_ground
+
+    chosen = choose_ground(arguments["scene_text"], bench.catalog.entries)
+    asset = chosen.entry.asset
+    tiles = _planner().ground_tiles(asset, _half_extent(bench, arguments))
+    built = _spawn_entries(bench, tiles)
+    laid = {
+        "id": asset.id,
+        "name": asset.name,
+        "description": asset.description,
+        "spawn_path": asset.spawn_path,
+        "tile_m": [round(tiles[0]["scale"][0] * side, 3) for side in asset.size_m[:2]],
+        "why": chosen.why,
+        "other_grounds": chosen.others,
+    }
+    picture = chosen.entry.preview()
+    return ToolResult({"laid": laid} | built.data, image=None if picture is None else within_limit(picture))
 
 
 def _spawn_entries(bench: Workbench, entries: list[dict[str, Any]]) -> ToolResult:
@@ -190,7 +204,8 @@ TOOLS = (
     Tool(
         "ground_pass",
         GROUP,
-        "Lay ground tiles of a fitting flat asset over the build area.",
+        "Lay tiles of the catalog's ground that fits the scene best over the build area, tops at z = 0. Tells what was "
+        "laid, why, and the other grounds, with a picture of the tile; refused where no ground fits.",
         _ground,
         {
             "scene_text": text("The scene in words: decides which ground fits.", maxLength=20_000),

@@ -31,7 +31,7 @@ KINDS_TOLD = 15
 
 def spawn_path(bench: Workbench, key: str) -> str:
     """The path behind a catalog id; a path stays what it is (the engine decides whether it loads)."""
-    return key if key.startswith("/") else bench.catalog.find(key).spawn_path
+    return key if key.startswith("/") else bench.catalog.find(key).asset.spawn_path
 
 
 def _pose(arguments: Arguments) -> dict[str, Any]:

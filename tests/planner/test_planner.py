@@ -92,7 +92,7 @@ def test_validate_names_what_will_be_dropped() -> None:
 
 
 def test_the_ground_pass_carpets_the_plate_with_its_top_at_zero() -> None:
-    tiles = ground_tiles("a tiled floor", CATALOG, 20.0)
+    tiles = ground_tiles(CATALOG[3], 20.0)
     assert len(tiles) == 100
     assert {tile["asset"] for tile in tiles} == {"/Game/T/SM_floor_tile.SM_floor_tile"}
     assert {tile["location"][2] for tile in tiles} == {-5.0}
@@ -100,9 +100,9 @@ def test_the_ground_pass_carpets_the_plate_with_its_top_at_zero() -> None:
 
 @pytest.mark.parametrize("side_m", [130.0, 200.0])
 def test_the_ground_covers_the_whole_plate_without_gaps(side_m: float) -> None:
-    tiles = ground_tiles("a tiled floor", CATALOG, side_m / 2)
+    tile = CATALOG[3]
+    tiles = ground_tiles(tile, side_m / 2)
     assert 0 < len(tiles) <= 700
-    tile = next(asset for asset in CATALOG if asset.id == "floor_tile")
     edges = {
         axis: sorted(
             {

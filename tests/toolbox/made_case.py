@@ -129,7 +129,7 @@ def make_case(
             "start_map": START,
             "budget": Budget(tool_calls=calls, wall_minutes=minutes).plain(),
             "packs": [PackRef(pack_id="test-pack", digest=manifest.sha256()).plain()],
-            "catalog": [asset.path for asset in manifest.assets],
+            "catalog": [f"{asset.path}_C" if asset.kind == "blueprint" else asset.path for asset in manifest.assets],
             "plate_m": 20.0 if setting == "text-to-scene" else None,
         }
     )

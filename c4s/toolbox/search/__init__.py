@@ -2,7 +2,7 @@
 
 from c4s.toolbox.search.document import Document
 from c4s.toolbox.search.index import Index
-from c4s.toolbox.search.meaning_index import vectors_of
 from c4s.toolbox.search.sentences import sentence_model
+from c4s.toolbox.search.words import stems_of
 
-__all__ = ["Document", "Index", "sentence_model", "vectors_of"]
+__all__ = ["Document", "Index", "sentence_model", "stems_of"]

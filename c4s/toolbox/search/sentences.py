@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import erf
+from threadpoolctl import ThreadpoolController
 
 from c4s.errors import MachineryFault
 from c4s.toolbox.search.pieces import Pieces
@@ -46,18 +47,21 @@ class SentenceModel:
     def __init__(self, folder: Path) -> None:
         self._pieces = Pieces((folder / "vocab.txt").read_text(encoding="utf-8").splitlines())
         self._weights = _mapped(folder / "model.safetensors")
+        self._threads = ThreadpoolController()
+        """One thread multiplies: several wait for each other on a busy machine, for as long as other work takes."""
 
     def vectors(self, texts: Sequence[str]) -> Vectors:
         """A unit vector for each text, in their order."""
         found = np.zeros((len(texts), WIDTH), np.float32)
         numbers = [self._pieces.numbers(text) for text in texts]
         order = sorted(range(len(texts)), key=lambda index: len(numbers[index]))
-        for length, group in groupby(order, key=lambda index: len(numbers[index])):
-            same = list(group)
-            step = max(1, MOST_AT_ONCE // length)
-            for start in range(0, len(same), step):
-                part = same[start : start + step]
-                found[part] = self._mean(np.array([numbers[index] for index in part]))
+        with self._threads.limit(limits=1):
+            for length, group in groupby(order, key=lambda index: len(numbers[index])):
+                same = list(group)
+                step = max(1, MOST_AT_ONCE // length)
+                for start in range(0, len(same), step):
+                    part = same[start : start + step]
+                    found[part] = self._mean(np.array([numbers[index] for index in part]))
         return found
 
     def _mean(self, numbers: NDArray[np.int64]) -> Vectors:

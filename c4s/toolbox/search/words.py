@@ -44,8 +44,8 @@ _STEMMER = snowballstemmer.stemmer("english")
 
 
 def words_of(value: str) -> list[str]:
-    """Lower-case words; camel case and underscores separate words."""
-    return _WORD.findall(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", value).lower())
+    """Lower-case words; camel case, underscores and a number behind letters separate words."""
+    return _WORD.findall(re.sub(r"(?<=[a-z])(?=[A-Z0-9])", " ", value).lower())
 
 
 @lru_cache(maxsize=65536)
