@@ -22,7 +22,7 @@ from c4s.protocol.settings import is_construction
 from c4s.records.level import Level, LevelActor, Transform
 from c4s.records.pack import MANIFEST, Pack
 from c4s.records.suite import SuiteFolder, WithheldFolder
-from c4s.verify.repair.verdict import repair_verdict
+from c4s.verify.repair import repair_verdict
 from cases.boxes import Boxes, boxes_of, world_box
 from cases.corruption import STATIC_MESH_ACTOR, id_of
 
