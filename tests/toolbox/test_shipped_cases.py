@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -18,27 +18,26 @@ from c4s.toolbox.gateway_run import Run
 from c4s.toolbox.ground import choose_ground
 from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.workbench import Workbench
-from cases.starter.suite import build_starter
+from tests.starter import starter_home
 
 Built = tuple[SuiteFolder, Path]
 pytestmark = pytest.mark.timeout(900)
-"""The whole suite is built once, with every preview."""
+"""The whole suite is built where it is not there yet, with every preview."""
+PART = 15
+"""Assets that one answer describes."""
 SPAWNED_WITH = {"spawn_actor": ("name", "static_mesh"), "spawn_blueprint_actor": ("actor_name", "blueprint_id")}
 """The arguments of a spawning tool that take the label and the asset."""
 
 
 @pytest.fixture(scope="module")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Built]:
-    root = tmp_path_factory.mktemp("starter")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("C4S_HOME", str(root))
-        build_starter(root / "suites/starter", root / "packs")
-        yield SuiteFolder(root / "suites/starter"), root / "packs"
+def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
+    home = starter_home(tmp_path_factory.mktemp("starter"))
+    return SuiteFolder(home / "suites/starter"), home / "packs"
 
 
 def _load(built: Built, case_id: str) -> tuple[AgentCase, list[Path], CaseCatalog]:
     suite, packs = built
-    case = suite.agent_case(case_id)
+    case = suite.agent_case(suite.case(case_id).alias)
     folders = [packs / pack.pack_id for pack in case.packs]
     return case, folders, CaseCatalog.load(case, folders)
 
@@ -100,7 +99,7 @@ def test_what_a_case_offers_is_found_described_shown_planned_and_spawned(
     built: Built, case_id: str, tmp_path: Path
 ) -> None:
     case, folders, catalog = _load(built, case_id)
-    agent_folder = built[0].agent(case_id)
+    agent_folder = built[0].agent(case.alias)
     with (
         open_engine(
             "headless",
@@ -116,9 +115,13 @@ def test_what_a_case_offers_is_found_described_shown_planned_and_spawned(
         bench = Workbench(case, agent_folder, catalog, engine, tmp_path / "scratch")
         endpoint = gateway.open_run(Run(case_id, bench, case.budget, tmp_path / "trajectory.jsonl"))
         with GatewayClient(endpoint) as client:
-            told = client.call("get_asset_metadata", ids=case.catalog).data
-            assert [asset["spawn_path"] for asset in told["assets"]] == case.catalog and told["missing"] == []
-            for number, asset in enumerate(told["assets"]):
+            assets: list[dict[str, Any]] = []
+            for at in range(0, len(case.catalog), PART):
+                told = client.call("get_asset_metadata", ids=case.catalog[at : at + PART]).data
+                assert told["missing"] == []
+                assets += told["assets"]
+            assert [asset["spawn_path"] for asset in assets] == case.catalog
+            for number, asset in enumerate(assets):
                 found = client.call("search_assets", query=asset["name"]).data["assets"]
                 assert asset["spawn_path"] in [row["spawn_path"] for row in found], asset["name"]
                 assert client.call("get_asset_preview", id=asset["id"]).images[0].startswith(b"\x89PNG")
