@@ -17,7 +17,7 @@ from c4s.errors import AgentFault
 from c4s.protocol.settings import is_construction
 from c4s.toolbox.client import GatewayClient
 
-PART = 15_000
+PART = 12_000
 """Characters that one call prints."""
 
 
