@@ -31,7 +31,9 @@ app = typer.Typer(
 
 @app.command("list")
 def list_clients(json_output: Annotated[bool, typer.Option("--json")] = False) -> None:
-    """The agent clients, and whether each can be started here."""
+    """The agent clients, and whether each can be started here: installed, with the key of its usual endpoint."""
+    from c4s.meter.endpoints import key_of, model_endpoint
+
     rows = []
     for name in CLIENTS:
         agent = agent_of(Configuration(name=name, client=name))
@@ -39,6 +41,7 @@ def list_clients(json_output: Annotated[bool, typer.Option("--json")] = False) -
         if isinstance(agent, ModelClient):
             try:
                 agent.ready(Configuration(name=name, client=name))
+                key_of(agent.endpoint, model_endpoint(agent.endpoint))
             except C4SError as error:
                 problem = error.line()
         rows.append({"client": name, "model": uses_model, "ready": not problem, "problem": problem})
