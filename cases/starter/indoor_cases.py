@@ -69,9 +69,9 @@ def office_cases(scene: SourceScene) -> list[RepairCase]:
             "Four changes in the meeting room",
             [
                 author.move("LowCabinet_01", by_cm=(330, 0, 0)),
-                author.move("DeskPlant_07", by_cm=(330, 0, 0)),
                 author.rotate("ConferenceChair_02", 65),
                 author.rescale("TallPlant_01", 1.5),
+                author.removal("Laptop_05"),
             ],
             "Layout",
             "hard",

@@ -131,11 +131,11 @@ def _meeting_room(level: LevelBuilder) -> None:
         level.place("CoffeeMug", 10, -30, 74.6)
         level.place("CoffeeMug", 70, 28, 74.6, yaw=60)
         level.place("BookStack", 30, 6, 74.6)
+        level.place("DeskPlant", -12, 10, 74.6)
     level.place("WallWhiteboard", 900, 400, 150, yaw=90)
     level.place("TallPlant", 850, 545)
     level.place("WallClock", 600, 600, 215, yaw=180)
     level.place("LowCabinet", 390, 574, yaw=180)
-    level.place("DeskPlant", 430, 574, 75)
 
 
 def _lounge(level: LevelBuilder) -> None:
