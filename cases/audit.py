@@ -33,7 +33,7 @@ TOGETHER = "all tricks together"
 
 @dataclass(frozen=True)
 class CaseAudit:
-    """Repair F1 of each blind way on one repair; ways that would change nothing are left out."""
+    """Repair F1 of each blind way on one repair; 0 for a way that guesses nothing."""
 
     case_id: str
     f1: Mapping[str, float]
@@ -140,9 +140,8 @@ def _ways(scene: SeenLevel) -> Iterator[tuple[str, list[Guess]]]:
     """Names of ways and the guesses that each makes."""
     together = guesses(scene)
     for name, made in together.items():
-        if made:
-            yield name, chosen(made)
-            yield f"{name}, every guess", _one_each(made)
+        yield name, chosen(made)
+        yield f"{name}, every guess", _one_each(made)
     yield TOGETHER, chosen([guess for made in together.values() for guess in made])
 
 

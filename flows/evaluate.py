@@ -49,7 +49,7 @@ async def evaluate(
 
     Args:
         suite: id of a built suite.
-        agents: configuration names or files (default: the five baselines).
+        agents: configuration names or files (default: the six baselines).
         run_id: folder name of the run (default: the suite's id).
         cases: only these cases.
         repeats: repeats of each case.

@@ -21,7 +21,7 @@ def run(
     suite: Annotated[str, typer.Argument(help="id of a built suite")],
     agent: Annotated[
         list[str] | None,
-        typer.Option("--agent", "-a", help="configuration name or YAML file; repeatable (default: the five baselines)"),
+        typer.Option("--agent", "-a", help="configuration name or YAML file; repeatable (default: the six baselines)"),
     ] = None,
     case: Annotated[list[str] | None, typer.Option("--case", "-c", help="only this case; repeatable")] = None,
     run_id: Annotated[str | None, typer.Option(help="folder name of the run (default: the suite's id)")] = None,

@@ -135,7 +135,7 @@ def audit_suite(
     else:
         print_table(
             ["case", "best blind way", "F1"],
-            [[row.case_id, row.best[0] if row.best[1] else "", f"{row.best[1]:.3f}"] for row in rows],
+            [[row.case_id, row.best[0] if row.best[1] else "none", f"{row.best[1]:.3f}"] for row in rows],
             title=f"Repairs of {name} guessed without a picture",
         )
         if means:
@@ -282,9 +282,9 @@ def _tell(suite: Suite, root: Path, json_output: bool) -> None:
         return
     folder = SuiteFolder(root)
     print_table(
-        ["case", "setting", "scene", "operations", "title"],
+        ["case", "agents see", "setting", "scene", "operations", "title"],
         [
-            [case.case_id, case.setting, withheld.scene_id, " ".join(withheld.operations), withheld.title]
+            [case.case_id, case.alias, case.setting, withheld.scene_id, " ".join(withheld.operations), withheld.title]
             for case in suite.cases
             for withheld in [folder.withheld_case(case.case_id)]
         ],

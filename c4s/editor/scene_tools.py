@@ -16,11 +16,13 @@ from typing import Any
 import unreal
 
 from c4s.editor.conversions import SceneRefused, rotator, rounded, scale_of, vector
+from c4s.editor.identity import tag_values, told
 
 ENVIRONMENT_PREFIX = "Arena_Env_"
 SUN, GROUND, AFTERNOON = "Sun", "Ground", "afternoon"
 SUN_HEIGHT_CM = 5000.0
 MOST_SHOWN = 5
+MOST_DOUBLES = 20
 """Actors of one part of the environment that are named."""
 SUN_ANGLES = {
     "morning": (-25.0, -120.0),
@@ -384,10 +386,19 @@ def _lit(part: str, actor: Any) -> None:
 
 
 def save_scene(package: str) -> dict[str, Any]:
-    """Save the open level as ``package``; that level is the open one afterwards. Tells its package and actor count."""
+    """Save the open level as ``package``; that level is the open one afterwards.
+
+    Tells its package and actor count, and labels of actors that share one identity tag (``doubles``), as duplicates do.
+    """
     if not unreal.EditorLoadingAndSavingUtils.save_map(_world(), package):
         raise SceneRefused(f"the engine did not save {package}")
-    return {"package": package, "actors": len(_actors())}
+    return {"package": package, "actors": len(_actors()), "doubles": _doubles()}
+
+
+def _doubles() -> list[str]:
+    named = [(actor, told(tag_values(map(str, actor.tags)), "stable_actor_id")) for actor in _actors()]
+    counts = Counter(own for _, own in named)
+    return [actor.get_actor_label() for actor, own in named if own and counts[own] > 1][:MOST_DOUBLES]
 
 
 def open_level(package: str) -> dict[str, Any]:

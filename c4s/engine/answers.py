@@ -96,6 +96,10 @@ class _Level(_Closed):
     actors: Count
 
 
+class _Saved(_Level):
+    doubles: Texts
+
+
 class _Maker(_Open):
     engine: str
     engine_version: str
@@ -140,7 +144,7 @@ SHAPES: Final[Mapping[str, TypeAdapter[Any]]] = {
     "scene_tools.delete_all_but": TypeAdapter(Texts),
     "scene_tools.setup_environment": TypeAdapter(_Environment),
     "scene_tools.inspect_environment": TypeAdapter(_Standing),
-    "scene_tools.save_scene": TypeAdapter(_Level),
+    "scene_tools.save_scene": TypeAdapter(_Saved),
     "scene_tools.open_level": TypeAdapter(_Level),
     "snapshot.export_if_changed": TypeAdapter(_IfChanged),
     "snapshot.export_snapshot": TypeAdapter(_Snapshot),

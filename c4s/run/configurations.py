@@ -1,4 +1,4 @@
-"""Agent configurations by name: the five baselines, and any from a YAML file."""
+"""Agent configurations by name: the six baselines, and any from a YAML file."""
 
 from __future__ import annotations
 

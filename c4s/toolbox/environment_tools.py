@@ -11,6 +11,10 @@ from c4s.toolbox.workbench import Workbench
 GROUP = "Environment and persistence"
 SAVED_FOLDER = "/Game/SavedScenes"
 DEFAULT_GROUND_M = 100.0
+DOUBLES = (
+    "these actors share an identity tag, as duplicates do, so the scene cannot be judged: {labels}. "
+    "Remove the tags that begin with simcodearena. from the copies and save again"
+)
 
 
 UNUSED = ("ground_size", "time_of_day")
@@ -34,6 +38,8 @@ def _inspected(bench: Workbench, arguments: Arguments) -> dict[str, Any]:
 def _save(bench: Workbench, arguments: Arguments) -> ToolResult:
     saved = bench.scene("save_scene", package=f"{SAVED_FOLDER}/{arguments['name']}")
     bench.levels.add(saved["package"])
+    if doubles := saved.pop("doubles"):
+        saved["warning"] = DOUBLES.format(labels=", ".join(doubles))
     if arguments.get("revert_to_original", False):
         saved = saved | {"open_level": bench.scene("open_level", package=bench.case.start_map)["package"]}
         bench.given = list(bench.scene("actor_ids"))

@@ -210,5 +210,7 @@ def test_blind_reads_the_scene_as_the_audit_does_and_code_finds_no_name(
     wanted = chosen([guess for of in guesses(things(farm, PASTURE)).values() for guess in of])
     assert outcome.message == "; ".join(f"{guess.actor}: {guess.edit}, {guess.trick}" for guess in wanted)
     saved = json.loads(next((tmp_path / "attempt/submission").rglob("*.level.json")).read_text())
-    gone = sum(guess.edit == "delete" for guess in wanted)
-    assert len(saved["actors"]) == len(start(farm, PASTURE).actors) - gone
+    more = sum({"delete": -1, "copy": 1}.get(guess.edit, 0) for guess in wanted)
+    assert len(saved["actors"]) == len(start(farm, PASTURE).actors) + more
+    ids = [id_of(actor) for actor in Level.model_validate(saved).actors]
+    assert len(set(filter(None, ids))) == len([own for own in ids if own]), "a copy has no identity of another"

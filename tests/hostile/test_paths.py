@@ -244,7 +244,7 @@ PACK = {
     "files": {"meshes/a.glb": "0" * 64},
 }
 CASE = {
-    "case_id": "a",
+    "alias": "a",
     "setting": "text-to-scene",
     "prompt": "",
     "start_map": "/Game/A",
@@ -257,7 +257,7 @@ SUITE = {
     "suite_id": "a",
     "title": "",
     "packs": [{"pack_id": "p", "digest": "0"}],
-    "cases": [{"case_id": "a", "setting": "text-to-scene", "agent_digest": "0", "withheld_digest": "0"}],
+    "cases": [{"case_id": "a", "alias": "b", "setting": "text-to-scene", "agent_digest": "0", "withheld_digest": "0"}],
 }
 PLAN = {
     "run_id": "a",
@@ -265,7 +265,10 @@ PLAN = {
     "suite_digest": "0",
     "configurations": [{"name": "a", "client": "noop"}],
     "cases": [
-        {"case_id": "a", "setting": "text-to-scene", "scene_id": "s", "agent_digest": "0", "withheld_digest": "0"}
+        {
+            **{"case_id": "a", "alias": "b", "setting": "text-to-scene", "scene_id": "s"},
+            **{"agent_digest": "0", "withheld_digest": "0"},
+        }
     ],
     "policy": "p",
     "judge": "rule",

@@ -50,6 +50,7 @@ def planned(root: Path, count: int, settings: tuple[Setting, ...] = SETTINGS) ->
     cases = [
         PlannedCase(
             case_id=f"case-{number}",
+            alias=f"case-{number}",
             setting=settings[number % len(settings)],
             scene_id="made",
             agent_digest="",

@@ -342,6 +342,21 @@ def test_a_picture_is_taken_and_kept_in_the_run(open_run: Callable) -> None:
         opened.client.call("take_screenshot", filename="../../escape.png")
 
 
+def test_saving_warns_of_duplicates_that_kept_their_identity(open_run: Callable) -> None:
+    client = open_run().client
+    script = """import unreal
+editor = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+sofa = next(actor for actor in editor.get_all_level_actors() if actor.get_actor_label() == "Sofa")
+sofa.tags.append("simcodearena.stable_actor_id=sca_source_1")
+copy = editor.duplicate_actor(sofa)
+"""
+    client.call("execute_python_script", script=script, execution_mode="sync")
+    warning = client.call("save_scene_as", name="doubled").data["warning"]
+    assert "Sofa" in warning and warning.count("Sofa") == 2 and "cannot be judged" in warning
+    client.call("execute_python_script", script="copy.tags = []", execution_mode="sync")
+    assert "warning" not in client.call("save_scene_as", name="mended").data
+
+
 def test_saving_writes_a_level_and_can_revert(open_run: Callable) -> None:
     opened = open_run()
     opened.client.call("delete_actor", name="Sofa")

@@ -69,6 +69,7 @@ for guess in json.loads(GUESSES):
         actor.static_mesh_component.set_static_mesh(unreal.load_asset(guess["mesh"]))
     if guess["edit"] == "copy":
         actor = editor.duplicate_actor(actor)
+        actor.tags = [tag for tag in actor.tags if not str(tag).startswith(IDS)]
     if guess["location"]:
         actor.set_actor_location(unreal.Vector(*guess["location"]), False, False)
     if guess["rotation"]:
