@@ -7,7 +7,7 @@ in the air or sinks into another in the scene as its makers left it would cost p
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -83,12 +83,12 @@ def generated(
             where=scene_id,
             todo="give fewer --changes",
         )
-    meshes = [
-        asset.path
+    meshes = {
+        asset.path: asset.bounds_min_cm[2]
         for pack in packs
         for asset in Pack.read(packs_root / pack / "pack.json").assets
         if asset.kind == "static_mesh" and max(asset.size_m) < 3 and min(asset.size_m) > MIN_SIDE_CM / 100
-    ]
+    }
     author, chance = Author(level, scene_id), random.Random(f"{scene_id}|{seed}")
     scene = SourceScene(scene_id, environment, scene_id.replace("-", " ").capitalize(), level, tuple(packs))
     cases = [_case(number, scene, author, things, meshes, 1 + (number % changes), chance) for number in range(count)]
@@ -131,7 +131,7 @@ def _case(
     scene: SourceScene,
     author: Author,
     things: Sequence[SoundThing],
-    meshes: list[str],
+    meshes: Mapping[str, float],
     changes: int,
     chance: random.Random,
 ) -> RepairCase:
@@ -168,15 +168,16 @@ def _change(
     kind: Kind,
     thing: SoundThing,
     author: Author,
-    meshes: list[str],
+    meshes: Mapping[str, float],
     chance: random.Random,
     removed: set[str],
     added: set[str],
 ) -> Corruption | None:
     """One change of a thing, or ``None`` where it would not be one or would spoil another."""
-    name, (x, y, _), (wide, deep, _) = thing.name, thing.origin, thing.extent
-    aside = (max(40.0, 2.2 * wide) * chance.choice((-1, 1)), max(40.0, 2.2 * deep) * chance.choice((-1, 0, 1)))
-    height = author.actor(name).transform.location_cm[2]
+    name, (x, y, z), (wide, deep, high) = thing.name, thing.origin, thing.extent
+    far = chance.uniform(2.0, 3.2)
+    aside = (max(40.0, far * wide) * chance.choice((-1, 1)), max(40.0, far * deep) * chance.choice((-1, 0, 1)))
+    bottom = z - high
     others = [mesh for mesh in meshes if mesh != thing.mesh and mesh not in removed]
     match kind:
         case "removal":
@@ -187,18 +188,22 @@ def _change(
         case "move":
             return author.move(name, by_cm=(round(aside[0], 1), round(aside[1], 1), 0.0))
         case "rotate":
-            return author.rotate(name, chance.choice((35.0, 65.0, 115.0, -50.0)))
+            return author.rotate(name, round(chance.choice((-1, 1)) * chance.uniform(30.0, 140.0), 2))
         case "rescale":
-            return author.rescale(name, chance.choice((1.4, 1.6, 0.6)))
+            return author.rescale(
+                name, round(chance.choice((chance.uniform(0.58, 0.75), chance.uniform(1.3, 1.65))), 3)
+            )
         case "mirror":
-            return author.mirror(name)
+            return author.mirror(name, "x")
         case "replacement":
             return author.replacement(name, chance.choice(others)) if others else None
         case "insertion":
             if not others:
                 return None
             added.add(mesh := chance.choice(others))
-            return author.insertion(mesh, (round(x + aside[0], 1), round(y + aside[1], 1), height))
+            return author.insertion(
+                mesh, (round(x + aside[0], 1), round(y + aside[1], 1), round(bottom - meshes[mesh], 3))
+            )
         case "duplication":
             if thing.mesh in removed:
                 return None

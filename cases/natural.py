@@ -7,8 +7,9 @@ mirrored within their box. What would then stand no more, or touch what it did n
 
 from __future__ import annotations
 
+import math
 import random
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +17,7 @@ import numpy as np
 from c4s.geometry.transform import normalize_axis
 from c4s.records.level import Level, LevelActor, Transform, Vector
 from cases.boxes import Array, Boxes, world_box
-from cases.corruption import STATIC_MESH_ACTOR, Operation, SetTransform, id_of
+from cases.corruption import STATIC_MESH_ACTOR, Operation, SetTransform, SpawnActor, id_of
 
 CLEAR_CM = 4.0
 """Air that is kept beside what is shifted, turned or scaled."""
@@ -24,13 +25,18 @@ TOUCH_CM = 5.0
 """A thing whose lower side lies within this of another's upper side stands on it."""
 LARGEST_CM = 600.0
 """Longest side of what is shifted, turned or scaled; buildings are mirrored only."""
-ASKEW, UNEVEN, MIRRORED = 0.6, 0.4, 0.3
+ASKEW, UNEVEN, MIRRORED = 0.6, 0.6, 0.3
 """Shares of the things that can be."""
 TRIES = 4
 """Each half as far as the one before, and smaller where the first was larger."""
-SMALLER = tuple(hundredths / 100 for hundredths in range(80, 94))
-ANY_SIZE = SMALLER + tuple(hundredths / 100 for hundredths in range(107, 126))
-"""Factors of an axis; none is near 1, since a size within the tolerance of Repair F1 is the usual size."""
+SIZES = (0.55, 1.8)
+"""Sizes of what is uneven lie here, evenly on a scale of logarithms, before a recipe and after it."""
+SIDEWAYS = 0.12
+"""Each axis differs from the size by up to this share, and one of them by more than the tolerance of Repair F1."""
+NEAR_DEG, FAR_DEG, TURNED_FAR = (5.5, 24.0), (24.0, 156.0), 0.25
+"""Most things are turned a little, a part of them by any angle."""
+DIGITS = 3
+"""Decimals of every place, angle and scale of a scene, and of all that a recipe writes."""
 
 
 @dataclass
@@ -66,37 +72,56 @@ class _Placed:
         return bool(np.all(np.any(inside, axis=1)))
 
 
-def lived_in(level: Level, boxes: Boxes, chance: random.Random, scaled: Collection[str] = ()) -> Level:
+@dataclass(frozen=True)
+class Plans:
+    """What recipes have in mind for a scene's things, by stable id."""
+
+    factors: Mapping[str, float]
+    """By how much a thing is scaled: its size before leaves room for that within ``SIZES``."""
+    mirrored: Collection[str]
+    """What is mirrored: in the original it is mirrored already, so that what most things are is never the answer."""
+
+
+NO_PLANS = Plans({}, ())
+
+
+def lived_in(
+    level: Level, boxes: Boxes, chance: random.Random, plans: Plans = NO_PLANS, only: Collection[str] | None = None
+) -> Level:
     """The level with things askew, uneven and mirrored; the same chance, the same level.
 
     Args:
         level: the original; each actor has a stable id.
         boxes: local boxes of the meshes; an actor with a mesh that is not among them stays as it is.
         chance: where it is drawn from.
-        scaled: stable ids of things that a recipe scales or mirrors: they are mirrored and uneven, or the size that
-            most things have would be theirs too.
+        plans: what recipes have in mind.
+        only: stable ids of the things that may be disturbed; all when left out.
     """
     parents = {actor.parent for actor in level.actors}
-    actors = list(level.actors)
+    actors = [_rounded(actor) for actor in level.actors]
     rows = [world_box(actor, actor.transform, boxes) for actor in actors]
     placed = _Placed(np.array([low for low, _ in rows]), np.array([high for _, high in rows]))
     for row, actor in enumerate(actors):
         simple = actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1
+        own = id_of(actor) or ""
         if not simple or actor.parent or actor.name in parents or np.isnan(placed.low[row]).any():
+            continue
+        if only is not None and own not in only:
             continue
         now = actor.transform
         if placed.carried(row):
             continue
-        if chance.random() < MIRRORED or id_of(actor) in scaled:
+        if chance.random() < MIRRORED or own in plans.mirrored:
             now = _mirrored(actor, now, boxes)
         side = float((placed.high[row] - placed.low[row]).max())
         loose = not placed.beside(row, placed.low[row], placed.high[row], CLEAR_CM).any()
         if side <= LARGEST_CM and placed.held(row, placed.low[row], placed.high[row]):
-            wanted = chance.random() < UNEVEN or id_of(actor) in scaled
+            wanted = chance.random() < UNEVEN or own in plans.factors
+            factor = plans.factors.get(own, 1.0) if wanted else None
             if loose:
-                now = _disturbed(actor, now, boxes, placed, row, chance, uneven=wanted)
-            elif wanted:
-                now = _smaller(actor, now, boxes, chance)
+                now = _disturbed(actor, now, boxes, placed, row, chance, factor)
+            elif factor is not None:
+                now = _at_once(actor, now, boxes, _uneven(now.scale, factor, chance, largest=0.93))
         if now != actor.transform:
             actors[row] = actor.model_copy(update={"transform": now})
             placed.low[row], placed.high[row] = world_box(actor, now, boxes)
@@ -107,7 +132,7 @@ def _at(actor: LevelActor, place: Transform, boxes: Boxes, middle: Array, bottom
     """A place whose box has its middle and lower side where they were."""
     low, high = world_box(actor, place, boxes)
     off = np.array((*(middle - (low + high) / 2)[:2], bottom - low[2]))
-    x, y, z = (float(round(value, 3)) for value in np.add(place.location_cm, off))
+    x, y, z = (float(round(value, DIGITS)) for value in np.add(place.location_cm, off))
     return place.model_copy(update={"location_cm": (x, y, z)})
 
 
@@ -119,71 +144,128 @@ def _mirrored(actor: LevelActor, now: Transform, boxes: Boxes) -> Transform:
     return _at(actor, turned, boxes, (low + high) / 2, float(low[2]))
 
 
+def _uneven(scale: Vector, factor: float, chance: random.Random, largest: float = SIZES[1]) -> Vector:
+    """Another size, each axis a little different; it stays within ``SIZES`` when it is scaled by the factor too."""
+    low = min(0.93, max(SIZES[0], SIZES[0] / factor))
+    high = max(low, min(largest, SIZES[1], SIZES[1] / factor))
+    size = math.exp(chance.uniform(math.log(low), math.log(high)))
+    axes = [size * (1 + chance.uniform(-SIDEWAYS, SIDEWAYS)) for _ in range(3)]
+    axes[chance.randrange(3)] = size * (1 + chance.choice((-1, 1)) * SIDEWAYS)
+    x, y, z = (round(s * axis, DIGITS) for s, axis in zip(scale, axes, strict=True))
+    return x, y, z
+
+
+def _at_once(actor: LevelActor, now: Transform, boxes: Boxes, scale: Vector) -> Transform:
+    """Of another size where it stands."""
+    low, high = world_box(actor, now, boxes)
+    return _at(actor, now.model_copy(update={"scale": scale}), boxes, (low + high) / 2, float(low[2]))
+
+
 def _disturbed(
-    actor: LevelActor, now: Transform, boxes: Boxes, placed: _Placed, row: int, chance: random.Random, *, uneven: bool
+    actor: LevelActor,
+    now: Transform,
+    boxes: Boxes,
+    placed: _Placed,
+    row: int,
+    chance: random.Random,
+    factor: float | None,
 ) -> Transform:
-    """A little askew and uneven, as far as there is room and what it stands on reaches."""
+    """Askew, and uneven where a factor is given, as far as there is room and what it stands on reaches."""
     askew = chance.random() < ASKEW
-    turn = chance.choice((-1, 1)) * chance.uniform(5.5, 24.0)
-    shift = [chance.choice((-1, 1)) * chance.uniform(6.0, 28.0) for _ in range(2)]
-    factors, smaller = ([chance.choice(range_of) for _ in range(3)] for range_of in (ANY_SIZE, SMALLER))
+    turn = chance.choice((-1, 1)) * chance.uniform(*(FAR_DEG if chance.random() < TURNED_FAR else NEAR_DEG))
+    shift = np.array([chance.choice((-1, 1)) * chance.uniform(6.0, 28.0) for _ in range(2)] + [0.0])
+    turned, shifted = chance.choice(((1, 1), (1, 0), (0, 1)))
     low, high = world_box(actor, now, boxes)
     middle, bottom = (low + high) / 2, float(low[2])
     for step in range(TRIES):
-        far = 0.5**step
+        far = 0.5**step if askew else 0.0
         pitch, yaw, roll = now.rotation_deg
-        place = now
-        if uneven:
-            x, y, z = (round(s * f, 2) for s, f in zip(now.scale, smaller if step else factors, strict=True))
-            place = place.model_copy(update={"scale": (x, y, z)})
-        if askew:
-            turned = round(normalize_axis(yaw + far * turn), 1)
-            place = place.model_copy(update={"rotation_deg": (pitch, turned, roll)})
-        moved = middle + np.array((*(np.round(shift, 1) * (far if askew else 0.0)), 0.0))
-        place = _at(actor, place, boxes, moved, bottom)
+        rotation = (pitch, round(normalize_axis(yaw + turned * far * turn), DIGITS), roll)
+        scale = now.scale if factor is None else _uneven(now.scale, factor, chance, SIZES[1] if step == 0 else 0.93)
+        place = now.model_copy(update={"rotation_deg": rotation, "scale": scale})
+        place = _at(actor, place, boxes, middle + shifted * far * shift, bottom)
         box = world_box(actor, place, boxes)
         if not placed.beside(row, *box, CLEAR_CM / 2).any() and placed.held(row, *box):
             return place
     return now
 
 
-def _smaller(actor: LevelActor, now: Transform, boxes: Boxes, chance: random.Random) -> Transform:
-    """A little smaller, unevenly, where it stands: that never needs room."""
-    x, y, z = (round(s * chance.choice(SMALLER), 2) for s in now.scale)
-    low, high = world_box(actor, now, boxes)
-    smaller = now.model_copy(update={"scale": (x, y, z)})
-    return _at(actor, smaller, boxes, (low + high) / 2, float(low[2]))
+def _rounded(actor: LevelActor) -> LevelActor:
+    """The actor with as many decimals as all that is written of a scene."""
+    place = actor.transform
+    values = {
+        name: tuple(round(value, DIGITS) for value in getattr(place, name))
+        for name in ("location_cm", "rotation_deg", "scale")
+    }
+    return actor.model_copy(update={"transform": place.model_copy(update=values)})
 
 
-def rebased(operations: Sequence[Operation], before: Level, after: Level) -> list[Operation]:
+def rebased(operations: Sequence[Operation], before: Level, after: Level, chance: random.Random) -> list[Operation]:
     """A recipe that was written for a level, for the same level after its things were disturbed.
 
-    New places and angles keep their distance from the original's, new scales their factor.
+    New places and angles keep their distance from the original's, new scales their factor, all of them within half a
+    centimetre, half a degree and a hundredth: a recipe's round numbers would tell what it touched.
     """
     was = {id_of(actor): actor.transform for actor in before.actors}
     now = {id_of(actor): actor.transform for actor in after.actors}
     return [
-        _rebased(operation, was[operation.target], now[operation.target])
+        _rebased(operation, was[operation.target], now[operation.target], chance)
         if isinstance(operation, SetTransform) and operation.target in was
         else operation
         for operation in operations
     ]
 
 
-def _rebased(operation: SetTransform, was: Transform, now: Transform) -> SetTransform:
+def _rebased(operation: SetTransform, was: Transform, now: Transform, chance: random.Random) -> SetTransform:
+    def off(*values: float, by: float) -> Vector:
+        x, y, z = (value + chance.uniform(-by, by) if value else 0.0 for value in values)
+        return x, y, z
+
     changes: dict[str, Vector] = {}
     if operation.location_cm is not None:
-        x, y, z = (
-            round(n + o - w, 3) for n, o, w in zip(now.location_cm, operation.location_cm, was.location_cm, strict=True)
-        )
+        dx, dy, dz = np.subtract(operation.location_cm, was.location_cm)
+        step = (*off(dx, dy, 0.0, by=0.5)[:2], float(dz))
+        x, y, z = (round(n + d, DIGITS) for n, d in zip(now.location_cm, step, strict=True))
         changes["location_cm"] = (x, y, z)
     if operation.rotation_deg is not None:
-        x, y, z = (
-            round(normalize_axis(n + o - w), 3)
-            for n, o, w in zip(now.rotation_deg, operation.rotation_deg, was.rotation_deg, strict=True)
-        )
+        turns = off(*np.subtract(operation.rotation_deg, was.rotation_deg), by=0.5)
+        x, y, z = (round(normalize_axis(n + d), DIGITS) for n, d in zip(now.rotation_deg, turns, strict=True))
         changes["rotation_deg"] = (x, y, z)
     if operation.scale is not None:
-        x, y, z = (round(n * o / w, 2) for n, o, w in zip(now.scale, operation.scale, was.scale, strict=True))
+        factor = 1 + chance.uniform(-0.01, 0.01)
+        mirrored = min(np.divide(operation.scale, was.scale)) < 0
+        sizes = zip(now.scale, operation.scale, was.scale, strict=True)
+        x, y, z = (round(n * o / w * (1.0 if mirrored else factor), DIGITS) for n, o, w in sizes)
         changes["scale"] = (x, y, z)
     return operation.model_copy(update=changes)
+
+
+def plans_of(operations: Sequence[Operation], level: Level) -> Plans:
+    """What recipes that were written for a level have in mind."""
+    was = {id_of(actor): actor.transform.scale for actor in level.actors}
+    factors: dict[str, float] = {}
+    mirrored = set()
+    for operation in operations:
+        if isinstance(operation, SetTransform) and operation.scale is not None and operation.target in was:
+            ratios = [new / old for new, old in zip(operation.scale, was[operation.target], strict=True)]
+            factors[operation.target] = abs(math.prod(ratios)) ** (1 / 3)
+            if min(ratios) < 0:
+                mirrored.add(operation.target)
+    return Plans(factors, mirrored)
+
+
+def settled_spawns(operations: Sequence[Operation], level: Level) -> list[Operation]:
+    """The operations with what they put there as it stands in a level."""
+    places = {id_of(actor): actor.transform for actor in level.actors}
+    return [
+        operation.model_copy(
+            update={
+                "location_cm": (place := places[operation.stable_id]).location_cm,
+                "rotation_deg": place.rotation_deg,
+                "scale": place.scale,
+            }
+        )
+        if isinstance(operation, SpawnActor)
+        else operation
+        for operation in operations
+    ]

@@ -26,9 +26,9 @@ from cases import exports
 from cases.audit import audit, check_blind
 from cases.boxes import boxes_of
 from cases.checks import check_definition, check_repair, check_scene
-from cases.corruption import Operation, Recipe, SetTransform, apply, with_identities
+from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
-from cases.natural import lived_in, rebased
+from cases.natural import lived_in, plans_of, rebased, settled_spawns
 from cases.prompts import repair_prompt, spawn_path, text_prompt
 from cases.requirements import bundle
 from cases.settle import to_build
@@ -166,17 +166,15 @@ class _Builder:
         chance = self.veil.chance(scene.scene_id)
         boxes = boxes_of(assets.values())
         packs = [self.packs_root / pack_id for pack_id in scene.packs]
-        scaled = {
-            operation.target
-            for case in repairs
-            for operation in case.operations
-            if isinstance(operation, SetTransform) and operation.scale
-        }
-        original = settled(authored, lived_in(authored, boxes, chance, scaled), packs)
+        plans = plans_of([operation for case in repairs for operation in case.operations], authored)
+        original = settled(authored, lived_in(authored, boxes, chance, plans), packs)
         damaged = [original]
         for case in repairs:
-            operations = as_precise(rebased(case.operations, authored, original), original, chance)
-            corrupted = apply(original, operations, self.veil.start_map(case.case_id))
+            operations = as_precise(rebased(case.operations, authored, original, chance), original, chance)
+            put = [operation.stable_id for operation in operations if isinstance(operation, SpawnActor)]
+            package = self.veil.start_map(case.case_id)
+            corrupted = lived_in(apply(original, operations, package), boxes, chance, only=put)
+            operations = settled_spawns(operations, corrupted)
             check_repair(case, operations, original, corrupted)
             damaged.append(corrupted)
             self.operations[case.case_id] = operations

@@ -163,7 +163,7 @@ def as_precise(operations: Sequence[Operation], level: Level, chance: random.Ran
     lengths = sorted(
         len(repr(value).partition(".")[2]) for actor in level.actors for value in actor.transform.location_cm[:2]
     )
-    digits = min(lengths[len(lengths) // 2], 6) if lengths else 0
+    digits = lengths[len(lengths) // 2] if lengths else 0
     return [_with_dust(operation, digits, chance) for operation in operations] if digits > 1 else list(operations)
 
 

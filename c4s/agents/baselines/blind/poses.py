@@ -12,6 +12,9 @@ from c4s.agents.baselines.blind.guess import Guess
 from c4s.agents.baselines.blind.scene import SeenActor, SeenLevel, Vector
 
 SAME, STEP_DEG = 0.01, 15.0
+FEW = 3
+FACTORS = (0.5, 0.55, 0.6, 0.7, 0.72, 0.8, 1.25, 1.3, 1.35, 1.4, 1.5, 1.6, 2.0)
+"""By which recipes scale."""
 
 
 def mirrored(scene: SeenLevel) -> Iterator[Guess]:
@@ -40,6 +43,25 @@ def odd_sizes(scene: SeenLevel) -> Iterator[Guess]:
         even = len({round(abs(s), 3) for s in thing.scale}) == 1
         chance = min(0.9, far * (1.2 if even else 0.6)) / math.sqrt(len(odd))
         yield Guess(thing.name, "place", "a size unlike its like", chance, scale=wanted)
+
+
+def backwards(scene: SeenLevel) -> Iterator[Guess]:
+    """A negative scale along the axis that things look along: turn it back."""
+    found = [t for t in scene.things if t.scale[1] < 0]
+    for thing in found:
+        x, y, z = thing.scale
+        yield Guess(thing.name, "place", "turned inside out", 0.7 / len(found), scale=(x, -y, z))
+
+
+def extreme_sizes(scene: SeenLevel) -> Iterator[Guess]:
+    """The largest and the smallest of all: by a usual factor back towards the size of most."""
+    sizes = sorted((math.prod(map(abs, t.scale)) ** (1 / 3), t.order) for t in scene.things if 0.0 not in t.scale)
+    things = {thing.order: thing for thing in scene.things}
+    for size, order in dict.fromkeys((*sizes[:FEW], *sizes[-FEW:])):
+        thing = things[order]
+        factor = min(FACTORS, key=lambda f: abs(math.log(size / f)))
+        x, y, z = (value / factor for value in thing.scale)
+        yield Guess(thing.name, "place", "an extreme size", 0.05 + 0.1 * abs(math.log(size)), scale=(x, y, z))
 
 
 def odd_turns(scene: SeenLevel) -> Iterator[Guess]:
@@ -81,9 +103,9 @@ def copies(scene: SeenLevel) -> Iterator[Guess]:
     """Two of one mesh with the very same turn and an uneven or odd scale, or one inside the other."""
     pairs = []
     for things in scene.of_mesh.values():
-        seen: dict[tuple[Vector, Vector], SeenActor] = {}
+        seen: dict[Vector, SeenActor] = {}
         for thing in things:
-            pose = (thing.rotation, thing.scale)
+            pose = thing.scale
             special = max(abs(abs(s) - 1) for s in thing.scale) > SAME
             if special and pose in seen:
                 pairs.append((thing, seen[pose]))

@@ -19,6 +19,8 @@ TRICKS: dict[str, Callable[[SeenLevel], Iterator[Guess]]] = {
     "paint": outliner.paint,
     "mirrored": poses.mirrored,
     "odd sizes": poses.odd_sizes,
+    "backwards": poses.backwards,
+    "extreme sizes": poses.extreme_sizes,
     "odd turns": poses.odd_turns,
     "round numbers": poses.round_numbers,
     "copies": poses.copies,
