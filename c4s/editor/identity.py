@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -55,6 +56,13 @@ def told(values: Mapping[str, str], field: str) -> str | None:
         if values.get(key):
             return values[key]
     return None
+
+
+def doubles(tagged: Sequence[tuple[str, Sequence[str]]]) -> list[str]:
+    """Labels of the actors whose id tag another one has too, of (label, tags) pairs."""
+    named = [(label, told(tag_values(tags), "stable_actor_id")) for label, tags in tagged]
+    shared = Counter(own for _, own in named)
+    return [label for label, own in named if own and shared[own] > 1]
 
 
 def _digest(signature: Mapping[str, Any]) -> str:

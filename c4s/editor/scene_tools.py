@@ -16,7 +16,7 @@ from typing import Any
 import unreal
 
 from c4s.editor.conversions import SceneRefused, rotator, rounded, scale_of, vector
-from c4s.editor.identity import tag_values, told
+from c4s.editor.identity import doubles
 
 ENVIRONMENT_PREFIX = "Arena_Env_"
 SUN, GROUND, AFTERNOON = "Sun", "Ground", "afternoon"
@@ -392,13 +392,9 @@ def save_scene(package: str) -> dict[str, Any]:
     """
     if not unreal.EditorLoadingAndSavingUtils.save_map(_world(), package):
         raise SceneRefused(f"the engine did not save {package}")
-    return {"package": package, "actors": len(_actors()), "doubles": _doubles()}
-
-
-def _doubles() -> list[str]:
-    named = [(actor, told(tag_values(map(str, actor.tags)), "stable_actor_id")) for actor in _actors()]
-    counts = Counter(own for _, own in named)
-    return [actor.get_actor_label() for actor, own in named if own and counts[own] > 1][:MOST_DOUBLES]
+    actors = _actors()
+    tagged = [(actor.get_actor_label(), [str(tag) for tag in actor.tags]) for actor in actors]
+    return {"package": package, "actors": len(actors), "doubles": doubles(tagged)[:MOST_DOUBLES]}
 
 
 def open_level(package: str) -> dict[str, Any]:
