@@ -59,10 +59,10 @@ def told(values: Mapping[str, str], field: str) -> str | None:
 
 
 def doubles(tagged: Sequence[tuple[str, Sequence[str]]]) -> list[str]:
-    """Labels of the actors whose id tag another one has too, of (label, tags) pairs."""
+    """Labels of actors whose id tag another one has too, 20 at most, of (label, tags) pairs."""
     named = [(label, told(tag_values(tags), "stable_actor_id")) for label, tags in tagged]
     shared = Counter(own for _, own in named)
-    return [label for label, own in named if own and shared[own] > 1]
+    return [label for label, own in named if own and shared[own] > 1][:20]
 
 
 def _digest(signature: Mapping[str, Any]) -> str:

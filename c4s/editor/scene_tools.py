@@ -22,7 +22,6 @@ ENVIRONMENT_PREFIX = "Arena_Env_"
 SUN, GROUND, AFTERNOON = "Sun", "Ground", "afternoon"
 SUN_HEIGHT_CM = 5000.0
 MOST_SHOWN = 5
-MOST_DOUBLES = 20
 """Actors of one part of the environment that are named."""
 SUN_ANGLES = {
     "morning": (-25.0, -120.0),
@@ -386,15 +385,12 @@ def _lit(part: str, actor: Any) -> None:
 
 
 def save_scene(package: str) -> dict[str, Any]:
-    """Save the open level as ``package``; that level is the open one afterwards.
-
-    Tells its package and actor count, and labels of actors that share one identity tag (``doubles``), as duplicates do.
-    """
+    """Save the open level as ``package`` and stay in it. ``doubles`` are labels of actors that share one identity."""
     if not unreal.EditorLoadingAndSavingUtils.save_map(_world(), package):
         raise SceneRefused(f"the engine did not save {package}")
     actors = _actors()
     tagged = [(actor.get_actor_label(), [str(tag) for tag in actor.tags]) for actor in actors]
-    return {"package": package, "actors": len(actors), "doubles": doubles(tagged)[:MOST_DOUBLES]}
+    return {"package": package, "actors": len(actors), "doubles": doubles(tagged)}
 
 
 def open_level(package: str) -> dict[str, Any]:
