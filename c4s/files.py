@@ -238,10 +238,18 @@ def _read_json(path: Path, what: str, bound: Bound, plain: bool) -> tuple[Any, b
         raise BadInput(f"this {what} is not valid JSON: {error}", where=str(path), todo="is it complete?") from None
 
 
+def whole_characters(value: Any) -> Any:
+    """A value of JSON with ``?`` for every half of a surrogate pair in it: what UTF-8 can hold.
+
+    ``ValueError`` for NaN and infinities, ``RecursionError`` for what is nested too deep.
+    """
+    return json.loads(json.dumps(value, ensure_ascii=False, allow_nan=False).encode(errors="replace"))
+
+
 def append_json_line(path: Path, value: Any) -> None:
-    """Append one JSON line (a trajectory or usage record)."""
+    """Append one JSON line (a trajectory or usage record); half a surrogate pair in it becomes ``?``."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("a", encoding="utf-8") as out:
+    with path.open("a", encoding="utf-8", errors="replace") as out:
         out.write(canonical_json(value) + "\n")
 
 

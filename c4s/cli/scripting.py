@@ -132,7 +132,9 @@ def _picture(session: Engine, scratch: Path, camera: Any) -> bytes:
 
 
 def _save(session: Engine, content: Path, save: Path) -> None:
-    package = ask(session, "scene_tools.save_scene", package=save_package(save))["package"]
+    package = save_package(save)
+    if ask(session, "scene_tools.save_scene", package=package)["package"] != package:
+        raise _Unsaved("the level was saved as another package than the one that was asked for")
     fault = content_fault(content)
     if fault is not None:
         raise _Unsaved(f"the saved level cannot be read: {fault}")

@@ -92,7 +92,8 @@ class _Standing(_Closed):
 
 
 class _Level(_Closed):
-    package: Annotated[str, Field(pattern=r"^(/[A-Za-z0-9_.-]+)+$", max_length=1000)]
+    package: Annotated[str, Field(pattern=r"^(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)+$", max_length=1000)]
+    """No segment begins with a dot: it is a place in a content folder."""
     actors: Count
 
 

@@ -18,10 +18,13 @@ from mcp import Client
 from mcp.client.streamable_http import streamable_http_client
 
 from c4s.errors import AgentFault, MachineryFault
-from c4s.toolbox.gateway import Endpoint
+from c4s.toolbox.gateway import MAX_BODY_BYTES, Endpoint
 
 CONNECT_TIMEOUT_S = 30.0
 ACTORS_A_CALL = 1000
+MOST_CALL_BYTES = MAX_BODY_BYTES - (64 << 10)
+"""Of a call's name and arguments; the rest of what the gateway takes is for what goes around them."""
+MOST_NESTING = 64
 NO_CERTIFICATES = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
 """The gateway is plain HTTP on this machine; loading the usual certificates takes longer than a call."""
 
@@ -87,8 +90,14 @@ class GatewayClient:
         )
 
     def answer(self, name: str, arguments: dict[str, Any], *, call_id: str | None = None) -> wire.CallToolResult:
-        """One call as it comes over the wire. ``call_id`` identifies the call; a repeat gets the first answer."""
+        """One call as it comes over the wire. ``call_id`` identifies the call; a repeat gets the first answer.
+
+        ``CallRefused`` for a call that cannot be sent (``call_fault``); nothing of it reaches the gateway.
+        """
         portal, client = self._opened()
+        fault = call_fault(name, arguments)
+        if fault is not None:
+            raise CallRefused(fault, where=name[:100].encode(errors="replace").decode())
         meta: Any = {"c4s/callId": call_id or uuid.uuid4().hex}
 
         async def send() -> wire.CallToolResult:
@@ -116,6 +125,27 @@ class GatewayClient:
             found += part["actors"]
             offset = part["next"]
         return found
+
+
+def call_fault(name: str, arguments: dict[str, Any]) -> str | None:
+    """Why a call cannot be sent, or None: it is nested too deep, too large, or no text that UTF-8 can hold."""
+    if _nested(arguments):
+        return f"the arguments are nested more than {MOST_NESTING} deep"
+    try:
+        size = len(json.dumps([name, arguments], ensure_ascii=False, default=str).encode())
+    except UnicodeEncodeError:
+        return "a text of the call holds half a surrogate pair"
+    except ValueError as error:
+        return f"the arguments cannot be sent: {error}"
+    return None if size <= MOST_CALL_BYTES else f"the call has {size:,} bytes, more than {MOST_CALL_BYTES:,}"
+
+
+def _nested(value: Any) -> bool:
+    layer = [value]
+    for _ in range(MOST_NESTING):
+        held = [part for part in layer if isinstance(part, (dict, list, tuple))]
+        layer = [part for one in held for part in (one.values() if isinstance(one, dict) else one)]
+    return any(isinstance(part, (dict, list, tuple)) for part in layer)
 
 
 class _Connection:

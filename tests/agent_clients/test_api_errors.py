@@ -58,6 +58,8 @@ def test_an_answer() -> None:
         (Reply([b'{"ch'], then="cut"), "connection"),
         (Reply([b"<html>"]), "malformed"),
         (Reply([b'{"choices": []}']), "malformed"),
+        (Reply([b'{"choices": [{"message": {"content": NaN}}]}']), "malformed"),
+        (Reply([b"[" * 100_000]), "malformed"),
         (Reply([b'{"choices": [{"message": {"tool_calls": [{"id": "1"}]}}]}']), "malformed"),
         (Reply([b'{"error": {"code": 503, "message": "busy"}}']), "server"),
         (Reply([b'{"choices": [{"error": {"code": 429, "message": "busy"}}]}']), "rate"),
@@ -70,6 +72,13 @@ def test_what_passes_is_asked_again(reply: Reply, kind: str) -> None:
         assert len(upstream.requests) == 3
     assert [record["class"] for record in clock.records] == [kind, kind]
     assert 0 < clock.waits[0] < clock.waits[1] * 1.01 <= 10.1
+
+
+def test_half_a_character_of_an_answer_is_replaced() -> None:
+    said = Reply([rb'{"choices": [{"message": {"content": "a\ud83d", "reasoning_content": "\ud83d\ude00"}}]}'])
+    with CannedUpstream(said) as upstream:
+        message = client(upstream, Clock()).ask({}).message
+    assert message == {"content": "a?", "reasoning_content": "\U0001f600"}
 
 
 @pytest.mark.parametrize(

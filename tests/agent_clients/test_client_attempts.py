@@ -92,6 +92,37 @@ def test_a_full_context_is_trimmed_bad_arguments_are_counted_and_a_loop_is_stopp
     assert len(errors) == 8 and all(line["outcome"] == "error" and line["counted"] for line in errors)
 
 
+HALF = "\ud83d"
+UNSENDABLE = {
+    "half a character": ("search_assets", json.dumps({"query": HALF, "nothing": 1})),
+    "half a character in a key": ("search_assets", json.dumps({HALF: "1"})),
+    "half a character in the name": (f"search{HALF}", "{}"),
+    "half a character bare": ("search_assets", HALF),
+    "too large": ("execute_python_script", json.dumps({"script": "#" * 4_300_000})),
+    "nested": ("search_assets", '{"query":' + "[" * 200 + "]" * 200 + "}"),
+    "nested deep": ("search_assets", '{"query":' + "[" * 3000 + "]" * 3000 + "}"),
+    "a long number": ("get_actors_in_level", '{"offset":' + "9" * 4200 + "}"),
+}
+
+
+def said(name: str, arguments: str) -> Reply:
+    call = {"id": "1", "type": "function", "function": {"name": name, "arguments": arguments}}
+    message = {"content": f"a {HALF}", "reasoning_content": HALF, "tool_calls": [call] if name else []}
+    return Reply([json.dumps({"choices": [{"message": message, "finish_reason": "stop"}]}).encode()])
+
+
+@pytest.mark.parametrize("name", UNSENDABLE)
+def test_a_call_that_cannot_be_sent_is_refused_and_the_model_goes_on(attempt: Attempt, name: str) -> None:
+    replies = [said("save_scene_as", '{"name": "submission"}'), said(*UNSENDABLE[name]), said("", "")]
+    with CannedUpstream(*replies) as upstream:
+        outcome, folder = attempt("api", upstream.url, options={"context_tokens": 4_000_000})
+    assert (outcome.ended_by, outcome.submission) == ("finished", "/Game/SavedScenes/submission")
+    assert outcome.message == "a ?"
+    turns = lines(folder / "agent/api.jsonl")
+    assert [turn["assistant"]["reasoning_content"] for turn in turns] == ["?", "?"]
+    assert "error" in json.loads(turns[1]["results"][0])
+
+
 def test_waiting_for_a_job_is_no_loop(attempt: Attempt) -> None:
     script = [[Use("execute_python_script", {"script": "print(1)"})], *[[Use("read_job_log")]] * 6, SAVE]
     with ScriptedEndpoint(script) as endpoint:

@@ -106,6 +106,23 @@ def test_a_script_reads_no_more_than_an_agents(c4s, world):
     assert done.code == 1 and ("Error" in done.err)
 
 
+FORGE = """
+from c4s.editor import scene_tools
+save = scene_tools.save_scene
+scene_tools.save_scene = lambda *given, **named: {**save(*given, **named), "package": PACKAGE}
+"""
+
+
+@pytest.mark.parametrize("package", ["/{up}{folder}/Hidden", "/Game/./SavedScenes/Out", "/Game/SavedScenes/Other"])
+def test_a_script_that_forges_the_saved_package_has_no_other_file_copied(c4s, tmp_path, package):
+    hidden, out = tmp_path / "Hidden.level.json", tmp_path / "Out.level.json"
+    assert c4s(BUILD, "--save", hidden).code == 0
+    forged = package.format(up="../" * 20, folder=str(tmp_path)[1:])
+    done = c4s(FORGE.replace("PACKAGE", repr(forged)), "--save", out)
+    assert done.code == 1 and not out.exists(), done.out
+    assert "not an answer" in done.err or "another package" in done.err, done.err
+
+
 def test_a_script_may_come_from_standard_input(world, tmp_path):
     done = subprocess.run(
         [sys.executable, "-m", "c4s.cli", "engine", "python", "-", "--json"],

@@ -200,6 +200,27 @@ def test_half_a_character_does_not_break_the_record(open_run: Callable) -> None:
     assert opened.trajectory()[-1]["outcome"] == "error"
 
 
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        ({"query": "\ud83d"}, "half a surrogate pair"),
+        ({"query": "#" * 4_300_000}, "bytes, more than"),
+        ({"query": json.loads("[" * 200 + "]" * 200)}, "nested more than 64 deep"),
+        ({"query": 10**5000}, "cannot be sent"),
+    ],
+)
+def test_a_call_that_cannot_be_sent_is_refused_and_the_connection_goes_on(
+    open_run: Callable, arguments: dict, text: str
+) -> None:
+    opened = open_run()
+    with pytest.raises(CallRefused, match=text):
+        opened.client.call("search_assets", **arguments)
+    with pytest.raises(CallRefused):
+        opened.client.call("search\ud83d")
+    assert opened.client.call("get_categories").data["categories"]
+    assert len([line for line in opened.trajectory() if line["event"] == "call"]) == 1
+
+
 def test_numbers_that_are_none_are_refused(open_run: Callable) -> None:
     opened = open_run()
     body = (

@@ -22,9 +22,9 @@ from c4s.agents.api.options import ApiOptions
 from c4s.agents.base import AgentContext, AgentReport
 from c4s.agents.briefing import briefing, reference_pictures
 from c4s.errors import AgentFault, MachineryFault
-from c4s.files import append_json_line, digest_bytes
+from c4s.files import append_json_line, digest_bytes, whole_characters
 from c4s.records.plan import Configuration
-from c4s.toolbox.client import GatewayClient
+from c4s.toolbox.client import GatewayClient, call_fault
 from c4s.toolbox.gateway_run import POLLING
 
 VERSION = "api 1"
@@ -198,10 +198,15 @@ class _Play:
 
 
 def _arguments(call: dict[str, Any]) -> dict[str, Any]:
-    """The arguments of a call. What is no JSON object goes to the gateway as it is, which counts and refuses it."""
+    """The arguments of a call.
+
+    In place of what is no JSON object, or cannot be sent, the gateway gets its beginning under a name that says so,
+    which it counts and refuses.
+    """
     given = call["function"].get("arguments") or "{}"
     try:
-        value = json.loads(given) if isinstance(given, str) else given
-    except ValueError:
+        value = whole_characters(json.loads(given) if isinstance(given, str) else given)
+    except (ValueError, RecursionError):
         value = None
-    return value if isinstance(value, dict) else {"arguments that are no JSON object": str(given)[:2000]}
+    fault = call_fault("", value) if isinstance(value, dict) else "arguments that are no JSON object"
+    return value if fault is None else {fault: whole_characters(str(given)[:2000])}

@@ -27,6 +27,7 @@ from typing import Any, Literal
 import httpx
 
 from c4s.errors import AgentFault
+from c4s.files import parse_json, whole_characters
 
 ErrorClass = Literal["connection", "timeout", "rate", "server", "malformed", "context", "refused"]
 TRIES: dict[ErrorClass, int] = {
@@ -143,8 +144,8 @@ class ChatClient:
         if answer.status_code != 200:
             return _failure(answer.status_code, answer.text, answer.headers.get("retry-after"))
         try:
-            value = answer.json()
-        except ValueError:
+            value = whole_characters(parse_json(answer.content))
+        except (ValueError, RecursionError):
             return _Failure("malformed", f"not JSON: {answer.text[:200]}")
         return _reply(value)
 
