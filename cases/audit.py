@@ -97,7 +97,7 @@ def check_blind(rows: Sequence[CaseAudit]) -> None:
                 f"{way!r} reaches a mean Repair F1 of {value:.3f} without a look at a picture; "
                 f"at most {MOST_F1} is allowed",
                 where=given,
-                todo="change other actors in these cases, or give the scene more that is alike (docs/cheats.md)",
+                todo="change other actors in these cases (another --seed), or have more that is alike (docs/cheats.md)",
             )
 
 
