@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from c4s.toolbox.refusal import ToolRefused
 from c4s.toolbox.size import ANSWER_SIZE, AROUND, ASKED_SIZE, clipped, part_that_fits
-from c4s.toolbox.tool import Arguments, Tool, ToolResult, number, text
+from c4s.toolbox.tool import MOST_OFFSET, Arguments, Tool, ToolResult, number, text
 from c4s.toolbox.workbench import JOBS_LISTED, JobLimits, ScriptJob, Workbench
 
 GROUP = "Programmatic control"
@@ -131,6 +131,7 @@ TOOLS = (
             "offset": {
                 "type": "integer",
                 "minimum": 0,
+                "maximum": MOST_OFFSET,
                 "description": "Byte of the output to read from, such as the `next` of the last answer (default: the "
                 "end of the output).",
             },

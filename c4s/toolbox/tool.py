@@ -65,6 +65,8 @@ def text(description: str, **more: Any) -> Schema:
 
 LABEL_CHARACTERS = 200
 """Longest label that a tool gives an actor."""
+MOST_OFFSET = 1_000_000_000
+"""Where a part of a list or of an output may begin: beyond any that there is."""
 MOST_CM = 1.0e7
 """Largest coordinate, scale or angle that a tool takes: 100 km."""
 
@@ -84,6 +86,7 @@ def page(default: int, most: int) -> dict[str, Schema]:
         "offset": {
             "type": "integer",
             "minimum": 0,
+            "maximum": MOST_OFFSET,
             "description": "Where to go on: the `next` of the last answer (default 0).",
         },
         "limit": {

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from c4s.engine.headless.pictures import take
 from c4s.engine.headless.process.boot import boot
+from c4s.errors import BadInput
 
 CUBE = "/Engine/BasicShapes/Cube"
 VIEW = {"location_cm": [-300, 0, 50], "rotation_deg": [0, 0, 0], "fov_deg": 90, "width": 32, "height": 24}
@@ -30,6 +33,18 @@ def test_a_copied_mesh_is_drawn_and_counted(tmp_path):
     assert unreal.EditorLoadingAndSavingUtils.save_map(world, "/Game/Made/Yard")
     boot([], tmp_path / "content", start_map="/Game/Made/Yard")
     assert list(shown(tmp_path)) == ["StaticMeshActor_0"]
+
+
+@pytest.mark.parametrize("parent", ["StaticMesh'/Game/Gone/SM_A.SM_A'", "/Game/Made/SM_Copy.SM_Copy", ""])
+def test_a_copy_of_itself_or_of_what_is_no_path_is_refused(tmp_path, parent):
+    unreal = boot([], tmp_path / "content")
+    unreal.EditorAssetLibrary.duplicate_asset(CUBE, "/Game/Made/SM_Copy")
+    unreal.EditorAssetLibrary.save_asset("/Game/Made/SM_Copy")
+    document = tmp_path / "content" / "Game" / "Made" / "SM_Copy.asset.json"
+    document.write_text(document.read_text().replace("/Engine/BasicShapes/Cube.Cube", parent))
+    again = boot([], tmp_path / "content")
+    with pytest.raises(BadInput, match="cannot be what it copies"):
+        again.load_asset("/Game/Made/SM_Copy")
 
 
 def test_a_copy_of_a_mesh_that_no_pack_holds_shows_nothing(tmp_path):

@@ -221,6 +221,15 @@ def test_a_call_that_cannot_be_sent_is_refused_and_the_connection_goes_on(
     assert len([line for line in opened.trajectory() if line["event"] == "call"]) == 1
 
 
+@pytest.mark.parametrize("tool", ["get_actors_in_level", "read_job_log", "search_assets"])
+def test_an_offset_beyond_any_list_is_refused(open_run: Callable, tool: str) -> None:
+    opened = open_run()
+    needed = {"query": "table"} if tool == "search_assets" else {}
+    for offset in (10**18, 10**30):
+        with pytest.raises(CallRefused, match=r"invalid arguments in offset: 10+ is not allowed: it must be"):
+            opened.client.call(tool, offset=offset, **needed)
+
+
 def test_numbers_that_are_none_are_refused(open_run: Callable) -> None:
     opened = open_run()
     body = (

@@ -28,6 +28,7 @@ from c4s.engine.headless.unreal.core import Class, Object, as_class
 from c4s.engine.headless.world import codec, documents
 from c4s.errors import BadInput
 from c4s.files import read_json
+from c4s.names import package_fault
 from c4s.packs.store import PackStore, bare_path, object_path
 from c4s.records import pack
 from c4s.records.base import Record
@@ -306,14 +307,12 @@ class AssetLibrary(ABC):
             return material
         source = self.store.asset(document.parent or "")
         if source is None:
+            copied = document.parent or ""
+            if copied == document.path or package_fault(copied):
+                raise BadInput(f"{copied[:_LONGEST_PATH]!a} cannot be what it copies", where=document.path)
             self.log.warning(f"{document.path}: the mesh '{document.parent}' that it copies is missing")
             source = pack.Asset(
-                id="missing",
-                name="missing",
-                path=document.parent or "",
-                category="",
-                bounds_min_cm=(0, 0, 0),
-                bounds_max_cm=(0, 0, 0),
+                id="missing", name="missing", path=copied, category="", bounds_min_cm=(0, 0, 0), bounds_max_cm=(0, 0, 0)
             )
         mesh: StaticMesh = StaticMesh._at(document.path, created=True)._bind(source)
         for slot, path in document.slots.items():
