@@ -103,6 +103,9 @@ LIGHT_FIELDS = [
     "use_temperature",
     "indirect_lighting_intensity",
     "volumetric_scattering_intensity",
+    "fog_density",
+    "fog_height_falloff",
+    "start_distance",
 ]
 
 

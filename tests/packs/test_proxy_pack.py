@@ -34,7 +34,7 @@ def test_every_stand_in_has_its_size_and_a_picture_of_itself(folder: Path) -> No
         assert asset.preview is not None
         picture = np.asarray(Image.open(folder / asset.preview).convert("RGB"), dtype=int)
         corners = picture[[0, 0, -1, -1], [0, -1, 0, -1]]
-        middle = picture[60:100, 60:100].reshape(-1, 3)
+        middle = picture[120:200, 120:200].reshape(-1, 3)
         assert np.abs(middle - corners.mean(axis=0)).max() > 20, f"nothing to see of {entry.id}"
     assert assets["bp_lamp"].kind == "blueprint" and assets["bp_lamp"].path == "/Game/Town/BP_Lamp.BP_Lamp"
 

@@ -31,12 +31,12 @@ OFFLINE = {
     "PREFECT_SERVER_ANALYTICS_ENABLED": "false",
     "PREFECT_SERVER_EPHEMERAL_STARTUP_TIMEOUT_SECONDS": "120",
 }
-LADDER = ("noop", "vandal", "oracle", "planner", "random")
+LADDER = ("noop", "vandal", "oracle", "planner", "random", "blind")
 
 
 @pytest.fixture(scope="module")
 def ran(home: Path) -> Path:
-    """The home after all five baselines ran."""
+    """The home after all six baselines ran."""
     done = subprocess.run(
         [sys.executable, "-m", "c4s.cli", "run", "small", "--json"],
         env=environment(home),
@@ -46,7 +46,7 @@ def ran(home: Path) -> Path:
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout)["ran"] == 15
+    assert json.loads(done.stdout)["ran"] == 18
     return home
 
 
@@ -61,7 +61,7 @@ def test_the_ladder_of_baselines(ran: Path) -> None:
     scores = _scores(ran)
     text = next(case for _, case in scores if case.startswith("text-"))
     repairs = sorted({case for _, case in scores} - {text})
-    assert len(scores) == 15 and len(repairs) == 2
+    assert len(scores) == 18 and len(repairs) == 2
     for case in repairs:
         assert scores["oracle", case]["repair_f1"] == 1.0
         assert scores["noop", case]["score"] == 0.2
@@ -85,7 +85,7 @@ def test_every_trial_has_one_recorded_run_valid_or_not(ran: Path) -> None:
     store = ran / "warehouse"
     found = rows(store, "SELECT trial_id, configuration, attempt, recorded, valid FROM attempts ORDER BY attempt")
     recorded = {row["trial_id"]: row for row in found if row["recorded"]}
-    assert len(recorded) == sum(row["recorded"] for row in found) == 15
+    assert len(recorded) == sum(row["recorded"] for row in found) == 18
     for row in recorded.values():
         own = [other for other in found if other["trial_id"] == row["trial_id"]]
         assert row["attempt"] == next((other["attempt"] for other in own if other["valid"]), own[-1]["attempt"])

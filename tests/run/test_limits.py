@@ -19,7 +19,7 @@ from c4s.run.faults import SceneFault
 from c4s.run.limits import LIMITS, Limit
 from c4s.run.pool import Pool
 from c4s.run.processes import WorkerDied, _family
-from tests.run.conftest import apart, environment
+from tests.run.conftest import apart, environment, trial_in
 from tests.run.jobs import (
     child_that_stays,
     child_without_parent,
@@ -177,10 +177,10 @@ def test_stages_that_the_scene_breaks_are_outcomes_and_a_dead_worker_is_a_pendin
     assert second["status"] == "measured_with_missing_zero" and second["score"] == 0.0
     assert text["status"] == "measured_with_missing_zero" and text["overview"] == 0.0 and text["detailed"] > 0.0
 
-    folder = here / "runs/small/oracle"
-    captures = next(folder.glob("text-*/r1/evidence/captures/captures.json"))
+    of_text, _, of_second = (trial_in(here, "small", "oracle", row["case_id"]) for row in (text, first, second))
+    captures = of_text.evidence.captures_index
     assert json.loads(captures.read_text())["views"] == [] and "MiB" in json.loads(captures.read_text())["not_taken"]
-    verdicts = [json.loads(path.read_text()) for path in folder.glob("indoor-flat-02*/r1/verdicts/*.json")]
+    verdicts = [json.loads(path.read_text()) for path in of_second.root.glob("verdicts/*.json")]
     late = [verdict for verdict in verdicts if verdict["status"] == "not_evaluated"]
     assert len(late) == 2 and all("longer than 12 s" in verdict["reason"] for verdict in late)
     assert len(list(folder.glob("indoor-flat-01*/r1/attempt-?/integrity.json"))) == 2
