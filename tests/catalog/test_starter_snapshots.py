@@ -147,7 +147,7 @@ def test_the_fields_are_the_published_ones(shipped: tuple[Level, dict[str, Any]]
             assert_fields(actor[section], fields)
         assert set(actor["properties"]) <= set(LIGHT_FIELDS)
         assert list(actor["properties"]) == [name for name in LIGHT_FIELDS if name in actor["properties"]]
-        assert bool(actor["properties"]) == ("Light" in actor["class"].rpartition(".")[2])
+        assert bool(actor["properties"]) == any(kind in actor["class"].rpartition(".")[2] for kind in ("Light", "Fog"))
         slots = [(slot["component_identity"], slot["slot_index"]) for slot in actor["component_material_slots"]]
         assert slots == sorted(slots) and len(set(slots)) == len(slots)
         for slot in actor["component_material_slots"]:

@@ -177,13 +177,13 @@ def test_stages_that_the_scene_breaks_are_outcomes_and_a_dead_worker_is_a_pendin
     assert second["status"] == "measured_with_missing_zero" and second["score"] == 0.0
     assert text["status"] == "measured_with_missing_zero" and text["overview"] == 0.0 and text["detailed"] > 0.0
 
-    of_text, _, of_second = (trial_in(here, "small", "oracle", row["case_id"]) for row in (text, first, second))
+    of_text, of_first, of_second = (trial_in(here, "small", "oracle", row["case_id"]) for row in (text, first, second))
     captures = of_text.evidence.captures_index
     assert json.loads(captures.read_text())["views"] == [] and "MiB" in json.loads(captures.read_text())["not_taken"]
     verdicts = [json.loads(path.read_text()) for path in of_second.root.glob("verdicts/*.json")]
     late = [verdict for verdict in verdicts if verdict["status"] == "not_evaluated"]
     assert len(late) == 2 and all("longer than 12 s" in verdict["reason"] for verdict in late)
-    assert len(list(folder.glob("indoor-flat-01*/r1/attempt-?/integrity.json"))) == 2
+    assert len(list(of_first.root.glob("attempt-?/integrity.json"))) == 2
 
     again = _command(here, "", *run)
     assert again.returncode == 0 and json.loads(again.stdout)["ran"] == 1, again.stderr
