@@ -30,7 +30,7 @@ ASKEW, UNEVEN, MIRRORED = 0.6, 0.6, 0.3
 TRIES = 4
 """Each half as far as the one before, and smaller where the first was larger."""
 SIZES = (0.55, 1.8)
-"""Sizes of what is uneven lie here, evenly on a scale of logarithms, before a recipe and after it."""
+"""By this what is uneven is larger or smaller, evenly on a scale of logarithms."""
 SIDEWAYS = 0.12
 """Each axis differs from the size by up to this share, and one of them by more than the tolerance of Repair F1."""
 NEAR_DEG, FAR_DEG, TURNED_FAR = (5.5, 24.0), (24.0, 156.0), 0.25
@@ -145,7 +145,7 @@ def _mirrored(actor: LevelActor, now: Transform, boxes: Boxes) -> Transform:
 
 
 def _uneven(scale: Vector, factor: float, chance: random.Random, largest: float = SIZES[1]) -> Vector:
-    """Another size, each axis a little different; it stays within ``SIZES`` when it is scaled by the factor too."""
+    """Another size, each axis a little different; as far as the factor allows, it is of ``SIZES`` with it too."""
     low = min(0.93, max(SIZES[0], SIZES[0] / factor))
     high = max(low, min(largest, SIZES[1], SIZES[1] / factor))
     size = math.exp(chance.uniform(math.log(low), math.log(high)))
@@ -208,12 +208,16 @@ def rebased(operations: Sequence[Operation], before: Level, after: Level, chance
     """
     was = {id_of(actor): actor.transform for actor in before.actors}
     now = {id_of(actor): actor.transform for actor in after.actors}
-    return [
-        _rebased(operation, was[operation.target], now[operation.target], chance)
-        if isinstance(operation, SetTransform) and operation.target in was
-        else operation
-        for operation in operations
-    ]
+    told: list[Operation] = []
+    for operation in operations:
+        if isinstance(operation, SetTransform) and operation.target in was:
+            operation = _rebased(operation, was[operation.target], now[operation.target], chance)
+        elif isinstance(operation, SpawnActor):
+            x, y, z = operation.location_cm
+            x, y = (round(value + chance.uniform(-0.5, 0.5), DIGITS) for value in (x, y))
+            operation = operation.model_copy(update={"location_cm": (x, y, z)})
+        told.append(operation)
+    return told
 
 
 def _rebased(operation: SetTransform, was: Transform, now: Transform, chance: random.Random) -> SetTransform:

@@ -19,15 +19,10 @@ def repair_prompt(environment: Literal["indoor", "outdoor"], views: int) -> str:
     )
 
 
-def spawn_path(asset: Asset) -> str:
-    """What the engine spawns: the path of a static mesh, the class (``_C``) of a Blueprint."""
-    return f"{asset.path}_C" if asset.kind == "blueprint" else asset.path
-
-
 def palette_line(asset: Asset) -> str:
     """``- id | name | category | WxDxH m | spawn path``: sizes in metres, at most two decimals."""
     size = "x".join(str(round(side, 2)) for side in asset.size_m)
-    return f"- {asset.id} | {asset.name} | {asset.category} | {size} m | {spawn_path(asset)}"
+    return f"- {asset.id} | {asset.name} | {asset.category} | {size} m | {asset.spawn_path}"
 
 
 def ground_block(tiles: Sequence[Asset], plate_m: float) -> str:
@@ -41,7 +36,7 @@ def ground_block(tiles: Sequence[Asset], plate_m: float) -> str:
     for tile in tiles:
         width, depth, height = tile.size_m
         name = tile.path.rsplit(".", 1)[-1]
-        lines.append(f"  - {name} | {width:.1f}x{depth:.1f}x{height:.2f} m | {spawn_path(tile)}")
+        lines.append(f"  - {name} | {width:.1f}x{depth:.1f}x{height:.2f} m | {tile.spawn_path}")
     return "\n".join(["    === GROUND ===", *(f"    {line}".rstrip() for line in lines)])
 
 

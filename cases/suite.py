@@ -29,11 +29,11 @@ from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.natural import lived_in, plans_of, rebased, settled_spawns
-from cases.prompts import repair_prompt, spawn_path, text_prompt
+from cases.prompts import repair_prompt, text_prompt
 from cases.requirements import bundle
 from cases.settle import to_build
 from cases.standing import settled
-from cases.veil import Veil, as_precise
+from cases.veil import Veil
 from cases.views import cameras_record
 
 BUILDER_VERSION = 4
@@ -170,7 +170,7 @@ class _Builder:
         original = settled(authored, lived_in(authored, boxes, chance, plans), packs)
         damaged = [original]
         for case in repairs:
-            operations = as_precise(rebased(case.operations, authored, original, chance), original, chance)
+            operations = rebased(case.operations, authored, original, chance)
             put = [operation.stable_id for operation in operations if isinstance(operation, SpawnActor)]
             package = self.veil.start_map(case.case_id)
             corrupted = lived_in(apply(original, operations, package), boxes, chance, only=put)
@@ -219,7 +219,7 @@ class _Builder:
             prompt=case.prompt or repair_prompt(scene.environment, len(names)),
             budget=budget,
             packs=self._refs(scene),
-            catalog=[spawn_path(asset) for asset in assets.values()],
+            catalog=[asset.spawn_path for asset in assets.values()],
             reference_views=names,
         ).write(agent / "case.json")
         corrupted.write(agent / "start.level.json")
@@ -263,7 +263,7 @@ class _Builder:
             start_map=BLANK_STAGE,
             budget=case.budget,
             packs=self._refs(scene),
-            catalog=[spawn_path(asset) for asset in palette],
+            catalog=[asset.spawn_path for asset in palette],
             plate_m=case.plate_m,
         ).write(agent / "case.json")
         Level(package=BLANK_STAGE).write(agent / "start.level.json")

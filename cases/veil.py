@@ -12,10 +12,10 @@ import math
 import random
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from c4s.records.level import Level, LevelActor
-from cases.corruption import SOURCE_TAG, STABLE_ID_TAG, Operation, SetTransform, SpawnActor, id_of, meshes
+from c4s.records.level import Level, LevelActor, Vector
+from cases.corruption import SOURCE_TAG, STABLE_ID_TAG, Operation, SpawnActor, id_of, meshes
 
 SPARE = 1.6
 """Numbers of one name are drawn from this many times as many as there are actors of it, so that gaps mean nothing."""
@@ -48,6 +48,7 @@ class Veil:
         """The levels of a scene under their veil, the original first."""
         original = levels[0]
         names = _Names(original, self.chance(f"{scene_id}|names"))
+        places = {id_of(actor): actor.transform.location_cm for actor in original.actors}
         for level in levels:
             named = {actor.name: names.of(actor) for actor in level.actors}
             veiled = [
@@ -57,7 +58,7 @@ class Veil:
                         "label": named[actor.name],
                         "guid": self._drawn("guid", scene_id, key)[:32].upper(),
                         "tags": self._tags(actor, scene_id, key),
-                        "folder": _folder(actor, original, level),
+                        "folder": _folder(actor, places, level),
                         "parent": named.get(actor.parent, actor.parent) if actor.parent else None,
                     }
                 )
@@ -144,9 +145,11 @@ def _stem(actor: LevelActor) -> str:
     return re.sub(r"[^A-Za-z0-9_-]", "_", numbered[1] if numbered and numbered[1] else actor.label)
 
 
-def _folder(actor: LevelActor, original: Level, level: Level) -> str:
-    """The outliner folder: of what stands nearest for an actor that is new or stands elsewhere than in the original."""
-    places = {id_of(one): one.transform.location_cm for one in original.actors}
+def _folder(actor: LevelActor, places: Mapping[str | None, Vector], level: Level) -> str:
+    """The outliner folder: of what stands nearest for an actor that is new or stands elsewhere than in the original.
+
+    ``places`` are those of the original's actors by stable id.
+    """
     place = actor.transform.location_cm
     if places.get(id_of(actor)) == place:
         return actor.folder
@@ -156,20 +159,3 @@ def _folder(actor: LevelActor, original: Level, level: Level) -> str:
         if places.get(id_of(one)) == one.transform.location_cm and meshes(one) and one.name != actor.name
     ]
     return min(stayed, key=lambda one: math.dist(one.transform.location_cm, place)).folder if stayed else ""
-
-
-def as_precise(operations: Sequence[Operation], level: Level, chance: random.Random) -> list[Operation]:
-    """The operations with as many decimals as the places of a level have, so that a round number tells nothing."""
-    lengths = sorted(
-        len(repr(value).partition(".")[2]) for actor in level.actors for value in actor.transform.location_cm[:2]
-    )
-    digits = lengths[len(lengths) // 2] if lengths else 0
-    return [_with_dust(operation, digits, chance) for operation in operations] if digits > 1 else list(operations)
-
-
-def _with_dust(operation: Operation, digits: int, chance: random.Random) -> Operation:
-    if not isinstance(operation, SetTransform | SpawnActor) or operation.location_cm is None:
-        return operation
-    x, y, z = operation.location_cm
-    x, y = (round(value + chance.uniform(-0.05, 0.05), digits) for value in (x, y))
-    return operation.model_copy(update={"location_cm": (x, y, z)})

@@ -22,7 +22,7 @@ from c4s.records.suite import SuiteFolder
 from c4s.run.attempt import run_attempt
 from cases.audit import audit, mean_f1, seen
 from cases.boxes import boxes_of
-from cases.corruption import Author, Recipe, SpawnActor, id_of, meshes
+from cases.corruption import Author, Recipe, SetTransform, SpawnActor, id_of, meshes
 from cases.model import RepairCase, SourceScene, SuiteDefinition
 from cases.standing import unsound
 from cases.starter import farm_scene, outdoor_cases
@@ -110,6 +110,25 @@ def test_scenes_are_as_people_leave_them_and_stand(farm: SuiteFolder) -> None:
         if actor["asset_path"] and len({abs(value) for value in actor["transform"]["scale"]}) > 1
     }
     assert unsound(truth).isdisjoint(moved)
+
+
+def test_no_number_of_a_recipe_stands_out(farm: SuiteFolder) -> None:
+    for case_id in (PASTURE, YARD):
+        for actor in start(farm, case_id).actors:
+            place = actor.transform
+            for value in (*place.location_cm, *place.rotation_deg, *place.scale):
+                assert value == round(value, 3), actor.name
+    recipe = Recipe.read(farm.withheld(YARD) / "recipe.json")
+    truth = {id_of(actor): actor.transform for actor in Level.read(farm.withheld(YARD) / "truth.level.json").actors}
+    for operation in recipe.operations:
+        assert isinstance(operation, SetTransform)
+        if operation.location_cm is not None:
+            assert operation.location_cm[0] % 1 != 0
+        if operation.rotation_deg is not None:
+            assert operation.rotation_deg[1] % 1 != 0
+        if operation.scale is not None:
+            was = truth[operation.target].scale
+            assert max(abs(abs(value) - 1) for value in was) > 0.05, "the size of most is not the answer"
 
 
 def test_the_best_blind_way_gets_next_to_nothing(farm: SuiteFolder) -> None:

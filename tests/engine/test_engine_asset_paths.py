@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from types import ModuleType
-
 import pytest
 
 from c4s.engine.headless.editor import world
-from c4s.engine.headless.process.boot import boot
 from c4s.packs.store import bare_path
 
 PACKAGE = "/Engine/BasicShapes/Cube"
@@ -20,19 +17,7 @@ FORMS = [
 ]
 
 
-@pytest.fixture(scope="module")
-def unreal(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
-    return boot([], tmp_path_factory.mktemp("paths"))
-
-
-@pytest.fixture(autouse=True)
-def _empty(unreal):
-    world().new_map()
-
-
-@pytest.fixture
-def actors(unreal):
-    return unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+pytestmark = pytest.mark.usefixtures("empty_level")
 
 
 @pytest.mark.parametrize("path", FORMS)

@@ -3,28 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
 from c4s.engine.headless.editor import world
-from c4s.engine.headless.process.boot import boot
 
-
-@pytest.fixture(scope="module")
-def unreal(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
-    return boot([], tmp_path_factory.mktemp("names"))
-
-
-@pytest.fixture(autouse=True)
-def _empty(unreal):
-    world().new_map()
-
-
-@pytest.fixture
-def actors(unreal):
-    return unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+pytestmark = pytest.mark.usefixtures("empty_level")
 
 
 def reopened(unreal):

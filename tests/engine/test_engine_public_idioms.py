@@ -3,29 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from types import ModuleType
 
 import pytest
 
 from c4s.engine.headless.editor import world
-from c4s.engine.headless.process.boot import boot
 
 CUBE = "/Engine/BasicShapes/Cube"
 
 
-@pytest.fixture(scope="module")
-def unreal(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
-    return boot([], tmp_path_factory.mktemp("idioms"))
-
-
-@pytest.fixture(autouse=True)
-def _empty(unreal):
-    world().new_map()
-
-
-@pytest.fixture
-def actors(unreal):
-    return unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+pytestmark = pytest.mark.usefixtures("empty_level")
 
 
 @pytest.fixture
