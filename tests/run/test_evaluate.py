@@ -171,7 +171,7 @@ def test_every_number_is_traced_to_files(ran: Path) -> None:
             traced.setdefault(maker, set()).add(name)
 
     for row in rows(ran / "warehouse", "SELECT * FROM verdicts WHERE suite = 'small' AND status <> 'invalid'"):
-        trial = ran / "runs/small" / row["configuration"] / row["case_id"] / "r1"
+        trial = trial_in(ran, "small", row["configuration"], row["case_id"]).root
         assert digest_file(trial / "verdicts" / f"{row['verifier']}.json") == row["verdict_sha256"]
         document = json.loads(row["document"])
         assert document["made_by"] == code_version(*DECIDE)
