@@ -15,8 +15,7 @@ from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.suite import SuiteFolder
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
-from c4s.run.drive import refuse_pending, run_trials, settle_all
-from c4s.run.headroom import print_line
+from c4s.run.drive import refuse_pending, run_trials
 from c4s.run.lease import holding
 from c4s.run.plan import make_plan, open_run, trials
 from c4s.run.pool import Pool
@@ -76,12 +75,9 @@ async def evaluate(
         if missing:
             check_ready(plan.configurations)
         plan = open_run(run, plan)
-        ready, pending = settle_all(missing, plan, print_line)
-        if not ready:
-            refuse_pending(pending, len(missing))
         ingest_schedule(run, folder, plan, warehouse)
         async with Pool(slots) as pool:
-            pending += await run_trials(ready, plan, pool, as_tasks(warehouse), held)
+            pending = await run_trials(missing, plan, pool, as_tasks(warehouse), held)
         page = publish(warehouse, site_root())
     refuse_pending(pending, len(missing))
     return page.as_uri()

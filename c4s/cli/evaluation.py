@@ -21,7 +21,7 @@ from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
-from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all, stage_functions
+from c4s.run.drive import Pending, refuse_pending, run_trials, stage_functions
 from c4s.run.headroom import print_line
 from c4s.run.inputs import inputs
 from c4s.run.lease import Held, holding
@@ -99,17 +99,15 @@ def evaluate_here(
         if missing:
             check_ready(plan.configurations)
         plan = open_run(run, plan)
-        ready, refused = settle_all(missing, plan, print_line)
-        if not ready:
-            refuse_pending(refused, len(missing))
-        if ready or not page.is_file() or not is_sound(warehouse):
+        refused: list[Pending] = []
+        if missing or not page.is_file() or not is_sound(warehouse):
             ingest_schedule(run, folder, plan, warehouse)
             stored = [
                 part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial))
                 for trial in scheduled
             ]
             with watch(scheduled, {path for path in stored if path.is_file()}, stored):
-                refused += asyncio.run(_run(ready, plan, slots, held))
+                refused = asyncio.run(_run(missing, plan, slots, held))
                 rebuild(warehouse)
                 page = build_site(warehouse, site_root())
         refuse_pending(refused, len(missing))
@@ -117,7 +115,7 @@ def evaluate_here(
     return Evaluation(page.as_uri(), run.name, len(missing), dict(reused), time.perf_counter() - started)
 
 
-async def _run(ready: Sequence[Trial], plan: Plan, slots: int | None, held: Held) -> list[Pending]:
+async def _run(missing: Sequence[Trial], plan: Plan, slots: int | None, held: Held) -> list[Pending]:
     persist = partial(ingest_trial, warehouse=warehouse_root())
     async with Pool(slots) as pool:
-        return await run_trials(ready, plan, pool, stage_functions(persist), held)
+        return await run_trials(missing, plan, pool, stage_functions(persist), held)

@@ -174,6 +174,16 @@ class TrialFolder:
         return self.root / "faults.jsonl"
 
     @property
+    def leases(self) -> Path:
+        """Who works on the trial."""
+        return self.root / "lease"
+
+    @property
+    def handover(self) -> Path:
+        """Where the trial stood when the last work pool let go of it."""
+        return self.root / "handover.json"
+
+    @property
     def stages(self) -> Path:
         """How long each stage took, a JSON line each."""
         return self.root / "stages.jsonl"
@@ -196,12 +206,8 @@ class RunFolder:
 
     @property
     def leases(self) -> Path:
-        """Who works on the run: the file of the highest number."""
+        """Who works on the run."""
         return self.root / "lease"
-
-    def lease(self, number: int) -> Path:
-        """A lease; they count from 1."""
-        return self.leases / f"{number:06}.json"
 
     @property
     def spending(self) -> Path:

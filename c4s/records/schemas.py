@@ -13,6 +13,7 @@ from pydantic import BaseModel
 from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.base import SEAL, Sealed
+from c4s.records.handover import Handover
 from c4s.records.judgement import Judgements
 from c4s.records.lease import Lease
 from c4s.records.level import Level
@@ -38,6 +39,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "verdict": Verdict,
     "policy": ScorePolicy,
     "trial-score": TrialScore,
+    "handover": Handover,
     "lease": Lease,
 }
 

@@ -10,9 +10,11 @@ __all__ = [
     "inputs",
     "lease",
     "limits",
+    "part",
     "plan",
     "pool",
     "stages",
+    "store",
     "torn",
     "trial",
 ]

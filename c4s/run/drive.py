@@ -12,13 +12,15 @@ from c4s.errors import BadInput, C4SError, MachineryFault, row_of
 from c4s.records.plan import Plan
 from c4s.run import stages
 from c4s.run.aside import set_aside
-from c4s.run.headroom import LOOK_S, REPEATS, NoRoom
-from c4s.run.lease import Held
+from c4s.run.headroom import LOOK_S, REPEATS, NoRoom, print_line
+from c4s.run.lease import Held, LeaseLost
 from c4s.run.limits import Stage
+from c4s.run.part import Part
 from c4s.run.plan import Trial
 from c4s.run.pool import Pool, work
 from c4s.run.torn import settle
-from c4s.run.trial import Do, run_trial
+from c4s.run.trial import Do, HandedOver, run_trial
+from c4s.run.trial_work import holding_trial, in_order
 
 Run = Callable[..., Awaitable[Any]]
 """Runs a stage by its name, with trial, plan, and what else it takes."""
@@ -40,19 +42,19 @@ class Pending:
         return f"{type(self.error).__name__}: {self.error}"
 
 
-def in_slots(pool: Pool, run: Run, trial: Trial, plan: Plan, rank: int = 0, held: Held | None = None) -> Do:
+def in_slots(pool: Pool, run: Run, trial: Trial, plan: Plan, rank: int = 0, held: Sequence[Held] = ()) -> Do:
     """A trial's ``do``: each stage waits for its slot, and is then run. Earlier ranks go first.
 
     Stages are given the plan without other trials, so that what crosses to a worker does not grow with the plan.
-    No stage is started without room to work, or where the lease of the run was lost.
+    No stage is started without room to work, or where a lease was lost.
     """
     own = plan.model_copy(update={"cases": [trial.case], "configurations": [trial.configuration]})
 
     async def once(stage: Stage, *arguments: Any) -> Any:
         await pool.headroom.room()
         async with pool.turn(stage, trial, own, rank):
-            if held is not None:
-                held.check()
+            for lease in held:
+                lease.check()
             return await run(stage, trial, own, *arguments)
 
     async def do(stage: Stage, *arguments: Any) -> Any:
@@ -102,13 +104,22 @@ def store(persist: Persist, trial: Trial, plan: Plan) -> None:
 
 
 async def run_trials(
-    trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run, held: Held | None = None
+    trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run, held: Held | None = None, part: Part | None = None
 ) -> list[Pending]:
     """Run trials, so many at once as the pool can use, in order of their start; those that are pending at the end.
 
-    What goes wrong in one trial costs that trial only; ``LeaseLost`` ends all of them.
+    Each trial is held while it is in work; one that somebody else holds is waited for. What goes wrong in one trial
+    costs that trial only; ``LeaseLost`` of the run ends all of them.
+
+    Args:
+        trials: what to run, best first.
+        plan: the run's plan.
+        pool: where stages run.
+        run: runs a stage.
+        held: the lease of the run, where this process has it.
+        part: what to do of each trial (default: all); how it ended is then on record in the trial's folder.
     """
-    working = asyncio.ensure_future(_run_trials(trials, plan, pool, run, held))
+    working = asyncio.ensure_future(_run_trials(trials, plan, pool, run, held, part))
     watching = asyncio.ensure_future(_watch(pool, held))
     try:
         await asyncio.wait((working, watching), return_when=asyncio.FIRST_COMPLETED)
@@ -131,15 +142,17 @@ async def _watch(pool: Pool, held: Held | None) -> NoReturn:
             held.check()
 
 
-async def _run_trials(trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run, held: Held | None) -> list[Pending]:
+async def _run_trials(
+    trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run, held: Held | None, part: Part | None
+) -> list[Pending]:
     gate = asyncio.Semaphore(pool.in_flight)
     pending: dict[int, Pending] = {}
 
     async def one(rank: int, trial: Trial) -> None:
         try:
-            await run_trial(trial, plan, in_slots(pool, run, trial, plan, rank, held))
-        except Exception as error:
-            pending[rank] = Pending(trial, error)
+            error = await _in_work(trial, plan, pool, run, rank, held, part)
+            if error is not None:
+                pending[rank] = Pending(trial, error)
         finally:
             gate.release()
 
@@ -150,17 +163,27 @@ async def _run_trials(trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run,
     return [pending[rank] for rank in sorted(pending)]
 
 
-def settle_all(trials: Sequence[Trial], plan: Plan, tell: Callable[[str], None]) -> tuple[list[Trial], list[Pending]]:
-    """The trials that can be run, and those that can not for what they have on record; what was set aside is told."""
-    ready, refused = [], []
-    for trial in trials:
-        try:
-            for line in settle(trial, plan):
-                tell(line)
-            ready.append(trial)
-        except BadInput as error:
-            refused.append(Pending(trial, error))
-    return ready, refused
+async def _in_work(
+    trial: Trial, plan: Plan, pool: Pool, run: Run, rank: int, held: Held | None, part: Part | None
+) -> Exception | None:
+    """Hold a trial and run it, or a part of it; what left it pending."""
+    try:
+        async with holding_trial(trial) as (own, store):
+            ended: Exception | None = None
+            try:
+                for line in await in_order(settle, trial, plan):
+                    print_line(line)
+                do = in_slots(pool, run, trial, plan, rank, [own] if held is None else [held, own])
+                do = store.sending(do)
+                await run_trial(trial, plan, do if part is None else part.limited(do, pool, trial, plan))
+            except Exception as error:
+                ended = error
+            if part is not None and not isinstance(ended, LeaseLost):
+                part.note(trial, ended)
+                await store.send()
+            return None if isinstance(ended, HandedOver) else ended
+    except Exception as error:
+        return error
 
 
 def refuse_pending(pending: Sequence[Pending], total: int) -> None:
