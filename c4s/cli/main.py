@@ -19,6 +19,7 @@ from c4s.cli import (
     run,
     score,
     serve,
+    service,
     sql,
     suite,
     verify,
@@ -43,6 +44,9 @@ app.add_typer(catalog.app, name="catalog")
 app.add_typer(engine.app, name="engine")
 app.command("report")(report.report)
 app.command("sql")(sql.sql)
+app.command("up")(service.up)
+app.command("down")(service.down)
+app.command("worker")(service.worker)
 app.command("doctor")(doctor.doctor)
 
 

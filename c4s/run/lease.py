@@ -151,6 +151,12 @@ def take(place: LeasePlace, what: str) -> Held | Lease:
         place.remove(number)
 
 
+def in_force(place: LeasePlace) -> Lease | None:
+    """The lease that somebody holds; None where nobody does."""
+    newest = place.newest()
+    return None if newest is None else _in_force(place, newest)
+
+
 def _in_force(place: LeasePlace, number: int) -> Lease | None:
     """A lease; None where it was given back, its holder has ended, or gives no sign of life."""
     lease = place.read(number)

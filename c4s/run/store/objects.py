@@ -22,7 +22,7 @@ from c4s.errors import BadInput, MachineryFault
 from c4s.files import digest_bytes, digest_file, parse_json, read_plain, write_bytes, write_json
 from c4s.home import cache_root, home
 from c4s.run.store.base import STORE, Only
-from c4s.run.store.leases import LeasePlace
+from c4s.run.store.leases import FolderLeases, LeasePlace
 from c4s.run.store.object_leases import ObjectLeases
 from c4s.run.store.reach import reached
 
@@ -56,6 +56,8 @@ class ObjectStore:
         self._place = digest_bytes(url.encode())[:16]
 
     def leases(self, folder: Path) -> LeasePlace:
+        if not folder.absolute().is_relative_to(home()):
+            return FolderLeases(folder)
         return ObjectLeases(self._fs, self._key(folder), self.name)
 
     def pull(self, folder: Path, only: Only | None = None) -> bool:
