@@ -47,8 +47,8 @@ SILENT_S: Final = 90.0
 """After so long without a sign of life from any of its trials, a flow run that is said to run is lost."""
 BATCH: Final[dict[WorkPool, int]] = {"engines": 8, "verifiers": 16, "judges": 4}
 """Most trials of one flow run. A trial whose agent is a program with a model has a flow run of its own."""
-AHEAD: Final = 4
-"""Flow runs that wait for a worker, beside as many as run."""
+AHEAD: Final[dict[WorkPool, int]] = {"engines": 4, "verifiers": 1, "judges": 1}
+"""Flow runs that wait for a worker, beside as many as run. Where few wait, they carry more trials each."""
 _OVER: Final = frozenset({StateType.COMPLETED, StateType.FAILED, StateType.CRASHED, StateType.CANCELLED})
 _WAITING: Final = [StateType.SCHEDULED, StateType.PENDING]
 
@@ -134,7 +134,7 @@ class Coordinator:
         """Whether a flow run more is of use: some wait for a worker, and as many more as workers have."""
         sent = [one for one in self._sent.values() if one.pool == pool]
         running = sum(one.running for one in sent)
-        return len(sent) - running < AHEAD + running
+        return len(sent) - running < AHEAD[pool] + running
 
     def _next(self, pool: WorkPool) -> list[tuple[Trial, bool]]:
         """The next trials for one flow run: of one kind, and so many that every worker gets its share of the rest."""
@@ -142,7 +142,7 @@ class Coordinator:
         first, whole = queue[0]
         if whole or _is_long(first, pool):
             return queue[:1]
-        most = max(1, min(BATCH[pool], len(queue) // AHEAD))
+        most = max(1, min(BATCH[pool], len(queue) // AHEAD[pool]))
         same = takewhile(lambda entry: not entry[1] and not _is_long(entry[0], pool), queue)
         return list(islice(same, most))
 

@@ -58,7 +58,7 @@ def as_tasks(warehouse: Path) -> Run:
     return run
 
 
-@flow(name="trial", flow_run_name="{run_id}: {pool}")
+@flow(name="trial")
 async def trial(
     run_id: str, trials: list[str], pool: WorkPool = "engines", part: str | None = None, whole: bool = True
 ) -> int:
