@@ -28,7 +28,7 @@ from c4s.run.lease import Held, holding
 from c4s.run.plan import Trial, make_plan, open_run, trial_id, trials
 from c4s.run.pool import Pool
 from reports.site import build_site, check_place
-from warehouse.database import is_sound, rebuild
+from warehouse.database import is_current, rebuild
 from warehouse.done import held_by
 from warehouse.ingest import ingest_schedule, ingest_trial
 from warehouse.parquet import part_path
@@ -102,7 +102,7 @@ def evaluate_here(
         ready, refused = settle_all(missing, plan, print_line)
         if not ready:
             refuse_pending(refused, len(missing))
-        if ready or not page.is_file() or not is_sound(warehouse):
+        if ready or not page.is_file() or not is_current(warehouse):
             ingest_schedule(run, folder, plan, warehouse)
             stored = [
                 part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial))
