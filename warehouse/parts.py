@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -26,8 +27,9 @@ LISTED = pa.schema(
     ]
 )
 """What tells one part from another: every writer puts a new file in the place of an old one."""
-YOUNG_NS = 2_000_000_000
-"""A folder that was changed so short a time ago may change again under the same time of change."""
+YOUNG_NS, YOUNG_COARSE_NS = 100_000_000, 2_000_000_000
+"""A folder that was changed so short a time ago may change again under the same time of change. The second one is for
+file systems that tell whole seconds."""
 _READERS = 4
 
 
@@ -43,13 +45,14 @@ class Look:
     """Their parts, as ``LISTED`` says."""
 
 
-def look(root: Path, known: Mapping[str, int], now_ns: int) -> Look:
+def look(root: Path, known: Mapping[str, int]) -> Look:
     """Find the parts; folders that have the time of change that is ``known`` of them are not listed again."""
-    folders, listed = {}, []
+    folders, listed, now_ns = {}, [], time.time_ns()
     columns: dict[str, list[str | int]] = {name: [] for name in LISTED.names}
     for folder, path in _folders(root):
         changed = path.stat().st_mtime_ns
-        folders[folder] = changed if now_ns - changed > YOUNG_NS else 0
+        young_ns = YOUNG_NS if changed % 1_000_000_000 else YOUNG_COARSE_NS
+        folders[folder] = changed if now_ns - changed > young_ns else 0
         if known.get(folder, 0) == changed:
             continue
         listed.append(folder)

@@ -67,6 +67,11 @@ class _Due:
     number: int
     """Of the next part."""
 
+    @property
+    def is_nothing(self) -> bool:
+        """Whether the database holds all parts as they are."""
+        return not (len(self.fresh) or len(self.gone))
+
 
 def rebuild(root: Path) -> Path:
     """Bring ``c4s.duckdb`` up to the parts as they lie there, or make it anew where it is of no use; returns the file.
@@ -78,7 +83,7 @@ def rebuild(root: Path) -> Path:
     with (root / LOCK).open("a") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         try:
-            _bring_up(root, _now_ns(root), trusting=False)
+            _bring_up(root, trusting=False)
         except OSError as error:
             raise BadInput(
                 f"it cannot be replaced: {no_place(error)}",
@@ -94,9 +99,12 @@ def catch_up(root: Path) -> None:
 
     ``BadInput`` for a part that cannot be read, or is gone.
     """
+    with _reading(root) as opened:
+        if opened is None or _due(*opened, look(root, opened[1].folders)).is_nothing:
+            return
     with suppress(OSError), (root / LOCK).open("a") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        _bring_up(root, _now_ns(root), trusting=True)
+        _bring_up(root, trusting=True)
 
 
 def is_current(root: Path) -> bool:
@@ -105,8 +113,7 @@ def is_current(root: Path) -> bool:
         if opened is None:
             return False
         connection, books = opened
-        due = _due(connection, books, look(root, {}, 0))
-        return books.views == _views_digest(root) and not due.fresh and not due.gone
+        return books.views == _views_digest(root) and _due(connection, books, look(root, {})).is_nothing
 
 
 def read_books(connection: duckdb.DuckDBPyConnection) -> Books | None:
@@ -132,26 +139,20 @@ def _reading(root: Path) -> Iterator[tuple[duckdb.DuckDBPyConnection, Books] | N
         yield (connection, books) if books is not None and books.place == str(root.absolute()) else None
 
 
-def _now_ns(root: Path) -> int:
-    """The time as the file system of the warehouse tells it."""
-    os.utime(root / LOCK)
-    return (root / LOCK).stat().st_mtime_ns
-
-
-def _bring_up(root: Path, now_ns: int, *, trusting: bool) -> None:
+def _bring_up(root: Path, *, trusting: bool) -> None:
     """For the holder of the lock. ``trusting``: folders that have not changed hold what they held."""
     for left in root.glob(f".{NAME}.*"):
         left.unlink()
     fresh = root / f".{NAME}.{os.getpid()}"
     with _reading(root) as opened:
-        found = look(root, opened[1].folders if opened and trusting else {}, now_ns)
+        found = look(root, opened[1].folders if opened and trusting else {})
         due = _Due(found.parts, _NONE, 1)
         if opened is None and trusting:
             return
         if opened is not None:
             connection, books = opened
             due = _due(connection, books, found)
-            if not due.fresh and not due.gone and (books.folders, books.views) == (found.folders, _views_digest(root)):
+            if due.is_nothing and (books.folders, books.views) == (found.folders, _views_digest(root)):
                 return
             if trusting:
                 _refuse_lost(root, due)
