@@ -101,6 +101,14 @@ def _overview(rng: random.Random) -> Verdict:
     )
 
 
+_MADE = {PHYSICS.name: _physics, REPAIR.name: _repair, DETAILED.name: _detailed, OVERVIEW.name: _overview}
+
+
+def made_verdict(verifier: str, rng: random.Random) -> Verdict:
+    """A measured verdict of a verifier, other numbers each time."""
+    return _MADE[verifier](rng)
+
+
 def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: str, rng: random.Random) -> None:
     valid = rng.random() < 0.95
     verdicts = {

@@ -13,8 +13,9 @@ import pyarrow.parquet as pq
 from c4s.errors import BadInput, unknown
 from c4s.files import no_place
 from warehouse.parquet import arrow_schema
-from warehouse.records import TABLES
 
+UNHELD = ("pictures",)
+"""Tables whose rows stay in their parts: a question reads them there."""
 REMEDY = "delete it, then run `c4s report --from-runs`"
 _NO_TABLE = re.compile(r"Table with name (.+?) does not exist")
 
@@ -22,7 +23,8 @@ _NO_TABLE = re.compile(r"Table with name (.+?) does not exist")
 def refused(root: Path, error: duckdb.Error, where: str, names: Iterable[str]) -> BadInput:
     """What a query that DuckDB refuses comes of: rows that cannot be read, else the query itself.
 
-    For an error that may speak of types or columns only the files' schemas are looked at; else all is read.
+    Rows that the database holds were read when it took them; here it is about those that stay in their parts. For an
+    error that may speak of types or columns only the files' schemas are looked at; else all is read.
     """
     if not isinstance(error, duckdb.ParserException | duckdb.CatalogException):
         whole = not isinstance(error, duckdb.BinderException | duckdb.ConversionException)
@@ -43,26 +45,40 @@ def broken_rows(root: Path, error: duckdb.Error) -> BadInput:
 
 
 def broken_part(root: Path, *, whole: bool) -> BadInput | None:
-    """The first file of rows that cannot be read, or has other columns. ``whole``: its rows are read too."""
-    for table in TABLES:
-        columns = {field.name: field.type for field in arrow_schema(table, partitions=False)}
+    """The first file of rows outside the database that cannot be read, or has other columns. ``whole``: rows too."""
+    for table in UNHELD:
         for path in sorted((root / table).glob("suite=*/configuration=*/*.parquet")):
             try:
-                file = pq.ParquetFile(path)
-                found = {field.name: field.type for field in file.schema_arrow}
-                if whole:
-                    file.read()
-            except (pa.ArrowException, ValueError) as fault:
-                return BadInput(f"these rows cannot be read: {_told(fault)}", where=str(path), todo=REMEDY)
-            except OSError as fault:
-                return BadInput(f"these rows cannot be read: {no_place(fault)}", where=str(path), todo=REMEDY)
-            if found != columns:
-                return BadInput(
-                    f"the rows of table {table!r} have other columns: another version of c4s wrote them",
-                    where=str(path),
-                    todo="delete the warehouse, then run `c4s report --from-runs`",
-                )
+                _opened(table, path, whole=whole)
+            except BadInput as error:
+                return error
     return None
+
+
+def read_part(table: str, path: Path) -> pa.Table:
+    """The rows of a part, without the columns of its partition.
+
+    ``BadInput`` for a part that cannot be read, or has other columns than its table.
+    """
+    return _opened(table, path, whole=True)
+
+
+def _opened(table: str, path: Path, *, whole: bool) -> pa.Table | None:
+    try:
+        file = pq.ParquetFile(path)
+        found = {field.name: field.type for field in file.schema_arrow}
+        rows = file.read() if whole else None
+    except (pa.ArrowException, ValueError) as fault:
+        raise BadInput(f"these rows cannot be read: {_told(fault)}", where=str(path), todo=REMEDY) from None
+    except OSError as fault:
+        raise BadInput(f"these rows cannot be read: {no_place(fault)}", where=str(path), todo=REMEDY) from None
+    if found != {field.name: field.type for field in arrow_schema(table, partitions=False)}:
+        raise BadInput(
+            f"the rows of table {table!r} have other columns: another version of c4s wrote them",
+            where=str(path),
+            todo="delete the warehouse, then run `c4s report --from-runs`",
+        )
+    return rows
 
 
 def _told(fault: Exception) -> str:

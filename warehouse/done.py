@@ -24,11 +24,14 @@ def held_by(trial: Trial, plan: Plan, warehouse: Path) -> str | None:
     score is not there as it was written, or without the rows of another table, counts for nothing.
     """
     key = trial_id(plan, trial)
-    parts = {table: part_path(warehouse, table, plan.suite_id, trial.configuration.name, key) for table in TRIAL_TABLES}
-    if not all(map(is_whole, parts.values())):
+
+    def part(table: str) -> Path:
+        return part_path(warehouse, table, plan.suite_id, trial.configuration.name, key)
+
+    if not all(is_whole(part(table)) for table in reversed(TRIAL_TABLES)):
         return None
     try:
-        (row,) = pq.ParquetFile(parts["outcomes"]).read(["run_id", "score_sha256"]).to_pylist()
+        (row,) = pq.ParquetFile(part("outcomes")).read(["run_id", "score_sha256"]).to_pylist()
     except (pa.ArrowException, OSError, ValueError):
         return None
     folder = RunFolder(trial.run.parent / str(row.get("run_id"))).trial(

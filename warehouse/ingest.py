@@ -16,7 +16,7 @@ from c4s.records.base import Record
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from c4s.records.suite import SuiteFolder, WithheldFolder
+from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase, WithheldFolder
 from c4s.records.verdict import Verdict
 from c4s.run.check import check_evidence
 from c4s.run.configurations import is_ranked
@@ -35,42 +35,38 @@ CASE_PARTITION = "_case"
 
 
 def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None:
-    """Write one row a planned trial, and the pictures of each case."""
+    """Write one row a planned trial, in one part a configuration, and the pictures of each case.
+
+    A trial that several runs planned has a row of each; the database shows the one that was planned first.
+    """
     folder = SuiteFolder(suite)
     planned_at = datetime.fromtimestamp(RunFolder(run).plan.stat().st_mtime, UTC).isoformat(timespec="milliseconds")
-    for case in plan.cases:
-        agent, withheld = folder.agent_case(case.alias), folder.withheld_case(case.case_id)
-        for trial in trials(run, suite, plan.model_copy(update={"cases": [case]})):
-            chosen = trial.configuration
-            row = ScheduleRow(
-                trial_id=trial_id(plan, trial),
-                run_id=plan.run_id,
-                suite=plan.suite_id,
-                suite_digest=plan.suite_digest,
+    facts = {
+        case.case_id: _case_facts(folder.agent_case(case.alias), folder.withheld_case(case.case_id))
+        for case in plan.cases
+    }
+    for chosen in plan.configurations:
+        rows = [
+            ScheduleRow(
+                **_key(trial, plan),
+                **facts[trial.case.case_id],
                 planned_at=planned_at,
-                configuration=chosen.name,
-                configuration_digest=chosen.sha256(),
                 client=trial.working.client,
                 model=trial.working.model,
-                case_id=case.case_id,
-                title=withheld.title,
-                prompt=agent.prompt,
-                setting=case.setting,
-                scene_id=case.scene_id,
-                repeat=trial.repeat,
-                operations=" ".join(withheld.operations),
-                operation_group=withheld.operation_group,
-                difficulty=withheld.difficulty,
-                proxy_assets=withheld.proxy_assets,
+                setting=trial.case.setting,
+                scene_id=trial.case.scene_id,
                 policy=plan.policy,
                 judge=plan.judge,
                 engine=plan.engine,
                 ranked=is_ranked(chosen),
             )
-            if not is_whole(part_path(warehouse, "schedule", plan.suite_id, chosen.name, row.trial_id)):
-                write_part(
-                    warehouse, "schedule", [row], suite=plan.suite_id, configuration=chosen.name, key=row.trial_id
-                )
+            for trial in trials(run, suite, plan.model_copy(update={"configurations": [chosen]}))
+        ]
+        kept = digest([plan.suite_digest, chosen.plain(), plan.policy, plan.judge, plan.engine])[:12]
+        write_part(
+            warehouse, "schedule", rows, suite=plan.suite_id, configuration=chosen.name, key=f"{plan.run_id}-{kept}"
+        )
+    for case in plan.cases:
         key = f"{case.case_id}-{digest([plan.suite_digest, case.withheld_digest])[:12]}"
         if not is_whole(part_path(warehouse, "pictures", plan.suite_id, CASE_PARTITION, key)):
             write_part(
@@ -81,6 +77,18 @@ def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None
                 configuration=CASE_PARTITION,
                 key=key,
             )
+
+
+def _case_facts(agent: AgentCase, withheld: WithheldCase) -> dict[str, Any]:
+    """What a schedule tells of a case."""
+    return {
+        "title": withheld.title,
+        "prompt": agent.prompt,
+        "operations": " ".join(withheld.operations),
+        "operation_group": withheld.operation_group,
+        "difficulty": withheld.difficulty,
+        "proxy_assets": withheld.proxy_assets,
+    }
 
 
 def _case_pictures(folder: SuiteFolder, plan: Plan, case_id: str) -> Iterator[PictureRow]:

@@ -28,7 +28,7 @@ from c4s.run.lease import Held, holding
 from c4s.run.plan import Trial, make_plan, open_run, trial_id, trials
 from c4s.run.pool import Pool
 from reports.site import build_site, check_place
-from warehouse.database import is_sound, rebuild
+from warehouse.database import is_current, rebuild
 from warehouse.done import held_by
 from warehouse.ingest import ingest_schedule, ingest_trial
 from warehouse.parquet import part_path
@@ -100,7 +100,7 @@ def evaluate_here(
             check_ready(plan.configurations)
         plan = open_run(run, plan)
         refused: list[Pending] = []
-        if missing or not page.is_file() or not is_sound(warehouse):
+        if missing or not page.is_file() or not is_current(warehouse):
             ingest_schedule(run, folder, plan, warehouse)
             stored = [
                 part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial))

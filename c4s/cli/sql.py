@@ -20,8 +20,11 @@ def sql(
     replace: Annotated[bool, typer.Option("--replace", help="overwrite a file of this name")] = False,
     json_output: Annotated[bool, typer.Option("--json", help="rows as a JSON array")] = False,
 ) -> None:
-    """Ask the warehouse in SQL. Without a query, list the named questions."""
-    from warehouse.database import ask, questions
+    """Ask the warehouse in SQL. Without a query, list the named questions.
+
+    Rows that came since the last answer are taken in first, those of a run at work too.
+    """
+    from warehouse.database import ask, catch_up, questions
     from warehouse.records import TABLES
 
     if query is None and out is not None:
@@ -43,6 +46,7 @@ def sql(
         raise unknown("question", query, questions(), todo='or ask in SQL: "SELECT * FROM outcomes"')
     else:
         text = query
+    catch_up(warehouse_root())
     if out is not None:
         from warehouse.frames import export
 

@@ -20,15 +20,14 @@ from cases.suite import build_suite
 from cases.views import orbit
 from catalog.build import build_pack
 from catalog.starter import farm
+from tests.built import built_packs
 
 TEXT = "A field with two cows and a barn."
 
 
 @pytest.fixture(scope="module")
 def packs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    root = tmp_path_factory.mktemp("packs")
-    build_pack(farm.pack(), root)
-    return root
+    return built_packs(tmp_path_factory, "c4s-farm")
 
 
 def small() -> SuiteDefinition:

@@ -29,7 +29,7 @@ from cases.starter import farm_scene, outdoor_cases
 from cases.starter.plot import Plot
 from cases.suite import build_suite
 from cases.views import orbit
-from catalog.build import ensure_pack
+from tests.built import built_packs
 from tests.cases.test_case_suite import small
 
 PASTURE, YARD = "outdoor-farm-pasture", "outdoor-farm-yard"
@@ -40,7 +40,7 @@ Change = Callable[[SeenActor], dict[str, Any]]
 def farm(tmp_path_factory: pytest.TempPathFactory) -> SuiteFolder:
     """The farm of the starter suite with two of its repairs, beside its pack."""
     root = tmp_path_factory.mktemp("farm")
-    ensure_pack("c4s-farm", root / "packs")
+    (root / "packs").symlink_to(built_packs(tmp_path_factory, "c4s-farm"))
     known = outdoor_cases.scenes()
     repairs = [case for case in outdoor_cases.cases(known) if case.case_id in (PASTURE, YARD)]
     tiny = [

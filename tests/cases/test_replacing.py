@@ -24,6 +24,7 @@ from cases.importers.importing import import_scene
 from cases.importers.scene import imported_scene
 from cases.suite import build_suite
 from catalog.build import ensure_pack
+from tests.built import built_packs
 from tests.cases.test_case_suite import small
 from tests.cli.test_bad_input import TASK
 from tests.run.frozen import flipped
@@ -39,7 +40,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     home = tmp_path_factory.mktemp("home")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("C4S_HOME", str(home))
-        ensure_pack("c4s-farm", home / "packs")
+        shutil.copytree(built_packs(tmp_path_factory, "c4s-farm"), home / "packs")
         build_suite(small(), home / "suites/small", home / "packs", quiet)
     return home
 

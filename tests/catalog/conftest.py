@@ -7,10 +7,9 @@ from pathlib import Path
 import pytest
 
 from catalog.build import build_starter
+from tests.built import built_once
 
 
 @pytest.fixture(scope="session")
 def indoor_packs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    root = tmp_path_factory.mktemp("packs")
-    build_starter(root, ["c4s-office", "c4s-home"])
-    return root
+    return built_once(tmp_path_factory, "indoor-packs", lambda root: build_starter(root, ["c4s-office", "c4s-home"]))

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import fcntl
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from tests.built import built_once
 from tests.cli.garbage import write_garbage
 from tests.cli.warm import Warm
 from tests.cli.world import build_world
@@ -23,15 +23,7 @@ def warm() -> Iterator[Warm]:
 @pytest.fixture(scope="session")
 def world(tmp_path_factory: pytest.TempPathFactory, warm: Warm) -> Path:
     """Folder with ``home`` and ``bundle`` (``tests/cli/world.py``)."""
-    shared = tmp_path_factory.getbasetemp()
-    shared = shared.parent if "popen" in shared.name else shared
-    root, built = shared / "cli-world", shared / "cli-world.built"
-    with (shared / "cli-world.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if not built.exists():
-            build_world(root, warm)
-            built.touch()
-    return root
+    return built_once(tmp_path_factory, "cli-world", lambda root: build_world(root, warm))
 
 
 @pytest.fixture(scope="session")

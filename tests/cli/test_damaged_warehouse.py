@@ -103,10 +103,20 @@ def _remove(path: Path) -> None:
     shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
 
 
+def _replaced(part: Path, change: Change) -> None:
+    """Put a damaged part in the place of a sound one, as every writer puts a file."""
+    damaged = part.with_name("damaged")
+    shutil.copy(part, damaged)
+    change(damaged)
+    part.unlink()
+    if damaged.exists():
+        damaged.rename(part)
+
+
 @pytest.mark.parametrize("damage", PARTS)
 def test_rows_that_cannot_be_read(damage: str, warm: Warm, home: Path) -> None:
     part = next((home / OUTCOMES).glob("*.parquet"))
-    PARTS[damage](part)
+    _replaced(part, PARTS[damage])
     done = _call(warm, home, "sql", "SELECT * FROM outcomes")
     _refused(done, "c4s report --from-runs", *([] if damage == "gone" else [part.name]))
     if "delete the warehouse" in done.err:

@@ -14,7 +14,7 @@ from c4s.records.evidence import catalog_facts
 from c4s.records.pack import Pack
 from cases.requirements import bundle
 from cases.starter import indoor_cases
-from catalog.build import ensure_pack
+from tests.built import built_packs
 from tests.judge.judged import verify_detailed, verify_overview
 
 Snapshot = dict[str, Any]
@@ -24,8 +24,7 @@ Snapshot = dict[str, Any]
 def shipped(tmp_path_factory: pytest.TempPathFactory) -> tuple[Any, Snapshot, Any]:
     """Requirement bundle, truth and catalog of the flat; the truth comes from a clean engine."""
     root = tmp_path_factory.mktemp("flat")
-    ensure_pack("c4s-home", root / "packs")
-    packs, level = [root / "packs" / "c4s-home"], indoor_cases.scenes()[1].level
+    packs, level = [built_packs(tmp_path_factory, "c4s-home") / "c4s-home"], indoor_cases.scenes()[1].level
     level.write(root / "content" / f"{level.package.lstrip('/')}.level.json")
     export_evidence(
         engine="headless",

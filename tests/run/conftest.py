@@ -16,6 +16,7 @@ from cases.model import SuiteDefinition
 from cases.starter import indoor_cases
 from cases.suite import build_suite
 from catalog.build import ensure_pack
+from tests.built import built_once
 
 KEPT = ("text-flat-family",)
 Command = Callable[..., subprocess.CompletedProcess[str]]
@@ -23,8 +24,12 @@ Command = Callable[..., subprocess.CompletedProcess[str]]
 
 @pytest.fixture(scope="session")
 def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A ``C4S_HOME`` with the suite ``small``: a text case and two repairs of the flat."""
-    root = tmp_path_factory.mktemp("home")
+    """A ``C4S_HOME`` with the suite ``small``: a text case and two repairs of the flat. Suite and packs are built once
+    a test run."""
+    return apart(tmp_path_factory.mktemp("homes") / "home", built_once(tmp_path_factory, "small-home", _build_small))
+
+
+def _build_small(root: Path) -> None:
     scene = indoor_cases.scenes()[1]
     texts = [case for case in indoor_cases.INDOOR_TEXT_CASES if case.case_id in KEPT]
     ensure_pack("c4s-home", root / "packs")
@@ -36,7 +41,6 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
         root / "packs",
         lambda line: None,
     )
-    return root
 
 
 def environment(home: Path) -> dict[str, str]:

@@ -22,7 +22,7 @@ from c4s.toolbox.registry import ALL_TOOLS, TOOLS
 from c4s.toolbox.size import ANSWER_SIZE, ASKED_SIZE, ERROR_SIZE
 from c4s.toolbox.tool import ToolResult
 from cases.starter import harbour_scene
-from catalog.build import ensure_pack
+from tests.built import built_packs
 
 OPEN = "import unreal\neditor = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)\n"
 LONG = 30_000
@@ -30,9 +30,7 @@ LONG = 30_000
 
 @pytest.fixture(scope="module")
 def packs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    root = tmp_path_factory.mktemp("packs")
-    ensure_pack(PACK, root)
-    return root
+    return built_packs(tmp_path_factory, PACK)
 
 
 @pytest.fixture(params=["harbour", "town"], scope="module")

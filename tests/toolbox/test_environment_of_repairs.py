@@ -14,14 +14,12 @@ from cases.corruption import apply, with_identities
 from cases.model import RepairCase
 from cases.starter import harbour_scene
 from cases.starter.outdoor_cases import cases, scenes
-from catalog.build import ensure_pack
+from tests.built import built_packs
 
 
 @pytest.fixture(scope="module")
 def packs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    root = tmp_path_factory.mktemp("packs")
-    ensure_pack(PACK, root)
-    return root
+    return built_packs(tmp_path_factory, PACK)
 
 
 def exported(root: Path, packs: Path, package: str) -> Path:

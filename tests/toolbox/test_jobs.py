@@ -31,9 +31,11 @@ ENDLESS = {
     "a loop that catches everything": "while True:\n try:\n  while True: pass\n except BaseException: pass",
     "a sleep on the way out": "import time\ntry:\n while True: pass\nfinally:\n time.sleep(1e6)",
     "a lock": "import threading\nlock = threading.Lock()\nlock.acquire()\nlock.acquire()",
-    "a thread that is waited for": "import threading\ndef spin():\n while True: pass\n"
-    "thread = threading.Thread(target=spin)\nthread.start()\nthread.join()",
+    "a thread that is waited for": "import threading\nstop = threading.Event()\ndef spin():\n"
+    " while not stop.is_set(): pass\nthread = threading.Thread(target=spin)\nthread.start()\nthread.join()",
 }
+LET_GO = "stop = globals().get('stop')\nif stop: stop.set()"
+"""Ends what a script left behind: the engine is the next tests' too."""
 
 
 @pytest.mark.parametrize("script", ENDLESS)
@@ -46,6 +48,7 @@ def test_an_endless_script_ends_at_its_limit_and_the_next_one_runs(open_run: Cal
     assert ended["status"] == "error" and "ran longer than 1 s" in ended["error"]
     assert client.call("read_job_log", wait_s=60).data["output"] == "next"
     assert client.call("get_actors_in_level").data["total"] == 6
+    assert client.call("execute_python_script", script=LET_GO, execution_mode="sync").data["status"] == "done"
 
 
 def test_a_thread_that_stays_behind_does_not_stop_the_tools(open_run: Callable) -> None:
