@@ -22,6 +22,7 @@ from c4s.cli import (
     sql,
     suite,
     verify,
+    watch,
 )
 
 app = typer.Typer(
@@ -33,6 +34,7 @@ app = typer.Typer(
 )
 app.command("demo")(demo.demo)
 app.command("run")(run.run)
+app.command("watch")(watch.watch)
 app.add_typer(agent.app, name="agent")
 app.command("serve")(serve.serve)
 app.add_typer(verify.app, name="verify")

@@ -103,6 +103,20 @@ def holding(run: Path, *, wait: Callable[[str], None] | None = None) -> Iterator
             _remove_empty(folder)
 
 
+def holder(run: RunFolder) -> Lease | None:
+    """The lease that somebody holds of a run, by this machine's clock; None where nobody does."""
+    newest = _newest(run)
+    lease = None if newest is None else _read(run.lease(newest))
+    if newest is None or lease is None or lease.given_back:
+        return None
+    if is_near(lease.owner):
+        return None if is_gone(lease.owner) else lease
+    with suppress(FileNotFoundError):
+        if time.time() - run.lease(newest).stat().st_mtime < lease.lasts_s:
+            return lease
+    return None
+
+
 def _taken(run: RunFolder) -> Held | Lease:
     """The lease, or the one of somebody else that is in force."""
     mine = Lease(owner=this_process(), since=datetime.now(UTC).isoformat(timespec="seconds"), lasts_s=LASTS_S)
