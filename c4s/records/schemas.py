@@ -12,6 +12,7 @@ from pydantic import BaseModel
 
 from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.backup import Backup
 from c4s.records.base import SEAL, Sealed
 from c4s.records.guards import Asked, Guards
 from c4s.records.journal import Event
@@ -46,6 +47,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "asked": Asked,
     "journal": Event,
     "progress": Snapshot,
+    "backup": Backup,
 }
 
 

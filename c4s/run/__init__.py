@@ -2,11 +2,13 @@
 
 __all__ = [
     "attempt",
+    "backup",
     "bounds",
     "check",
     "choices",
     "configurations",
     "drive",
+    "droppable",
     "guards",
     "headroom",
     "inputs",
