@@ -18,7 +18,6 @@ REFRESH_S = 5
 """How often the page is written and loads itself again."""
 MOST_RUNNING = 64
 """Rows of stages in work that are shown; the rest is counted."""
-GOING = ("running", "paused", "stopping")
 
 
 def write_status(now: Snapshot, page: Path, leaderboard: Path) -> None:
@@ -37,7 +36,7 @@ def write_status(now: Snapshot, page: Path, leaderboard: Path) -> None:
             root="",
             now=now,
             link=link,
-            going=now.state in GOING,
+            going=now.going,
             refresh_s=REFRESH_S,
             style=Markup((HERE / "static" / "style.css").read_text(encoding="utf-8")),
             written=datetime.fromtimestamp(now.time).astimezone().strftime("%Y-%m-%d %H:%M:%S %Z"),

@@ -13,8 +13,9 @@ from rich.progress import (
 )
 from rich.text import Text
 
-from c4s.cli.output import progress_console, tell
+from c4s.cli.output import progress_console
 from c4s.names import shown
+from c4s.stderr import tell
 
 
 class _Words(ProgressColumn):

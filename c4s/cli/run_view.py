@@ -12,10 +12,11 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
-from c4s.cli.output import progress_console, tell
+from c4s.cli.output import progress_console
 from c4s.names import shown
 from c4s.records.progress import Snapshot
 from c4s.run.progress import Progress
+from c4s.stderr import as_json, tell
 from reports.text import clock, number, span
 
 INTERVAL_S = 0.5
@@ -133,7 +134,7 @@ def _running(now: Snapshot, room: int) -> RenderableType:
 def drawn(progress: Progress, on: Console = progress_console) -> Iterator[None]:
     """Show a run until the block ends: a view that draws itself anew, or lines where there is no terminal."""
     stop = threading.Event()
-    target = _draw if on.is_terminal else _print_lines
+    target = _draw if on.is_terminal and not as_json() else _print_lines
     thread = threading.Thread(target=target, args=(progress, on, stop), name="view", daemon=True)
     thread.start()
     try:

@@ -14,7 +14,6 @@ from c4s.home import suites_root
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.run.progress import Progress
-from reports.status import GOING
 
 
 def watch(
@@ -31,16 +30,16 @@ def watch(
     if json_output:
         print_json(now.plain())
         return
-    if now.state in GOING:
+    if now.going:
         try:
             with drawn(progress):
-                while progress.read().state in GOING:
+                while progress.read().going:
                     time.sleep(INTERVAL_S)
         except KeyboardInterrupt:
             say("the run goes on")
             return
     now = progress.read()
-    if now.state not in GOING or not progress_console.is_terminal:
+    if not now.going or not progress_console.is_terminal:
         say(f"{now.run_id}: {line_of(now)}")
     for row in now.troubles:
         say(f"{row.trials} pending with {row.error}: {row.line} ({row.faults})")

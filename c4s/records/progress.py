@@ -93,3 +93,8 @@ class Snapshot(Record):
     """Unix time, seconds."""
     left_s: float | None = None
     """Estimate from the stage times of this run and its slots; null before a trial is done."""
+
+    @property
+    def going(self) -> bool:
+        """Whether somebody works on it."""
+        return self.state in ("running", "paused", "stopping")

@@ -1,6 +1,7 @@
 """A run: its plan and its holder, attempts, the stages of a trial and the one program over them, worker processes."""
 
 __all__ = [
+    "artifacts",
     "attempt",
     "backup",
     "bounds",

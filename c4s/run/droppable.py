@@ -9,7 +9,7 @@ from typing import Final, Literal, get_args
 
 from c4s.folders import remove_tree
 from c4s.records.folder import AttemptFolder, RunFolder
-from c4s.run.torn import OUTDATED, TORN
+from c4s.run.aside import OUTDATED, TORN
 
 Part = Literal["scratch", "pictures", "interrupted", "aside", "logs"]
 PARTS: Final[tuple[Part, ...]] = get_args(Part)

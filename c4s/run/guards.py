@@ -19,7 +19,7 @@ from c4s.errors import BadInput, C4SError, MachineryFault, shortage
 from c4s.meter.spending import Ledger, SpendingLimitReached
 from c4s.records.folder import RunFolder
 from c4s.records.guards import Asked, Guards, Word
-from c4s.run.journal import Tail, now
+from c4s.run.journal import Tail
 
 Guard = Literal["deadline", "spending", "faults", "drain", "signal"]
 MOST_IN_A_ROW: Final = 20
@@ -56,7 +56,7 @@ def cause_of(error: BaseException) -> str:
 
 def ask(run: RunFolder, word: Word) -> Asked:
     """Put on record what is asked of a run."""
-    asked = Asked(word=word, time=now(), by=f"{getpass.getuser()} on {platform.node()}")
+    asked = Asked(word=word, time=time.time(), by=f"{getpass.getuser()} on {platform.node()}")
     asked.write(run.asked)
     return asked
 
@@ -70,7 +70,7 @@ def set_guards(
     run: RunFolder, *, deadline: float | None = None, spend_usd: float | None = None, most_faults: int = MOST_IN_A_ROW
 ) -> Guards:
     """Give a run its bounds from now on. What was asked of it before no longer holds."""
-    guards = Guards(since=now(), deadline=deadline, spend_usd=spend_usd, most_faults=most_faults)
+    guards = Guards(since=time.time(), deadline=deadline, spend_usd=spend_usd, most_faults=most_faults)
     guards.write(run.guards)
     run.asked.unlink(missing_ok=True)
     return guards

@@ -17,8 +17,8 @@ from c4s.run.owner import this_process
 
 
 def now() -> float:
-    """Unix time to the millisecond."""
-    return round(time.time(), 3)
+    """Unix time, seconds: the millisecond that has begun."""
+    return int(time.time() * 1000) / 1000
 
 
 def process_name(owner: Owner) -> str:

@@ -6,25 +6,21 @@ escapes, so nothing that an agent, a model or a file chose can end a line or ste
 
 from __future__ import annotations
 
-import json
 import logging
 import logging.handlers
-import os
 import platform
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Final
 
-from c4s.errors import BadInput
 from c4s.records.folder import RunFolder
 from c4s.records.journal import Event
 from c4s.run.journal import process_name
 from c4s.run.owner import this_process
+from c4s.stderr import as_json, json_line
 
-CHOICE: Final = "C4S_LOG"
 LOGGER: Final = logging.getLogger("c4s")
 FILE_BYTES, FILES = 8 << 20, 4
 """A log file's size, and how many older ones of a process are kept."""
@@ -40,24 +36,10 @@ class JsonLines(logging.Formatter):
 
     def format(self, record: logging.LogRecord) -> str:
         """The line, without its end."""
-        told = {
-            "time": datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds"),
-            "level": record.levelname.lower(),
-            **self._always,
-            "message": record.getMessage(),
-            **getattr(record, "fields", {}),
-        }
+        fields = self._always | getattr(record, "fields", {})
         if record.exc_info:
-            told["traceback"] = self.formatException(record.exc_info)
-        return json.dumps(told, default=str)
-
-
-def as_json() -> bool:
-    """Whether standard error takes JSON lines. ``BadInput`` for a choice that is none."""
-    told = os.environ.get(CHOICE, "").strip()
-    if told not in ("", "json"):
-        raise BadInput(f"{CHOICE} is {told!r}", todo="set it to json, or unset it")
-    return told == "json"
+            fields["traceback"] = self.formatException(record.exc_info)
+        return json_line(record.levelname.lower(), record.getMessage(), record.created, **fields)
 
 
 @contextmanager

@@ -18,13 +18,14 @@ from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.run.guards import MOST_IN_A_ROW, reason_of, set_guards
 from c4s.run.headroom import print_line
-from c4s.run.logs import as_json, logging_to
+from c4s.run.logs import logging_to
 from c4s.run.notify import at_a_guard, notifier
 from c4s.run.overseer import Overseer
 from c4s.run.plan import Trial, trial_id
 from c4s.run.pool import Pool
 from c4s.run.progress import Progress
 from c4s.run.telemetry import is_asked_for, sending
+from c4s.stderr import check_choice
 
 WAIT_S = 20.0
 
@@ -44,7 +45,7 @@ class Bounds:
     def check(self) -> None:
         """``BadInput`` for what cannot be obeyed, before anything is started."""
         notifier(self.notify, print_line)
-        as_json()
+        check_choice()
         is_asked_for()
 
 
