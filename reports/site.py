@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ def _visible(value: Any) -> Any:
     return shown(value, keep="\n\t") if isinstance(value, str) and not isinstance(value, Markup) else value
 
 
+@cache
 def environment() -> Environment:
     """How pages are made of templates: what is shown is escaped, and has a filter a kind of number."""
     made = Environment(

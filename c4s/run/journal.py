@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+
+import orjson
 
 from c4s.records.folder import RunFolder
 from c4s.records.journal import Event
@@ -67,7 +68,7 @@ class Tail:
             self._offsets[path] = offset + end
             for line in data[:end].splitlines():
                 try:
-                    event = json.loads(line)
+                    event = orjson.loads(line)
                 except ValueError:
                     continue
                 if isinstance(event, dict):
