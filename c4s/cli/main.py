@@ -9,6 +9,7 @@ import typer
 
 from c4s.cli import (
     agent,
+    backups,
     boundary,
     bundle,
     catalog,
@@ -17,12 +18,14 @@ from c4s.cli import (
     engine,
     report,
     run,
+    runs_commands,
     score,
     serve,
     service,
     sql,
     suite,
     verify,
+    watch,
 )
 
 app = typer.Typer(
@@ -34,6 +37,10 @@ app = typer.Typer(
 )
 app.command("demo")(demo.demo)
 app.command("run")(run.run)
+app.command("watch")(watch.watch)
+app.add_typer(runs_commands.app, name="runs")
+app.command("backup")(backups.backup)
+app.command("restore")(backups.restore)
 app.add_typer(agent.app, name="agent")
 app.command("serve")(serve.serve)
 app.add_typer(verify.app, name="verify")

@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
-from c4s.cli.output import print_json, say, tell
+from c4s.cli.output import print_json, say
 from c4s.errors import BadInput, unknown
+from c4s.stderr import tell
 
 MOST_SLOTS = 1024
 Json = Annotated[bool, typer.Option("--json")]

@@ -132,6 +132,13 @@ def holding(run: Path, *, wait: Callable[[str], None] | None = None) -> Iterator
             _remove_empty(folder)
 
 
+def holder(run: RunFolder) -> Lease | None:
+    """The lease that somebody holds of a run; None where nobody does. A holder elsewhere is not watched for it."""
+    place = open_store().leases(run.leases)
+    newest = place.newest()
+    return None if newest is None else _in_force(place, newest, watch=False)
+
+
 def take(place: LeasePlace, what: str) -> Held | Lease:
     """The lease of a place, or the one of somebody else that is in force. ``what`` it is of, for people."""
     mine = Lease(owner=this_process(), since=datetime.now(UTC).isoformat(timespec="seconds"), lasts_s=LASTS_S)
@@ -157,7 +164,7 @@ def in_force(place: LeasePlace) -> Lease | None:
     return None if newest is None else _in_force(place, newest)
 
 
-def _in_force(place: LeasePlace, number: int) -> Lease | None:
+def _in_force(place: LeasePlace, number: int, *, watch: bool = True) -> Lease | None:
     """A lease; None where it was given back, its holder has ended, or gives no sign of life."""
     lease = place.read(number)
     if lease is None or lease.given_back:
@@ -169,6 +176,8 @@ def _in_force(place: LeasePlace, number: int) -> Lease | None:
         return None
     if place.now() - sign < lease.lasts_s:
         return lease
+    if not watch:
+        return None
     watched = time.monotonic() + WATCHED_BEATS * BEAT_S
     while time.monotonic() < watched:
         time.sleep(min(WAIT_S, BEAT_S))
