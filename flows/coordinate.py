@@ -35,7 +35,9 @@ from c4s.errors import BadInput, MachineryFault
 from c4s.records.handover import Handover, WorkPool
 from c4s.records.plan import Plan
 from c4s.run.drive import Pending
+from c4s.run.guards import RunStopped
 from c4s.run.lease import Held, in_force
+from c4s.run.overseer import Overseer
 from c4s.run.plan import Trial
 from c4s.run.repeats import note_lost
 from c4s.run.store import open_store
@@ -75,11 +77,13 @@ class Coordinator:
     Args:
         plan: the run's plan.
         held: the lease of the run.
+        overseer: the watch over the run: while it is paused nothing is sent, and where it is stopped no attempt.
         tell: is given a line when something happens that an operator wants to know.
     """
 
     plan: Plan
     held: Held
+    overseer: Overseer
     tell: Callable[[str], None]
     _queue: dict[WorkPool, list[tuple[Trial, bool]]] = field(
         default_factory=lambda: {"engines": [], "verifiers": [], "judges": []}
@@ -97,7 +101,11 @@ class Coordinator:
                     self._queue[_first_pool(trial)].append((trial, False))
             while self._sent or any(self._queue.values()):
                 self.held.check()
-                await self._send(client)
+                self.overseer.look()
+                if self.overseer.stopped is not None:
+                    self._leave(self.overseer.stopped)
+                if not self.overseer.paused:
+                    await self._send(client)
                 await asyncio.sleep(LOOK_S)
                 await self._look(client)
         return [self._pending[trial.name] for trial in trials if trial.name in self._pending]
@@ -129,6 +137,12 @@ class Coordinator:
                 batch = self._next(pool)
                 del queue[: len(batch)]
                 await self._start(pool, [trial for trial, _ in batch], batch[0][1])
+
+    def _leave(self, stopped: RunStopped) -> None:
+        """Leave the trials whose next stage is an engine's; what is in work ends, is verified and scored."""
+        for trial, _ in self._queue["engines"]:
+            self._pending[trial.name] = Pending(trial, stopped)
+        self._queue["engines"].clear()
 
     def _wants(self, pool: WorkPool) -> bool:
         """Whether a flow run more is of use: some wait for a worker, and as many more as workers have."""
@@ -200,7 +214,7 @@ class Coordinator:
                 self._queue[handover.pool].append((trial, handover.whole))
             elif handover.ended == "pending":
                 kind = BadInput if handover.bad_input else MachineryFault
-                self._pending[trial.name] = Pending(trial, kind(handover.line))
+                self._pending[trial.name] = Pending(trial, self.overseer.stopped or kind(handover.line))
 
     def _lose(self, trial: Trial, pool: WorkPool, how: str) -> None:
         """Ask again for what was lost, unless it was lost too often. It is the machinery's, and counts no attempt."""

@@ -16,19 +16,27 @@ from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
+from c4s.run.bounds import amount, moment
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
 from c4s.run.drive import Pending, refuse_pending, run_trials
+from c4s.run.guards import MOST_IN_A_ROW
 from c4s.run.headroom import print_line
 from c4s.run.lease import Held, holding
+from c4s.run.overseer import Overseer
+from c4s.run.oversight import Bounds, every, overseen
 from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
+from c4s.run.progress import Progress
+from c4s.run.signals import ending_in_order
 from c4s.run.store import open_store, share_suite
+from flows.artifacts import shown
 from flows.coordinate import Coordinator
 from flows.family import die_with_the_worker
 from flows.server import tie
 from flows.trial import as_tasks
 from reports.site import check_place
+from reports.status import REFRESH_S, write_status
 from tasks.publish import publish
 from warehouse.done import held_by
 from warehouse.ingest import ingest_schedule
@@ -53,6 +61,10 @@ async def evaluate(
     engine: Engine = DEFAULT_ENGINE,
     workers: Literal["here", "pools"] = "here",
     slots: int | None = None,
+    deadline: str | None = None,
+    spend: float | None = None,
+    most_faults: int = MOST_IN_A_ROW,
+    notify: str | None = None,
 ) -> str:
     """Run, verify, store and publish a suite. Returns the address of the leaderboard page.
 
@@ -70,8 +82,19 @@ async def evaluate(
         engine: which engine. Results of different engines are never ranked together.
         workers: here, in this flow's own process; or pools, on the workers of the work pools.
         slots: engine processes at once, where it runs here (default: one a core).
+        deadline: no attempt starts after it: 8h, 1h30m, 07:30, 2026-11-24T07:30.
+        spend: US dollars that the whole run may spend on models.
+        most_faults: stop when so many trials in a row fail for one cause.
+        notify: address or command that is told when a guard stops the run, and how it ends.
     """
     die_with_the_worker()
+    bounds = Bounds(
+        deadline=None if deadline is None else moment(deadline, "deadline"),
+        spend_usd=None if spend is None else amount(spend, "spend"),
+        most_faults=most_faults,
+        notify=notify,
+    )
+    bounds.check()
     folder, run = share_suite(suite), place_in(runs_root(), run_id or suite, "run")
     plan = make_plan(
         SuiteFolder(folder),
@@ -94,18 +117,26 @@ async def evaluate(
         plan = open_run(run, plan)
         store.push_files(RunFolder(run).plan)
         ingest_schedule(run, folder, plan, warehouse)
-        pending = await (_on_pools(missing, plan, held) if workers == "pools" else _here(missing, plan, slots, held))
-        store.pull_files(warehouse)
-        page = publish(warehouse, site_root())
-        store.push_files(site_root())
-    refuse_pending(pending, len(missing))
+        page, pool = site_root() / "index.html", Pool(1 if workers == "pools" else slots)
+        progress = Progress(run, folder)
+        with (
+            every(REFRESH_S, lambda: write_status(progress.read(), RunFolder(run).status_page, page)),
+            overseen(run, folder, plan, pool, bounds) as overseer,
+        ):
+            async with shown(progress, run, page):
+                with ending_in_order(overseer):
+                    pending = await (
+                        Coordinator(plan, held, overseer, print_line).run(missing)
+                        if workers == "pools"
+                        else _here(missing, plan, pool, held, overseer)
+                    )
+                store.pull_files(warehouse)
+                publish(warehouse, site_root())
+                store.push_files(site_root())
+            refuse_pending(pending, len(missing))
     return page.as_uri()
 
 
-async def _here(missing: Sequence[Trial], plan: Plan, slots: int | None, held: Held) -> list[Pending]:
-    async with Pool(slots) as pool:
-        return await run_trials(missing, plan, pool, as_tasks(warehouse_root()), held)
-
-
-async def _on_pools(missing: Sequence[Trial], plan: Plan, held: Held) -> list[Pending]:
-    return await Coordinator(plan, held, print_line).run(missing)
+async def _here(missing: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:
+    async with pool:
+        return await run_trials(missing, plan, pool, as_tasks(warehouse_root()), held, overseer)

@@ -18,10 +18,12 @@ from c4s.records.handover import WorkPool
 from c4s.records.plan import Plan
 from c4s.run.drive import Run, refuse_pending, run_trials
 from c4s.run.limits import Stage
+from c4s.run.oversight import overseen
 from c4s.run.part import Part
 from c4s.run.plan import Trial
 from c4s.run.plan import trials as scheduled
 from c4s.run.pool import Pool
+from c4s.run.signals import ending_in_order
 from c4s.run.store import share_suite, shared_plan
 from flows.family import die_with_the_worker
 from flows.server import tie
@@ -82,7 +84,9 @@ async def trial(
         if name not in known:
             raise unknown("trial", name, known, where=f"run {run_id}")
     work = Part(part or str(runtime.flow_run.id), pool, whole)
+    chosen = [known[name] for name in trials]
     async with Pool(1, processors=1) as slots:
-        pending = await run_trials([known[name] for name in trials], plan, slots, as_tasks(warehouse_root()), part=work)
+        with overseen(run, suite, plan, slots, None) as overseer, ending_in_order(overseer):
+            pending = await run_trials(chosen, plan, slots, as_tasks(warehouse_root()), None, overseer, work)
     refuse_pending(pending, len(trials))
     return len(trials)

@@ -32,6 +32,7 @@ from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
 from c4s.run.progress import Progress
 from c4s.run.signals import ending_in_order
+from c4s.run.store import open_store
 from reports.site import build_site, check_place
 from reports.status import REFRESH_S, write_status
 from warehouse.database import is_current, rebuild
@@ -85,7 +86,7 @@ def evaluate_here(
     started = time.perf_counter()
     bounds = bounds or Bounds()
     bounds.check()
-    folder, warehouse = built_suite(suite), warehouse_root()
+    folder, warehouse, store = built_suite(suite), warehouse_root(), open_store()
     run = place_in(runs_root(), run_id or suite, "run")
     plan = make_plan(
         SuiteFolder(folder),
@@ -103,11 +104,14 @@ def evaluate_here(
     check_place(site_root())
     page = site_root() / "index.html"
     with holding(run, wait=print_line if wait else None) as held:
+        store.pull_files(warehouse)
+        store.pull_files(RunFolder(run).plan)
         holders = [held_by(trial, plan, warehouse) for trial in scheduled]
         missing = [trial for trial, holder in zip(scheduled, holders, strict=True) if holder is None]
         if missing:
             check_ready(plan.configurations)
         plan = open_run(run, plan)
+        store.push_files(RunFolder(run).plan)
         refused: list[Pending] = []
         if missing or not page.is_file() or not is_current(warehouse):
             ingest_schedule(run, folder, plan, warehouse)
@@ -125,6 +129,7 @@ def evaluate_here(
                     refused += asyncio.run(_run(missing, plan, pool, held, overseer))
                     rebuild(warehouse)
                     build_site(warehouse, site_root())
+                    store.push_files(site_root())
                 refuse_pending(refused, len(missing))
         refuse_pending(refused, len(missing))
     reused = Counter(holder for holder in holders if holder is not None)

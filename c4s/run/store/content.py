@@ -16,13 +16,13 @@ from c4s.run.store.opening import open_store
 def share_suite(suite: str) -> Path:
     """A suite's folder, with its packs beside it; what is built here is sent, what is not is fetched.
 
-    ``BadInput`` where it is neither here nor in the store.
+    A suite that is in neither is left to whoever opens it; ``BadInput`` for a pack that is in neither.
     """
     folder, store = place_in(suites_root(), suite, "suite"), open_store()
     if not store.apart:
         return folder
     if not SuiteFolder(folder).record.is_file() and not store.pull(folder):
-        raise BadInput(f"no suite {suite!r} here or in the store", where=store.name, todo="build it here first")
+        return folder
     found = SuiteFolder(folder)
     packs = {pack.pack_id for case in found.suite().cases for pack in found.agent_case(case.alias).packs}
     for pack in sorted(packs):
