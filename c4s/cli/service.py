@@ -78,7 +78,7 @@ def worker(
     `C4S_HOME` has to be the folder that the machines share, or `C4S_STORE` the object store.
     """
     from flows.service import POOLS, supervise
-    from flows.service.up import health
+    from flows.service.health import health
 
     if pool not in POOLS:
         raise unknown("work pool", pool, POOLS)

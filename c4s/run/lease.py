@@ -10,11 +10,13 @@ another lease in force, or its own gone, stops before it writes more.
 
 from __future__ import annotations
 
+import os
 import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
+from functools import cache
 from pathlib import Path
 
 from c4s.errors import BadInput, MachineryFault
@@ -66,7 +68,10 @@ class _Keeper(threading.Thread):
                     held.beat()
 
 
-_keeper = _Keeper()
+@cache
+def _keeper_of(process: int) -> _Keeper:
+    """The keeper of a process: one that a fork copied has no thread."""
+    return _Keeper()
 
 
 class Held:
@@ -74,7 +79,7 @@ class Held:
 
     def __init__(self, place: LeasePlace, number: int, lease: Lease, what: str) -> None:
         self._place, self._number, self._lease, self._what = place, number, lease, what
-        _keeper.keep(self)
+        _keeper_of(os.getpid()).keep(self)
 
     def check(self) -> None:
         """``LeaseLost`` where the lease is no longer this process's."""
@@ -96,7 +101,7 @@ class Held:
 
     def give_back(self) -> None:
         """Let the next one in."""
-        _keeper.let_go(self)
+        _keeper_of(os.getpid()).let_go(self)
         with suppress(LeaseLost):
             self.check()
             self._place.replace(self._number, self._lease.model_copy(update={"given_back": True}))

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import os
 from collections.abc import AsyncIterator, Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
-from functools import partial
+from functools import cache, partial
 from typing import Any, TypeVar, TypeVarTuple
 
 from c4s.run.lease import WAIT_S, Held, take
@@ -45,13 +46,15 @@ class Sending:
                 await asyncio.to_thread(self._store.push, self._trial.folder.root)
 
 
-_in_order = ThreadPoolExecutor(1, "leases")
-"""Trials are taken in the order in which they are asked for."""
+@cache
+def _desk(process: int) -> ThreadPoolExecutor:
+    """Where trials are taken in the order in which they are asked for: one a process, also after a fork."""
+    return ThreadPoolExecutor(1, "leases")
 
 
 async def in_order(function: Callable[[*Args], R], *arguments: *Args) -> R:
     """Run a short function beside the event loop, after those that were asked for before."""
-    return await asyncio.get_running_loop().run_in_executor(_in_order, partial(function, *arguments))
+    return await asyncio.get_running_loop().run_in_executor(_desk(os.getpid()), partial(function, *arguments))
 
 
 @asynccontextmanager

@@ -4,25 +4,16 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from pathlib import Path
-from typing import Final
 
 from prefect.client.orchestration import get_client
 from prefect.client.schemas.actions import WorkPoolCreate
 from prefect.exceptions import ObjectAlreadyExists
 from prefect.settings import PREFECT_API_URL, temporary_settings
 
-import flows
 from c4s.errors import BadInput, MachineryFault
+from flows.service.health import prefect_yaml
+from flows.service.names import POOLS
 from flows.service.settings import environment
-
-POOLS: Final = {
-    "coordinators": "flows that send work to the other pools, and pages; no engine",
-    "engines": "attempts and evidence of trials; one engine a slot",
-    "verifiers": "verifiers, scores and rows of trials",
-    "judges": "requests of trials to a model judge",
-}
-"""Every pool, and what its workers do."""
 
 
 def make_pools(url: str) -> list[str]:
@@ -40,12 +31,12 @@ def make_pools(url: str) -> list[str]:
 
 def deploy(url: str) -> None:
     """Deploy every flow of ``prefect.yaml``. ``MachineryFault`` with what Prefect said where it refuses."""
-    place = Path(flows.__file__).resolve().parents[1]
-    if not (place / "prefect.yaml").is_file():
-        raise BadInput("there is no prefect.yaml", where=str(place), todo="run c4s from a checkout")
+    declared = prefect_yaml()
+    if not declared.is_file():
+        raise BadInput("there is no such file", where=str(declared), todo="run c4s from a checkout")
     told = subprocess.run(
         [sys.executable, "-m", "prefect", "--no-prompt", "deploy", "--all"],
-        cwd=place,
+        cwd=declared.parent,
         env=environment(url),
         stdin=subprocess.DEVNULL,
         capture_output=True,
@@ -54,4 +45,4 @@ def deploy(url: str) -> None:
     )
     if told.returncode:
         last = " ".join((told.stdout + told.stderr).split())[-600:]
-        raise MachineryFault(f"the flows were not deployed: {last}", where=str(place / "prefect.yaml"))
+        raise MachineryFault(f"the flows were not deployed: {last}", where=str(declared))

@@ -14,12 +14,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-import httpx
-
 from c4s.errors import BadInput, MachineryFault
 from c4s.home import home
 from c4s.records.lease import Owner
 from c4s.run.owner import owner_of
+from flows.service.health import health
 from flows.service.pools import deploy, make_pools
 from flows.service.settings import environment, prefect_home
 from flows.service.state import Service, runs
@@ -56,6 +55,7 @@ def up(asked: Asked, tell: Callable[[str], None]) -> Service:
         raise BadInput(f"the server of {found.url} is used here", where="--url", todo="end it first with `c4s down`")
     service = found or Service(asked.url or f"http://{asked.host}:{asked.port}/api", _kind(asked.database))
     if asked.url is None and not runs(service.server):
+        _check_port(asked)
         tell(f"starting the server at {service.ui}")
         service.server = _start_server(asked, service)
         service.write()
@@ -91,15 +91,6 @@ def down(tell: Callable[[str], None]) -> int:
     return ended
 
 
-def health(url: str) -> str:
-    """What is wrong with the server of a URL; empty where it answers."""
-    try:
-        answer = httpx.get(f"{url.rstrip('/')}/health", timeout=3.0)
-    except (httpx.HTTPError, httpx.InvalidURL) as error:
-        return f"it does not answer: {error}"
-    return "" if answer.is_success else f"it answers {answer.status_code}"
-
-
 def _kind(database: str | None) -> str:
     if database is None:
         return "sqlite"
@@ -108,7 +99,7 @@ def _kind(database: str | None) -> str:
     return "postgresql"
 
 
-def _start_server(asked: Asked, service: Service) -> Owner:
+def _check_port(asked: Asked) -> None:
     with socket.socket() as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
@@ -119,6 +110,9 @@ def _start_server(asked: Asked, service: Service) -> Owner:
                 where="--port",
                 todo="choose another --port, or end what listens there",
             ) from None
+
+
+def _start_server(asked: Asked, service: Service) -> Owner:
     made = environment(service.url)
     if asked.database is not None:
         _, _, rest = asked.database.partition("://")
