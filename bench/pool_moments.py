@@ -141,7 +141,7 @@ def _one(
         if victim is None:
             return lasted, found
         repeated = len(list((made.home / "runs").glob("*/*/*/r*/attempt-?.interrupted-*")))
-        stay = len(orphans(made.mark))
+        stay, left = len(orphans(made.mark)), len(list(made.temporary.iterdir()))
         code = "0" if ends[-1] == "COMPLETED" else "3"
         told = f"{' '.join(ends).lower()} {code}"
         return FaultResult(
