@@ -24,6 +24,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from statistics import median
 
+from bench.orchestration import QUIET
 from bench.row import Row
 
 STAGES = ("instant", "prefect", "noop")
@@ -48,6 +49,8 @@ class ScaleResult:
     trials: int
     start_s: float
     """From the command to the start of the first attempt."""
+    start_cpu_s: float
+    """Processor time until then, imports included: other work on the machine does not count."""
     run_s: float
     """From there to the last row stored."""
     end_s: float
@@ -88,7 +91,7 @@ def measured(cases: int, configurations: int, repeats: int, stages: str, *, star
         asked = [str(repeats), stages, str(int(start_only)), *map(str, names)]
         process = subprocess.Popen(
             [sys.executable, "-m", "bench.scale_run", str(home), *asked],
-            env={**os.environ, "C4S_HOME": str(home)},
+            env={**os.environ, **QUIET, "C4S_HOME": str(home), "PREFECT_HOME": str(home / "prefect")},
             stdout=subprocess.PIPE,
             text=True,
         )

@@ -36,10 +36,12 @@ class _Clock:
     def __init__(self, run: Run, *, start_only: bool) -> None:
         self._run, self._start_only = run, start_only
         self.first: float | None = None
+        self.spent_s = 0.0
         self.last = 0.0
 
     async def __call__(self, stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
-        self.first = self.first or time.perf_counter()
+        if self.first is None:
+            self.first, self.spent_s = time.perf_counter(), time.process_time()
         if self._start_only:
             raise _Started
         try:
@@ -119,6 +121,7 @@ def main(home: Path, repeats: int, stages: str, start_only: bool, agents: Sequen
     told = {
         "trials": len(plan.cases) * len(plan.configurations) * plan.repeats,
         "start_s": round(first - started, 2),
+        "start_cpu_s": round(clock[0].spent_s, 2),
         "run_s": round(max(0.0, clock[0].last - first), 2),
         "end_s": round(ended - max(clock[0].last, first), 2),
         "failures": failures,
