@@ -14,7 +14,7 @@ SQL = Path(__file__).parent / "sql"
 FOUNDATIONS = ("trials", "case_scores", "setting_means", "leaderboards")
 """Questions that others build on, in this order."""
 KEPT = ("setting_means",)
-"""Questions whose answer is kept as a table, made anew whenever rows change: a leaderboard is made of a few rows then."""
+"""Questions whose answer is kept as a table, made anew when rows change: a leaderboard is made of few rows then."""
 ROWS = "stored"
 """Schema of the tables: rows as they were read, each with the number of its part, and what is known of the parts."""
 BOOKS = (
