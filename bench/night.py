@@ -41,7 +41,7 @@ AGENT_MINUTES, SPREAD, LONGEST = 15.0, 0.6, 4.0
 GOAL_BUSY = 0.98
 Times = Mapping[str, float]
 """Seconds by the name under which a stage is recorded, ``attempt`` and ``orchestration`` left out."""
-_GATE: Times = {"score": 0.02, "persist": 0.2}
+_GATE = {"score": 0.02, "persist": 0.2}
 RECORDED: dict[str, list[Times]] = {
     TEXT_TO_SCENE: [_GATE | {"integrity": 1.5, "look": 0.2, "judge": 0.2, "detailed": 0.05, "overview": 0.02}],
     INDOOR_REPAIR: [_GATE | {"integrity": 2.6, "look": 9.4, "repair": 0.2, "physics": 1.9}],
