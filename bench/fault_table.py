@@ -92,7 +92,7 @@ class Fault:
 
 Moment = Callable[[Scene], Path]
 MOMENTS: dict[str, Moment] = {
-    "the lease": lambda scene: scene.folder.lease(1),
+    "the lease": lambda scene: scene.folder.leases / "000001.json",
     "the plan": lambda scene: scene.folder.plan,
     "the attempt's folder": lambda scene: scene.trial.attempt(1).root,
     "the attempt's engine": lambda scene: scene.trial.attempt(1).manifest,

@@ -74,7 +74,7 @@ def orphans(mark: str) -> list[int]:
 
 
 @contextmanager
-def scene(built: Path, done: Path | None) -> Iterator[Scene]:
+def scene(built: Path, done: Path | None, kind: type[Scene] = Scene) -> Iterator[Scene]:
     """A home with the built suite, with or without the run that is done, and a temporary folder of its own."""
     root = Path(tempfile.mkdtemp(prefix="f-"))
     home, temporary = root / "h", root / "t"
@@ -89,7 +89,7 @@ def scene(built: Path, done: Path | None) -> Iterator[Scene]:
     mark = root.name
     settings = {**os.environ, "C4S_HOME": str(home), "TMPDIR": str(temporary), MARK: mark, "COLUMNS": "140"}
     settings |= {"PREFECT_HOME": str(root / "p"), "DO_NOT_TRACK": "1", "PREFECT_SERVER_ANALYTICS_ENABLED": "false"}
-    made = Scene(home, temporary, settings, mark)
+    made = kind(home, temporary, settings, mark)
     try:
         yield made
     finally:
@@ -99,9 +99,9 @@ def scene(built: Path, done: Path | None) -> Iterator[Scene]:
         remove_tree(root, inside=root.parent, at_best=True)
 
 
-def tried(fault: Fault, built: Path, done: Path, wanted: Sequence[str]) -> FaultResult:
+def tried(fault: Fault, built: Path, done: Path, wanted: Sequence[str], kind: type[Scene] = Scene) -> FaultResult:
     """Do a fault and go on."""
-    with scene(built, done if fault.after else None) as made:
+    with scene(built, done if fault.after else None, kind) as made:
         ends = [str(fault.do(made))] if not fault.after else []
         if fault.after:
             fault.do(made)

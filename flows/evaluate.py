@@ -3,34 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal
 
 from prefect import flow
 
-from c4s.engine import DEFAULT_ENGINE
-from c4s.home import runs_root, site_root, suites_root, warehouse_root
-from c4s.judge.names import DEFAULT_JUDGE
+from c4s.engine import DEFAULT_ENGINE, engine_kinds
+from c4s.home import runs_root, site_root, warehouse_root
+from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
 from c4s.names import place_in
 from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.folder import RunFolder
+from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
+from c4s.run.bounds import amount, moment
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
-from c4s.run.drive import refuse_pending, run_trials, settle_all
+from c4s.run.drive import Pending, refuse_pending, run_trials
+from c4s.run.guards import MOST_IN_A_ROW
 from c4s.run.headroom import print_line
-from c4s.run.lease import holding
-from c4s.run.plan import make_plan, open_run, trials
+from c4s.run.lease import Held, holding
+from c4s.run.overseer import Overseer
+from c4s.run.oversight import Bounds, every, overseen
+from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
+from c4s.run.progress import Progress
+from c4s.run.signals import ending_in_order
+from c4s.run.store import open_store, share_suite
+from flows.artifacts import shown
+from flows.coordinate import Coordinator
+from flows.family import die_with_the_worker
 from flows.server import tie
 from flows.trial import as_tasks
 from reports.site import check_place
+from reports.status import REFRESH_S, write_status
 from tasks.publish import publish
 from warehouse.done import held_by
 from warehouse.ingest import ingest_schedule
 
 tie()
+if TYPE_CHECKING:
+    Engine = str
+    Judge = str
+else:
+    Engine, Judge = Literal[*engine_kinds()], Literal[*JUDGE_NAMES]
 
 
-@flow(name="evaluate", validate_parameters=False)
+@flow(name="evaluate", flow_run_name="{suite} on {workers}", validate_parameters=False)
 async def evaluate(
     suite: str = "starter",
     agents: Sequence[str] = BASELINES,
@@ -38,27 +57,45 @@ async def evaluate(
     cases: Sequence[str] = (),
     repeats: int = 1,
     policy: str = DEFAULT_POLICY,
-    judge: str = DEFAULT_JUDGE,
-    engine: str = DEFAULT_ENGINE,
+    judge: Judge = DEFAULT_JUDGE,
+    engine: Engine = DEFAULT_ENGINE,
+    workers: Literal["here", "pools"] = "here",
     slots: int | None = None,
+    deadline: str | None = None,
+    spend: float | None = None,
+    most_faults: int = MOST_IN_A_ROW,
+    notify: str | None = None,
 ) -> str:
     """Run, verify, store and publish a suite. Returns the address of the leaderboard page.
 
-    Run it again with the same arguments to complete a run that was stopped; what is done is reused. ``BadInput`` where
-    somebody else works on the run.
+    Run it again with the same parameters to complete a run that was stopped; what is done is reused. Where somebody
+    else works on the run, it fails and says who.
 
     Args:
         suite: id of a built suite.
-        agents: configuration names or files (default: the six baselines).
+        agents: configuration names, or files on the machine that runs this flow.
         run_id: folder name of the run (default: the suite's id).
-        cases: only these cases.
+        cases: only these cases (default: all).
         repeats: repeats of each case.
         policy: id of a score policy that ships.
-        judge: name of a judge.
-        engine: name of an engine.
-        slots: engine processes at once (default: one a core).
+        judge: who judges.
+        engine: which engine. Results of different engines are never ranked together.
+        workers: here, in this flow's own process; or pools, on the workers of the work pools.
+        slots: engine processes at once, where it runs here (default: one a core).
+        deadline: no attempt starts after it: 8h, 1h30m, 07:30, 2026-11-24T07:30.
+        spend: US dollars that the whole run may spend on models.
+        most_faults: stop when so many trials in a row fail for one cause.
+        notify: address or command that is told when a guard stops the run, and how it ends.
     """
-    folder, run = place_in(suites_root(), suite, "suite"), place_in(runs_root(), run_id or suite, "run")
+    die_with_the_worker()
+    bounds = Bounds(
+        deadline=None if deadline is None else moment(deadline, "deadline"),
+        spend_usd=None if spend is None else amount(spend, "spend"),
+        most_faults=most_faults,
+        notify=notify,
+    )
+    bounds.check()
+    folder, run = share_suite(suite), place_in(runs_root(), run_id or suite, "run")
     plan = make_plan(
         SuiteFolder(folder),
         [configuration(name) for name in agents],
@@ -69,19 +106,37 @@ async def evaluate(
         repeats=repeats,
         cases=cases,
     )
-    warehouse = warehouse_root()
+    warehouse, store = warehouse_root(), open_store()
     check_place(site_root())
     with holding(run) as held:
+        store.pull_files(warehouse)
         missing = [trial for trial in trials(run, folder, plan) if held_by(trial, plan, warehouse) is None]
         if missing:
             check_ready(plan.configurations)
+        store.pull_files(RunFolder(run).plan)
         plan = open_run(run, plan)
-        ready, pending = settle_all(missing, plan, print_line)
-        if not ready:
-            refuse_pending(pending, len(missing))
+        store.push_files(RunFolder(run).plan)
         ingest_schedule(run, folder, plan, warehouse)
-        async with Pool(slots) as pool:
-            pending += await run_trials(ready, plan, pool, as_tasks(warehouse), held)
-        page = publish(warehouse, site_root())
-    refuse_pending(pending, len(missing))
+        page, pool = site_root() / "index.html", Pool(1 if workers == "pools" else slots)
+        progress = Progress(run, folder)
+        with (
+            every(REFRESH_S, lambda: write_status(progress.read(), RunFolder(run).status_page, page)),
+            overseen(run, folder, plan, pool, bounds) as overseer,
+        ):
+            async with shown(progress, run, page):
+                with ending_in_order(overseer):
+                    pending = await (
+                        Coordinator(plan, held, overseer, print_line).run(missing)
+                        if workers == "pools"
+                        else _here(missing, plan, pool, held, overseer)
+                    )
+                store.pull_files(warehouse)
+                publish(warehouse, site_root())
+                store.push_files(site_root())
+            refuse_pending(pending, len(missing))
     return page.as_uri()
+
+
+async def _here(missing: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:
+    async with pool:
+        return await run_trials(missing, plan, pool, as_tasks(warehouse_root()), held, overseer)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -28,8 +29,10 @@ def _visible(value: Any) -> Any:
     return shown(value, keep="\n\t") if isinstance(value, str) and not isinstance(value, Markup) else value
 
 
-def _environment() -> Environment:
-    environment = Environment(
+@cache
+def environment() -> Environment:
+    """How pages are made of templates: what is shown is escaped, and has a filter a kind of number."""
+    made = Environment(
         loader=PackageLoader("reports"),
         autoescape=True,
         finalize=_visible,
@@ -37,11 +40,11 @@ def _environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(number=number, percent=percent, slug=slug)
-    environment.globals.update(
+    made.filters.update(number=number, percent=percent, slug=slug)
+    made.globals.update(
         setting_names=SETTING_TITLES, is_construction=is_construction, headlines=headlines_of, verifiers=VERIFIERS
     )
-    return environment
+    return made
 
 
 def check_place(site: Path) -> None:
@@ -56,7 +59,7 @@ def build_site(warehouse: Path, site: Path) -> Path:
     """
     check_place(site)
     with beside(site) as scratch:
-        _write_site(_environment(), warehouse, scratch / site.name)
+        _write_site(environment(), warehouse, scratch / site.name)
         put_folder(scratch / site.name, site, marker=MARKER)
     return site / "index.html"
 

@@ -16,7 +16,9 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from c4s.files import write_bytes
+from c4s.home import warehouse_root
 from c4s.records.base import Record
+from c4s.run.store import open_store
 from warehouse.records import TABLES
 
 _ARROW = {str: pa.string(), int: pa.int64(), float: pa.float64(), bool: pa.bool_(), bytes: pa.binary()}
@@ -73,4 +75,6 @@ def write_part(root: Path, table: str, rows: Sequence[Record], *, suite: str, co
     pq.write_table(pa.table(columns, schema=schema), buffer, compression="zstd")
     path = part_path(root, table, suite, configuration, key)
     write_bytes(path, buffer.getvalue())
+    if path.is_relative_to(warehouse_root()):
+        open_store().push_files(path)
     return path

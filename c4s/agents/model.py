@@ -14,7 +14,13 @@ from c4s.meter.metered import MeterRun
 from c4s.meter.prices import PriceTable
 from c4s.meter.record import UPSTREAM_FAULTS
 from c4s.meter.spending import Ledger
+from c4s.records.folder import RunFolder
+from c4s.records.guards import Guards
 from c4s.records.plan import Configuration
+
+
+class ModelOutage(MachineryFault):
+    """The model endpoint failed, so the client did."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +47,7 @@ class ModelAccess:
                 todo="read the client's output in the attempt's agent folder",
             )
         if last.ending in UPSTREAM_FAULTS:
-            raise MachineryFault(
+            raise ModelOutage(
                 f"{what} after the model endpoint failed ({last.ending} {last.status or ''}: {last.problem})",
                 where=self.run.run_id,
                 todo="run the same command again",
@@ -85,7 +91,7 @@ def open_model(
     ``side_models``, further models that the client may use. ``BadInput`` for what is missing.
     """
     name, endpoint, models = check_model(configuration, default_endpoint, wire)
-    books = Ledger(ledger, spending_limit()) if ledger is not None else None
+    books = Ledger(ledger, _limit(ledger)) if ledger is not None else None
     run = MeterRun(
         configuration.name,
         endpoint,
@@ -98,3 +104,9 @@ def open_model(
     )
     with Meter() as meter:
         yield ModelAccess(meter.open_run(run), models[0], run)
+
+
+def _limit(ledger: Path) -> float | None:
+    """US dollars that the run of a ledger may spend: as its guards have it, so on every machine alike."""
+    guards = RunFolder(ledger.parent).guards
+    return Guards.read(guards).spend_usd if guards.is_file() else spending_limit()

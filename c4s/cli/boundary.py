@@ -14,9 +14,9 @@ from typing import NoReturn
 import typer
 from typer.exceptions import TyperException
 
-from c4s.cli.output import tell
 from c4s.errors import C4SError
 from c4s.files import no_place
+from c4s.stderr import tell
 
 OK, NO, BAD_INPUT, MACHINERY, STOPPED = 0, 1, 2, 3, 130
 MOST_CHARACTERS = 1_500
@@ -40,7 +40,7 @@ def _line(text: str) -> None:
     line = " ".join(text.split())
     if len(line) > MOST_CHARACTERS:
         line = f"{line[: MOST_CHARACTERS // 2]} … {line[-MOST_CHARACTERS // 2 :]}"
-    tell(f"c4s: {line}")
+    tell(f"c4s: {line}", "error")
 
 
 def run(command: Callable[[], object]) -> NoReturn:

@@ -19,7 +19,6 @@ from c4s.errors import BadInput, MachineryFault
 from c4s.home import home, suites_root
 from c4s.records.plan import Configuration
 
-API_TIMEOUT_S = 3.0
 LEAST_FREE_GB = 2.0
 
 
@@ -45,7 +44,7 @@ def _findings() -> Iterator[Diagnosis]:
         False,
         "built" if (suites_root() / "starter/suite.json").is_file() else "build it: c4s suite build starter",
     )
-    yield _prefect()
+    yield from _prefect()
     yield Diagnosis(
         "Unreal Editor",
         shutil.which("UnrealEditor-Cmd") is not None,
@@ -99,20 +98,27 @@ def _clients() -> Iterator[Diagnosis]:
         )
 
 
-def _prefect() -> Diagnosis:
-    """Whether the Prefect server of ``PREFECT_API_URL`` answers; without one, flows run in the command's process."""
-    url = os.environ.get("PREFECT_API_URL")
-    if not url:
-        return Diagnosis("Prefect server", False, False, "PREFECT_API_URL is not set: flows run in one process")
-    import httpx
+def _prefect() -> Iterator[Diagnosis]:
+    """The Prefect server of ``PREFECT_API_URL`` or of `c4s up`; without one, flows run in the command's process."""
+    from flows.service import Service
 
-    try:
-        answer = httpx.get(f"{url.rstrip('/')}/health", timeout=API_TIMEOUT_S)
-    except (httpx.HTTPError, httpx.InvalidURL) as error:
-        raise BadInput(
-            f"the Prefect server does not answer: {error}", where=url, todo="start it, or unset PREFECT_API_URL"
-        ) from None
-    return Diagnosis("Prefect server", answer.is_success, False, f"{url} answers {answer.status_code}")
+    service = Service.read()
+    url = os.environ.get("PREFECT_API_URL") or (service.url if service else None)
+    if not url:
+        text = "none is known (PREFECT_API_URL, `c4s up`): flows run in one process"
+        yield Diagnosis("Prefect server", False, False, text)
+        return
+    from flows.service.health import deployments, health, workers
+
+    if fault := health(url):
+        raise BadInput(f"the Prefect server: {fault}", where=url, todo="start it, or unset PREFECT_API_URL")
+    yield Diagnosis("Prefect server", True, False, f"{url} answers")
+    missing = deployments(url)
+    text = f"not deployed: {', '.join(missing)} (`c4s up` deploys them)" if missing else "all flows are deployed"
+    yield Diagnosis("Prefect deployments", not missing, False, text)
+    for pool, online in workers(url).items():
+        text = "no such pool (`c4s up` makes it)" if online is None else f"{online} worker{'' if online == 1 else 's'}"
+        yield Diagnosis(f"pool {pool}", bool(online), False, text)
 
 
 def doctor(json_output: Annotated[bool, typer.Option("--json")] = False) -> int:

@@ -8,10 +8,11 @@ from typing import Annotated
 
 import typer
 
-from c4s.cli.output import check_new_file, print_json, print_table, say, tell
+from c4s.cli.output import check_new_file, print_json, print_table, say
 from c4s.engine import DEFAULT_ENGINE, backend
 from c4s.errors import BadInput
 from c4s.folders import check_out
+from c4s.stderr import tell
 
 app = typer.Typer(help="Engines: levels as GLB files, and what every engine must do.", no_args_is_help=True)
 Kind = Annotated[str, typer.Option("--engine", help="kind of the engine")]

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from c4s.cli.progress import watch
+from c4s.cli.run_view import drawn
 from c4s.cli.suites import built_suite
 from c4s.engine import DEFAULT_ENGINE
 from c4s.home import runs_root, site_root, warehouse_root
@@ -17,21 +17,27 @@ from c4s.judge.names import DEFAULT_JUDGE
 from c4s.names import place_in
 from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
-from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all, stage_functions
+from c4s.run.drive import Pending, refuse_pending, run_trials, stage_functions
 from c4s.run.headroom import print_line
 from c4s.run.inputs import inputs
 from c4s.run.lease import Held, holding
-from c4s.run.plan import Trial, make_plan, open_run, trial_id, trials
+from c4s.run.overseer import Overseer
+from c4s.run.oversight import Bounds, every, overseen
+from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
+from c4s.run.progress import Progress
+from c4s.run.signals import ending_in_order
+from c4s.run.store import open_store
 from reports.site import build_site, check_place
+from reports.status import REFRESH_S, write_status
 from warehouse.database import is_current, rebuild
 from warehouse.done import held_by
 from warehouse.ingest import ingest_schedule, ingest_trial
-from warehouse.parquet import part_path
 
 
 @dataclass(frozen=True)
@@ -70,13 +76,17 @@ def evaluate_here(
     engine: str = DEFAULT_ENGINE,
     slots: int | None = None,
     wait: bool = False,
+    bounds: Bounds | None = None,
 ) -> Evaluation:
     """Evaluate in this process. Raises ``BadInput`` before anything is started where the request cannot be met.
 
-    Where somebody else works on the run, ``wait`` waits for them; else that is ``BadInput`` too.
+    Where somebody else works on the run, ``wait`` waits for them; else that is ``BadInput`` too. ``RunStopped`` where
+    one of ``bounds``, an operator or a signal ended the run before it was done.
     """
     started = time.perf_counter()
-    folder, warehouse = built_suite(suite), warehouse_root()
+    bounds = bounds or Bounds()
+    bounds.check()
+    folder, warehouse, store = built_suite(suite), warehouse_root(), open_store()
     run = place_in(runs_root(), run_id or suite, "run")
     plan = make_plan(
         SuiteFolder(folder),
@@ -94,30 +104,40 @@ def evaluate_here(
     check_place(site_root())
     page = site_root() / "index.html"
     with holding(run, wait=print_line if wait else None) as held:
+        store.pull_files(warehouse)
+        store.pull_files(RunFolder(run).plan)
         holders = [held_by(trial, plan, warehouse) for trial in scheduled]
         missing = [trial for trial, holder in zip(scheduled, holders, strict=True) if holder is None]
         if missing:
             check_ready(plan.configurations)
         plan = open_run(run, plan)
-        ready, refused = settle_all(missing, plan, print_line)
-        if not ready:
-            refuse_pending(refused, len(missing))
-        if ready or not page.is_file() or not is_current(warehouse):
+        store.push_files(RunFolder(run).plan)
+        refused: list[Pending] = []
+        if missing or not page.is_file() or not is_current(warehouse):
             ingest_schedule(run, folder, plan, warehouse)
-            stored = [
-                part_path(warehouse, "outcomes", plan.suite_id, trial.configuration.name, trial_id(plan, trial))
-                for trial in scheduled
-            ]
-            with watch(scheduled, {path for path in stored if path.is_file()}, stored):
-                refused += asyncio.run(_run(ready, plan, slots, held))
-                rebuild(warehouse)
-                page = build_site(warehouse, site_root())
+            elsewhere = Counter(
+                trial.configuration.name
+                for trial, holder in zip(scheduled, holders, strict=True)
+                if holder not in (None, run.name)
+            )
+            progress, pool = Progress(run, folder), Pool(slots)
+            with (
+                every(REFRESH_S, lambda: write_status(progress.read(), RunFolder(run).status_page, page)),
+                overseen(run, folder, plan, pool, bounds, elsewhere) as overseer,
+            ):
+                with drawn(progress):
+                    refused += asyncio.run(_run(missing, plan, pool, held, overseer))
+                    rebuild(warehouse)
+                    build_site(warehouse, site_root())
+                    store.push_files(site_root())
+                refuse_pending(refused, len(missing))
         refuse_pending(refused, len(missing))
     reused = Counter(holder for holder in holders if holder is not None)
     return Evaluation(page.as_uri(), run.name, len(missing), dict(reused), time.perf_counter() - started)
 
 
-async def _run(ready: Sequence[Trial], plan: Plan, slots: int | None, held: Held) -> list[Pending]:
+async def _run(missing: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:
     persist = partial(ingest_trial, warehouse=warehouse_root())
-    async with Pool(slots) as pool:
-        return await run_trials(ready, plan, pool, stage_functions(persist), held)
+    async with pool:
+        with ending_in_order(overseer):
+            return await run_trials(missing, plan, pool, stage_functions(persist), held, overseer)

@@ -9,6 +9,7 @@ import typer
 
 from c4s.cli import (
     agent,
+    backups,
     boundary,
     bundle,
     catalog,
@@ -17,11 +18,14 @@ from c4s.cli import (
     engine,
     report,
     run,
+    runs_commands,
     score,
     serve,
+    service,
     sql,
     suite,
     verify,
+    watch,
 )
 
 app = typer.Typer(
@@ -33,6 +37,10 @@ app = typer.Typer(
 )
 app.command("demo")(demo.demo)
 app.command("run")(run.run)
+app.command("watch")(watch.watch)
+app.add_typer(runs_commands.app, name="runs")
+app.command("backup")(backups.backup)
+app.command("restore")(backups.restore)
 app.add_typer(agent.app, name="agent")
 app.command("serve")(serve.serve)
 app.add_typer(verify.app, name="verify")
@@ -43,6 +51,9 @@ app.add_typer(catalog.app, name="catalog")
 app.add_typer(engine.app, name="engine")
 app.command("report")(report.report)
 app.command("sql")(sql.sql)
+app.command("up")(service.up)
+app.command("down")(service.down)
+app.command("worker")(service.worker)
 app.command("doctor")(doctor.doctor)
 
 

@@ -57,11 +57,6 @@ def say(text: str, *, style: str = "") -> None:
         print(shown(text), flush=True)
 
 
-def tell(text: str) -> None:
-    """One line on standard error, at once."""
-    print(shown(text), file=sys.stderr, flush=True)
-
-
 def draw(on: Console, text: Text) -> None:
     """A text with styles of its own, whose words went through ``shown``."""
     on.print(text, soft_wrap=True)

@@ -14,7 +14,7 @@ from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
 from c4s.names import checked_name
 from c4s.protocol.rules import DEFAULT_POLICY
 
-MOST_REPEATS, MOST_SLOTS = 1000, 1024
+MOST_REPEATS, MOST_SLOTS, MOST_FAULTS = 1000, 1024, 1_000_000
 
 
 def run(
@@ -35,17 +35,36 @@ def run(
     wait: Annotated[
         bool, typer.Option("--wait", help="where somebody else works on the run, wait for them (else: exit 2)")
     ] = False,
+    deadline: Annotated[
+        str | None, typer.Option(help="no attempt starts after it: 8h, 1h30m, 07:30, 2026-11-24T07:30")
+    ] = None,
+    spend: Annotated[
+        float | None,
+        typer.Option(min=0, help="US dollars that the whole run may spend (default: C4S_SPENDING_LIMIT_USD)"),
+    ] = None,
+    most_faults: Annotated[
+        int, typer.Option(min=1, max=MOST_FAULTS, help="stop when so many trials in a row fail for one cause")
+    ] = 20,
+    notify: Annotated[
+        str | None,
+        typer.Option(help="address or command that is told when a guard stops the run and how it ends: C4S_NOTIFY"),
+    ] = None,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
     """Run agents on a suite, verify what they save, store the outcomes, render the pages.
 
     The same command again goes on where a run stopped. A run grows: other agents, cases or repeats under the same
     run id are added to its plan, and what is done is reused.
+
+    The first Ctrl-C (or SIGTERM) starts no attempt any more and lets what is in work end; the second ends it at once.
+    Exit 1 where that, a deadline, the spending limit or `c4s runs drain` stopped the run before it was done.
     """
     built_suite(suite)
     if run_id is not None:
         checked_name(run_id, "--run-id")
     from c4s.cli.evaluation import evaluate_here
+    from c4s.run.bounds import amount, moment
+    from c4s.run.oversight import Bounds
 
     made = evaluate_here(
         suite,
@@ -58,6 +77,12 @@ def run(
         engine=engine,
         slots=slots,
         wait=wait,
+        bounds=Bounds(
+            deadline=None if deadline is None else moment(deadline, "--deadline"),
+            spend_usd=None if spend is None else amount(spend, "--spend"),
+            most_faults=most_faults,
+            notify=notify,
+        ),
     )
     if json_output:
         print_json(

@@ -96,7 +96,7 @@ async def _watched(trial: Trial, plan: Plan, held: Held, watching: Watching | No
             return await inside(stage, trial, plan, *arguments)
 
     async with Pool() as pool:
-        return await run_trial(trial, plan, in_slots(pool, run, trial, plan, held=held), attempts=attempts)
+        return await run_trial(trial, plan, in_slots(pool, run, trial, plan, held=[held]), attempts=attempts)
 
 
 def say_ending(attempt: Path) -> None:

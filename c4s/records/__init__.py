@@ -7,6 +7,7 @@ __all__ = [
     "evidence_digests",
     "fault",
     "folder",
+    "handover",
     "judgement",
     "lease",
     "level",

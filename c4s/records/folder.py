@@ -174,6 +174,16 @@ class TrialFolder:
         return self.root / "faults.jsonl"
 
     @property
+    def leases(self) -> Path:
+        """Who works on the trial."""
+        return self.root / "lease"
+
+    @property
+    def handover(self) -> Path:
+        """Where the trial stood when the last work pool let go of it."""
+        return self.root / "handover.json"
+
+    @property
     def stages(self) -> Path:
         """How long each stage took, a JSON line each."""
         return self.root / "stages.jsonl"
@@ -196,22 +206,47 @@ class RunFolder:
 
     @property
     def leases(self) -> Path:
-        """Who works on the run: the file of the highest number."""
+        """Who works on the run."""
         return self.root / "lease"
-
-    def lease(self, number: int) -> Path:
-        """A lease; they count from 1."""
-        return self.leases / f"{number:06}.json"
 
     @property
     def spending(self) -> Path:
         """What the whole run has spent on models, against its limit."""
         return self.root / "spending.jsonl"
 
+    @property
+    def guards(self) -> Path:
+        """What may stop the whole run."""
+        return self.root / "guards.json"
+
+    @property
+    def asked(self) -> Path:
+        """What an operator asked of the run while it goes."""
+        return self.root / "asked.json"
+
+    @property
+    def journals(self) -> Path:
+        """What was begun, ended and failed: a file a process that worked on the run."""
+        return self.root / "journal"
+
+    @property
+    def logs(self) -> Path:
+        """Logs as JSON lines: files of each process that worked on the run."""
+        return self.root / "log"
+
+    @property
+    def status_page(self) -> Path:
+        """The page that tells how far the run is."""
+        return self.root / "status.html"
+
     @classmethod
     def planned(cls, runs: Path) -> list[RunFolder]:
         """The runs of a folder that have a plan, by name."""
         return [folder for path in sorted(runs.glob("*")) if (folder := cls(path)).plan.is_file()]
+
+    def trial_named(self, name: str) -> TrialFolder:
+        """Folder of a trial by its path below the run's, ``configuration/alias/r<k>`` (``c4s.records.journal``)."""
+        return TrialFolder(self.root / name)
 
     def trial(self, configuration: str, alias: str, repeat: int) -> TrialFolder:
         """Folder of a trial; repeats count from 1. Agent code sees the path, so it names the case by its alias."""

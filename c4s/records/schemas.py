@@ -12,13 +12,18 @@ from pydantic import BaseModel
 
 from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.backup import Backup
 from c4s.records.base import SEAL, Sealed
+from c4s.records.guards import Asked, Guards
+from c4s.records.handover import Handover
+from c4s.records.journal import Event
 from c4s.records.judgement import Judgements
 from c4s.records.lease import Lease
 from c4s.records.level import Level
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration, Plan
 from c4s.records.policy import ScorePolicy
+from c4s.records.progress import Snapshot
 from c4s.records.score import TrialScore
 from c4s.records.snapshot import SceneSnapshot
 from c4s.records.suite import AgentCase, Suite, WithheldCase
@@ -38,7 +43,13 @@ FORMATS: dict[str, type[BaseModel]] = {
     "verdict": Verdict,
     "policy": ScorePolicy,
     "trial-score": TrialScore,
+    "handover": Handover,
     "lease": Lease,
+    "guards": Guards,
+    "asked": Asked,
+    "journal": Event,
+    "progress": Snapshot,
+    "backup": Backup,
 }
 
 

@@ -7,6 +7,9 @@ from pathlib import Path
 from c4s.files import digest_bytes, digest_file
 from c4s.folders import remove_tree
 
+TORN, OUTDATED = "torn", "outdated"
+"""What is set aside is called: a file that was cut off or changed, and what was made from one."""
+
 
 def set_aside(attempt: Path) -> None:
     """Move the remains of an attempt that was cut off out of the way, and keep them."""

@@ -9,16 +9,21 @@ from functools import partial
 from typing import Any, NoReturn
 
 from c4s.errors import BadInput, C4SError, MachineryFault, row_of
+from c4s.meter.spending import SpendingLimitReached
 from c4s.records.plan import Plan
 from c4s.run import stages
 from c4s.run.aside import set_aside
-from c4s.run.headroom import LOOK_S, REPEATS, NoRoom
-from c4s.run.lease import Held
+from c4s.run.guards import RunStopped, left_over, reason_of, spent_up
+from c4s.run.headroom import LOOK_S, REPEATS, NoRoom, print_line
+from c4s.run.lease import Held, LeaseLost
 from c4s.run.limits import Stage
+from c4s.run.overseer import Overseer
+from c4s.run.part import Part
 from c4s.run.plan import Trial
 from c4s.run.pool import Pool, work
 from c4s.run.torn import settle
-from c4s.run.trial import Do, run_trial
+from c4s.run.trial import Do, HandedOver, run_trial
+from c4s.run.trial_work import holding_trial, in_order
 
 Run = Callable[..., Awaitable[Any]]
 """Runs a stage by its name, with trial, plan, and what else it takes."""
@@ -35,25 +40,41 @@ class Pending:
     @property
     def reason(self) -> str:
         """What went wrong, in a line."""
-        if isinstance(self.error, C4SError):
-            return self.error.line()
-        return f"{type(self.error).__name__}: {self.error}"
+        return reason_of(self.error)
 
 
-def in_slots(pool: Pool, run: Run, trial: Trial, plan: Plan, rank: int = 0, held: Held | None = None) -> Do:
+def in_slots(
+    pool: Pool,
+    run: Run,
+    trial: Trial,
+    plan: Plan,
+    rank: int = 0,
+    held: Sequence[Held] = (),
+    overseer: Overseer | None = None,
+) -> Do:
     """A trial's ``do``: each stage waits for its slot, and is then run. Earlier ranks go first.
 
     Stages are given the plan without other trials, so that what crosses to a worker does not grow with the plan.
-    No stage is started without room to work, or where the lease of the run was lost.
+    No stage is started without room to work, where a lease was lost, or while the run is paused.
     """
     own = plan.model_copy(update={"cases": [trial.case], "configurations": [trial.configuration]})
 
     async def once(stage: Stage, *arguments: Any) -> Any:
-        await pool.headroom.room()
-        async with pool.turn(stage, trial, own, rank):
-            if held is not None:
-                held.check()
-            return await run(stage, trial, own, *arguments)
+        while True:
+            await pool.headroom.room()
+            if overseer is not None:
+                await overseer.may_start(stage)
+            async with pool.turn(stage, trial, own, rank):
+                for lease in held:
+                    lease.check()
+                if overseer is None:
+                    return await run(stage, trial, own, *arguments)
+                if overseer.holds(stage):
+                    continue
+                with overseer.stage(stage, trial, arguments, pool.limit(stage, trial, own).kind) as returned:
+                    made = await run(stage, trial, own, *arguments)
+                    returned(made)
+                return made
 
     async def do(stage: Stage, *arguments: Any) -> Any:
         for left in reversed(range(REPEATS + 1)):
@@ -102,14 +123,31 @@ def store(persist: Persist, trial: Trial, plan: Plan) -> None:
 
 
 async def run_trials(
-    trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run, held: Held | None = None
+    trials: Sequence[Trial],
+    plan: Plan,
+    pool: Pool,
+    run: Run,
+    held: Held | None = None,
+    overseer: Overseer | None = None,
+    part: Part | None = None,
 ) -> list[Pending]:
     """Run trials, so many at once as the pool can use, in order of their start; those that are pending at the end.
 
-    What goes wrong in one trial costs that trial only; ``LeaseLost`` ends all of them.
+    Each trial is held while it is in work; one that somebody else holds is waited for. What goes wrong in one trial
+    costs that trial only; ``LeaseLost`` of the run ends all of them. Where a guard stops the run, the trials that it
+    kept from their next attempt are pending with ``RunStopped``.
+
+    Args:
+        trials: what to run, best first.
+        plan: the run's plan.
+        pool: where stages run.
+        run: runs a stage.
+        held: the lease of the run, where this process has it.
+        overseer: the watch over the run, which keeps its journal and guards.
+        part: what to do of each trial (default: all); how it ended is then on record in the trial's folder.
     """
-    working = asyncio.ensure_future(_run_trials(trials, plan, pool, run, held))
-    watching = asyncio.ensure_future(_watch(pool, held))
+    working = asyncio.ensure_future(_run_trials(trials, plan, pool, run, held, overseer, part))
+    watching = asyncio.ensure_future(_watch(pool, held, overseer))
     try:
         await asyncio.wait((working, watching), return_when=asyncio.FIRST_COMPLETED)
         pending = working.result() if working.done() else watching.result()
@@ -122,53 +160,97 @@ async def run_trials(
         await asyncio.gather(working, watching, return_exceptions=True)
 
 
-async def _watch(pool: Pool, held: Held | None) -> NoReturn:
-    """Look at the room to work and at the lease, for as long as trials run."""
+async def _watch(pool: Pool, held: Held | None, overseer: Overseer | None) -> NoReturn:
+    """Look at the room to work, at the lease and at the guards, for as long as trials run."""
     while True:
         await asyncio.sleep(LOOK_S)
         pool.headroom.look()
         if held is not None:
             held.check()
+        if overseer is not None:
+            overseer.look()
 
 
-async def _run_trials(trials: Sequence[Trial], plan: Plan, pool: Pool, run: Run, held: Held | None) -> list[Pending]:
+async def _run_trials(
+    trials: Sequence[Trial],
+    plan: Plan,
+    pool: Pool,
+    run: Run,
+    held: Held | None,
+    overseer: Overseer | None,
+    part: Part | None,
+) -> list[Pending]:
     gate = asyncio.Semaphore(pool.in_flight)
     pending: dict[int, Pending] = {}
 
     async def one(rank: int, trial: Trial) -> None:
         try:
-            await run_trial(trial, plan, in_slots(pool, run, trial, plan, rank, held))
-        except Exception as error:
-            pending[rank] = Pending(trial, error)
+            error = await _in_work(trial, plan, pool, run, rank, held, overseer, part)
+            if error is not None:
+                pending[rank] = Pending(trial, error)
         finally:
             gate.release()
 
     async with asyncio.TaskGroup() as group:
         for rank, trial in enumerate(trials):
             await gate.acquire()
+            if overseer is not None and overseer.stopped is not None and not trial.folder.attempts():
+                pending[rank] = Pending(trial, overseer.stopped)
+                gate.release()
+                continue
             group.create_task(one(rank, trial))
     return [pending[rank] for rank in sorted(pending)]
 
 
-def settle_all(trials: Sequence[Trial], plan: Plan, tell: Callable[[str], None]) -> tuple[list[Trial], list[Pending]]:
-    """The trials that can be run, and those that can not for what they have on record; what was set aside is told."""
-    ready, refused = [], []
-    for trial in trials:
-        try:
-            for line in settle(trial, plan):
-                tell(line)
-            ready.append(trial)
-        except BadInput as error:
-            refused.append(Pending(trial, error))
-    return ready, refused
+async def _in_work(
+    trial: Trial,
+    plan: Plan,
+    pool: Pool,
+    run: Run,
+    rank: int,
+    held: Held | None,
+    overseer: Overseer | None,
+    part: Part | None,
+) -> Exception | None:
+    """Hold a trial and run it, or a part of it; what left it pending."""
+    try:
+        async with holding_trial(trial) as (own, store):
+            ended: Exception | None = None
+            try:
+                for line in await in_order(settle, trial, plan):
+                    print_line(line)
+                do = in_slots(pool, run, trial, plan, rank, [own] if held is None else [held, own], overseer)
+                do = store.sending(do)
+                score = await run_trial(trial, plan, do if part is None else part.limited(do, pool, trial, plan))
+                if overseer is not None:
+                    overseer.done(trial, score)
+            except Exception as error:
+                ended = error
+                if overseer is not None and not isinstance(error, HandedOver):
+                    overseer.pending(trial, error)
+            if part is not None and not isinstance(ended, LeaseLost):
+                part.note(trial, ended)
+                await store.send()
+            return None if isinstance(ended, HandedOver) else ended
+    except Exception as error:
+        if overseer is not None:
+            overseer.pending(trial, error)
+        return error
 
 
 def refuse_pending(pending: Sequence[Pending], total: int) -> None:
-    """Raise what kept trials pending: ``BadInput`` where nothing else did, else ``MachineryFault``."""
+    """Raise what kept trials pending: ``RunStopped`` where a guard did, ``BadInput`` where nothing else than that did,
+    else ``MachineryFault``."""
     if not pending:
         return
+    for one in pending:
+        stopped = spent_up(one.error) if isinstance(one.error, SpendingLimitReached) else one.error
+        if isinstance(stopped, RunStopped):
+            raise left_over(stopped, len(pending), total, one.trial.run) from one.error
     first = next((one for one in pending if not isinstance(one.error, BadInput)), pending[0])
     what = f"{len(pending)} of {total} trials are pending; first {first.trial.name}: {first.reason}"
+    if first.trial.folder.faults.is_file():
+        what += f"; more in {first.trial.folder.faults}"
     if isinstance(first.error, BadInput):
         raise BadInput(what) from first.error
     told = isinstance(first.error, C4SError) and first.error.todo

@@ -9,7 +9,6 @@ from __future__ import annotations
 import asyncio
 import os
 import resource
-import sys
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -17,6 +16,8 @@ from pathlib import Path
 
 from c4s.errors import MachineryFault
 from c4s.home import home, runs_root, warehouse_root
+from c4s.run.logs import LOGGER
+from c4s.stderr import as_json, tell
 
 LOOK_S = 1.0
 MOST_DESCRIPTORS = 1 << 16
@@ -93,8 +94,10 @@ def check_room() -> None:
 
 
 def print_line(line: str) -> None:
-    """A line for the operator."""
-    print(f"c4s: {line}", file=sys.stderr, flush=True)
+    """A line for the operator, and for the log of the run."""
+    LOGGER.info(line)
+    if not (LOGGER.handlers and as_json()):
+        tell(f"c4s: {line}")
 
 
 class Headroom:

@@ -1,10 +1,11 @@
-"""A run has one holder at a time: the lease of its folder.
+"""What is worked on has one holder at a time: a run, and each trial in work.
 
-The lease in force is the file of the highest number in the run's lease folder. Whoever takes the lease links a new file
-under the next number, which succeeds for one taker alone, on a shared file system too; a lower number is never in
-force again, so the highest file stays when a lease is given back. A holder on this machine that has ended is replaced
-at once. Of a holder elsewhere only the file's time tells: it is renewed while the holder lives, and a lease that was
-not is taken over. A holder that finds another lease in force, or its own gone, stops before it writes more.
+The lease in force is the one of the highest number at its place (``c4s.run.store``). Whoever takes the lease puts a new
+one under the next number, which succeeds for one taker alone, on a shared file system and in an object store too; a
+lower number is never in force again, so the highest stays when a lease is given back. A holder on this machine that has
+ended is replaced at once. Of a holder elsewhere only signs of life tell: a lease is renewed while its holder lives. One
+that was not, and is not while it is watched for some beats more (clocks jump), is taken over. A holder that finds
+another lease in force, or its own gone, stops before it writes more.
 """
 
 from __future__ import annotations
@@ -12,10 +13,10 @@ from __future__ import annotations
 import os
 import threading
 import time
-import uuid
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
+from functools import cache
 from pathlib import Path
 
 from c4s.errors import BadInput, MachineryFault
@@ -23,9 +24,11 @@ from c4s.folders import remove_tree
 from c4s.records.folder import RunFolder
 from c4s.records.lease import Lease
 from c4s.run.owner import is_gone, is_near, this_process
+from c4s.run.store import FolderLeases, LeasePlace, open_store
 
 LASTS_S = 60.0
 BEAT_S = 5.0
+WATCHED_BEATS = 2.5
 WAIT_S = 1.0
 
 
@@ -37,41 +40,71 @@ class LeaseLost(MachineryFault):
     """The lease was taken over or removed."""
 
 
+class _Keeper(threading.Thread):
+    """Gives a sign of life for every lease that this process holds."""
+
+    def __init__(self) -> None:
+        super().__init__(name="leases", daemon=True)
+        self._kept: set[Held] = set()
+        self._lock = threading.Lock()
+
+    def keep(self, held: Held) -> None:
+        with self._lock:
+            self._kept.add(held)
+            if not self.is_alive():
+                self.start()
+
+    def let_go(self, held: Held) -> None:
+        with self._lock:
+            self._kept.discard(held)
+
+    def run(self) -> None:
+        pause = threading.Event()
+        while not pause.wait(BEAT_S):
+            with self._lock:
+                kept = list(self._kept)
+            for held in kept:
+                with suppress(OSError):
+                    held.beat()
+
+
+@cache
+def _keeper_of(process: int) -> _Keeper:
+    """The keeper of a process: one that a fork copied has no thread."""
+    return _Keeper()
+
+
 class Held:
     """A lease that this process holds."""
 
-    def __init__(self, run: RunFolder, number: int, lease: Lease) -> None:
-        self._run, self._number, self._lease = run, number, lease
-        self._ended = threading.Event()
-        self._beating = threading.Thread(target=self._beat, name="lease", daemon=True)
-        self._beating.start()
+    def __init__(self, place: LeasePlace, number: int, lease: Lease, what: str) -> None:
+        self._place, self._number, self._lease, self._what = place, number, lease, what
+        _keeper_of(os.getpid()).keep(self)
 
     def check(self) -> None:
         """``LeaseLost`` where the lease is no longer this process's."""
-        newest = _newest(self._run)
-        if newest == self._number and self._run.lease(newest).exists():
+        newest = self._place.newest()
+        if newest == self._number:
             return
         taken = "the lease was removed"
-        if newest is not None and newest > self._number and (now := _read(self._run.lease(newest))):
-            taken = f"the lease was taken over by {_told(now)}"
+        if newest is not None and newest > self._number and (now := self._place.read(newest)):
+            taken = f"the lease was taken over by {told(now)}"
         raise LeaseLost(
-            f"this run is no longer held here: {taken}",
-            where=str(self._run.root),
-            todo="nothing more was written; run the same command again once nobody works on the run",
+            f"this {self._what} is no longer held here: {taken}",
+            where=self._place.where,
+            todo=f"nothing more was written; run the same command again once nobody works on the {self._what}",
         )
+
+    def beat(self) -> None:
+        """A sign of life."""
+        self._place.renew(self._number, self._lease)
 
     def give_back(self) -> None:
         """Let the next one in."""
-        self._ended.set()
-        self._beating.join()
+        _keeper_of(os.getpid()).let_go(self)
         with suppress(LeaseLost):
             self.check()
-            self._lease.model_copy(update={"given_back": True}).write(self._run.lease(self._number))
-
-    def _beat(self) -> None:
-        while not self._ended.wait(BEAT_S):
-            with suppress(OSError):
-                os.utime(self._run.lease(self._number))
+            self._place.replace(self._number, self._lease.model_copy(update={"given_back": True}))
 
 
 @contextmanager
@@ -83,15 +116,16 @@ def holding(run: Path, *, wait: Callable[[str], None] | None = None) -> Iterator
         wait: where somebody else holds it, is told so in a line, and the call waits; without it ``RunHeld``.
     """
     folder = RunFolder(run)
-    held = _taken(folder)
+    place = open_store().leases(folder.leases)
+    held = take(place, "run")
     if not isinstance(held, Held) and wait is not None:
-        wait(f"waiting for {_told(held)}, at work on run {run.name!r}")
+        wait(f"waiting for {told(held)}, at work on run {run.name!r}")
         while not isinstance(held, Held):
             time.sleep(WAIT_S)
-            held = _taken(folder)
+            held = take(place, "run")
     if not isinstance(held, Held):
         raise RunHeld(
-            f"{_told(held)} works on this run",
+            f"{told(held)} works on this run",
             where=str(run),
             todo=f"wait for it with `c4s run --wait`, or {_way_out(held)}",
         )
@@ -99,69 +133,62 @@ def holding(run: Path, *, wait: Callable[[str], None] | None = None) -> Iterator
         yield held
     finally:
         held.give_back()
-        if not folder.plan.is_file():
+        if isinstance(place, FolderLeases) and not folder.plan.is_file():
             _remove_empty(folder)
 
 
-def _taken(run: RunFolder) -> Held | Lease:
-    """The lease, or the one of somebody else that is in force."""
+def holder(run: RunFolder) -> Lease | None:
+    """The lease that somebody holds of a run; None where nobody does. A holder elsewhere is not watched for it."""
+    place = open_store().leases(run.leases)
+    newest = place.newest()
+    return None if newest is None else _in_force(place, newest, watch=False)
+
+
+def take(place: LeasePlace, what: str) -> Held | Lease:
+    """The lease of a place, or the one of somebody else that is in force. ``what`` it is of, for people."""
     mine = Lease(owner=this_process(), since=datetime.now(UTC).isoformat(timespec="seconds"), lasts_s=LASTS_S)
-    run.leases.mkdir(parents=True, exist_ok=True)
-    fresh = run.leases / f".{uuid.uuid4().hex}"
-    mine.write(fresh)
-    try:
-        while True:
-            newest = _newest(run)
-            if newest is not None and (other := _in_force(run.lease(newest), fresh)) is not None:
-                return other
-            number = 1 if newest is None else newest + 1
-            try:
-                os.link(fresh, run.lease(number))
-            except FileExistsError:
-                continue
-            if _newest(run) == number:
-                _remove_older(run, number)
-                return Held(run, number, mine)
-            run.lease(number).unlink(missing_ok=True)
-    finally:
-        fresh.unlink(missing_ok=True)
+    while True:
+        newest = place.newest()
+        if newest is not None and (other := _in_force(place, newest)) is not None:
+            return other
+        number = 1 if newest is None else newest + 1
+        if not place.take(number, mine):
+            continue
+        numbers = place.numbers()
+        if max(numbers, default=None) == number:
+            for older in numbers:
+                if older < number:
+                    place.remove(older)
+            return Held(place, number, mine, what)
+        place.remove(number)
 
 
-def _in_force(path: Path, fresh: Path) -> Lease | None:
-    """The lease of a file; None where it was given back, its holder has ended, or it was not renewed in time.
+def in_force(place: LeasePlace) -> Lease | None:
+    """The lease that somebody holds; None where nobody does."""
+    newest = place.newest()
+    return None if newest is None else _in_force(place, newest)
 
-    ``fresh`` was written just now: its time is what the file system's clock says.
-    """
-    lease = _read(path)
+
+def _in_force(place: LeasePlace, number: int, *, watch: bool = True) -> Lease | None:
+    """A lease; None where it was given back, its holder has ended, or gives no sign of life."""
+    lease = place.read(number)
     if lease is None or lease.given_back:
         return None
     if is_near(lease.owner):
         return None if is_gone(lease.owner) else lease
-    try:
-        silent_s = fresh.stat().st_mtime - path.stat().st_mtime
-    except FileNotFoundError:
+    sign = place.sign(number)
+    if sign is None:
         return None
-    return lease if silent_s < lease.lasts_s else None
-
-
-def _read(path: Path) -> Lease | None:
-    """A lease on file; None for a file that is gone or no lease: it holds nothing."""
-    try:
-        return Lease.read(path)
-    except BadInput:
+    if place.now() - sign < lease.lasts_s:
+        return lease
+    if not watch:
         return None
-
-
-def _newest(run: RunFolder) -> int | None:
-    with suppress(FileNotFoundError):
-        return max((int(path.stem) for path in run.leases.glob("[0-9]*.json")), default=None)
+    watched = time.monotonic() + WATCHED_BEATS * BEAT_S
+    while time.monotonic() < watched:
+        time.sleep(min(WAIT_S, BEAT_S))
+        if place.sign(number) not in (None, sign):
+            return lease
     return None
-
-
-def _remove_older(run: RunFolder, number: int) -> None:
-    for path in run.leases.glob("[0-9]*.json"):
-        if int(path.stem) < number:
-            path.unlink(missing_ok=True)
 
 
 def _remove_empty(run: RunFolder) -> None:
@@ -179,6 +206,7 @@ def _way_out(lease: Lease) -> str:
     return f"end it there: the run is free {lease.lasts_s:.0f} s after its last sign of life"
 
 
-def _told(lease: Lease) -> str:
+def told(lease: Lease) -> str:
+    """Who holds it, for people."""
     owner = lease.owner
     return f"process {owner.pid} on {owner.host}, since {lease.since}"

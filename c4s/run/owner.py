@@ -15,12 +15,17 @@ _START_FIELD, _STATE_FIELD = 19, 0
 
 def this_process() -> Owner:
     """The process that asks."""
+    return owner_of(os.getpid())
+
+
+def owner_of(pid: int) -> Owner:
+    """A process of this process's own numbering."""
     return Owner(
         host=platform.node(),
         boot_id=_BOOT.read_text().strip(),
         pid_namespace=_namespace(),
-        pid=os.getpid(),
-        started_ticks=_started(os.getpid()) or 0,
+        pid=pid,
+        started_ticks=_started(pid) or 0,
     )
 
 

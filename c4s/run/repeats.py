@@ -6,7 +6,7 @@ import json
 import time
 from typing import Any
 
-from c4s.errors import MOST_REPEATS, Place
+from c4s.errors import MOST_REPEATS, MachineryFault, Place
 from c4s.files import append_json_line
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.fault import FaultRecord
@@ -36,6 +36,16 @@ def note(trial: Trial, stage: Stage, arguments: tuple[Any, ...], error: Exceptio
         append_json_line(trial.folder.faults, record.plain())
     except OSError as full:
         error.add_note(f"and it could not be recorded: {full}")
+
+
+def note_lost(trial: Trial, error: MachineryFault) -> None:
+    """Record that the trial's work was lost with the worker that had it. It counts no attempt."""
+    append_json_line(
+        trial.folder.faults,
+        FaultRecord(
+            time=round(time.time(), 3), stage="worker", whose="machinery", error=type(error).__name__, line=error.line()
+        ).plain(),
+    )
 
 
 def spent(trial: Trial, number: int) -> bool:

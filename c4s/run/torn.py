@@ -24,14 +24,12 @@ from c4s.records.judgement import Judgements
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
-from c4s.run.aside import aside
+from c4s.run.aside import OUTDATED, TORN, aside
 from c4s.run.check import check_evidence, check_submission
 from c4s.run.plan import Trial
 from c4s.run.stages import ATTEMPTS
 from c4s.trajectory.lines import read_lines
 from c4s.verify.registry import verifiers_of
-
-TORN, OUTDATED = "torn", "outdated"
 
 
 def check_scored(folder: TrialFolder) -> None:

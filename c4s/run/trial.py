@@ -10,16 +10,31 @@ import asyncio
 from collections.abc import Awaitable, Sequence
 from typing import Any, Protocol
 
+from c4s.records.handover import WorkPool
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.run import overrun, repeats
 from c4s.run.faults import SceneFault
+from c4s.run.guards import RunStopped
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from c4s.run.stages import ATTEMPTS
 from c4s.verify.registry import is_judged, verifiers_of
 
 Needed = Sequence[asyncio.Task[None]]
+
+
+class HandedOver(Exception):
+    """No failure: the next stage is for another work pool.
+
+    Args:
+        pool: which.
+        whole: whether it has to finish the trial.
+    """
+
+    def __init__(self, pool: WorkPool, *, whole: bool) -> None:
+        super().__init__(f"the next stage is for the pool {pool!r}")
+        self.pool, self.whole = pool, whole
 
 
 class Do(Protocol):
@@ -53,7 +68,7 @@ def _recording(trial: Trial, do: Do) -> Do:
     async def recorded(stage: Stage, *arguments: Any) -> Any:
         try:
             return await do(stage, *arguments)
-        except SceneFault:
+        except (SceneFault, HandedOver, RunStopped):
             raise
         except Exception as error:
             repeats.note(trial, stage, arguments, error)
@@ -66,6 +81,8 @@ async def _attempt(trial: Trial, number: int, do: Do) -> None:
     """An attempt. One that has spent its repeats ends without a submission, unless the machinery fails by itself."""
     try:
         await do("attempt", number)
+    except (HandedOver, RunStopped):
+        raise
     except Exception:
         if not repeats.spent(trial, number):
             raise
@@ -102,9 +119,13 @@ async def _verify(trial: Trial, plan: Plan, do: Do) -> None:
         )
         for verifier in verifiers_of(trial.case.setting)
     ]
-    for ended in await asyncio.gather(*made.values(), *verdicts, return_exceptions=True):
-        if isinstance(ended, BaseException) and not isinstance(ended, SceneFault):
-            raise ended
+    faults = await asyncio.gather(*made.values(), *verdicts, return_exceptions=True)
+    handed_over = [fault for fault in faults if isinstance(fault, HandedOver)]
+    for fault in faults:
+        if isinstance(fault, BaseException) and not isinstance(fault, SceneFault | HandedOver):
+            raise fault
+    for over in sorted(handed_over, key=lambda over: not over.whole):
+        raise over
 
 
 async def _look(trial: Trial, plan: Plan, do: Do) -> None:

@@ -19,10 +19,11 @@ from rich.console import Console
 from rich.text import Text
 
 from c4s.cli.live import call_line
-from c4s.cli.output import draw, print_json, print_table, say, tell
+from c4s.cli.output import draw, print_json, print_table, say
 from c4s.cli.progress import bars
 from c4s.names import shown
-from reports.site import _environment
+from c4s.stderr import tell
+from reports.site import environment
 from warehouse.database import rebuild
 
 ATTACK = (
@@ -133,6 +134,6 @@ def _read(handle: int) -> bytes:
 
 
 def test_pages_write_it_as_text() -> None:
-    page = _environment().from_string('<td title="{{ name }}">{{ name }}</td>').render(name=ATTACK)
+    page = environment().from_string('<td title="{{ name }}">{{ name }}</td>').render(name=ATTACK)
     sound(page)
     assert "<a" not in page

@@ -12,10 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from pytest import MonkeyPatch
 
 from c4s.records.folder import RunFolder
 from c4s.records.lease import Lease
+from c4s.run import lease
 from c4s.run.lease import LeaseLost, RunHeld, holding
+from c4s.run.store import FolderLeases
 from tests.run.conftest import Command, apart, environment, trial_in
 
 HOLD = """
@@ -75,8 +78,8 @@ def told(process: subprocess.Popen[str], line: str = "\n") -> str:
 def changed_lease(run: Path, **update: Any) -> Path:
     """The lease in force with another owner."""
     path = max(RunFolder(run).leases.glob("*.json"))
-    lease = Lease.read(path)
-    lease.model_copy(update={"owner": lease.owner.model_copy(update=update)}).write(path)
+    found = Lease.read(path)
+    found.model_copy(update={"owner": found.owner.model_copy(update=update)}).write(path)
     return path
 
 
@@ -127,15 +130,38 @@ def test_another_process_of_the_same_number_is_not_the_holder(run: Path, other: 
         pass
 
 
-def test_a_holder_elsewhere_keeps_the_run_until_its_signs_of_life_end(run: Path) -> None:
+def test_a_holder_elsewhere_keeps_the_run_until_its_signs_of_life_end(run: Path, monkeypatch: MonkeyPatch) -> None:
+    monkeypatch.setattr(lease, "BEAT_S", 0.04)
     with holding(run):
+        pass
+    path = changed_lease(run, boot_id="another", host="far", pid=1)
+    path.write_text(path.read_text().replace('"given_back": true', '"given_back": false'))
+    with pytest.raises(RunHeld, match=r"process 1 on far, .*free 60 s after its last sign of life"), holding(run):
+        pass
+    record = path.stat()
+    os.utime(path, ns=(record.st_atime_ns, record.st_mtime_ns - 61_000_000_000))
+    with holding(run) as held:
+        held.check()
+
+
+def test_a_clock_that_jumps_takes_no_lease_from_a_holder_elsewhere_that_lives(
+    run: Path, monkeypatch: MonkeyPatch
+) -> None:
+    monkeypatch.setattr(lease, "BEAT_S", 0.04)
+    with holding(run) as mine:
         path = changed_lease(run, boot_id="another", host="far", pid=1)
-        with pytest.raises(RunHeld, match=r"process 1 on far, .*free 60 s after its last sign of life"), holding(run):
-            pass
         record = path.stat()
-        os.utime(path, ns=(record.st_atime_ns, record.st_mtime_ns - 61_000_000_000))
-        with holding(run) as held:
-            held.check()
+        os.utime(path, ns=(record.st_atime_ns, record.st_mtime_ns - 3_600_000_000_000))
+        beat = FolderLeases.sign
+
+        def alive(place: FolderLeases, number: int) -> float | None:
+            before = beat(place, number)
+            mine.beat()
+            return before
+
+        monkeypatch.setattr(FolderLeases, "sign", alive)
+        with pytest.raises(RunHeld, match="process 1 on far"), holding(run):
+            pass
 
 
 def test_a_lease_that_is_no_record_holds_nothing(run: Path) -> None:

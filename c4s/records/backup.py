@@ -1,0 +1,32 @@
+"""The manifest of a backup: which files it holds, with their digests."""
+
+from __future__ import annotations
+
+from typing import ClassVar, Literal
+
+from c4s.names import InnerPath
+from c4s.records.base import Record, Sealed
+
+
+class KeptFile(Record):
+    """A file of the home."""
+
+    path: InnerPath
+    """Below ``C4S_HOME``."""
+    size: int
+    digest: str
+    """SHA-256 of its bytes."""
+
+
+class Backup(Sealed):
+    """What a backup holds. It is written last: a folder without it is a backup that was cut off."""
+
+    REMEDY: ClassVar[str] = "run `c4s backup` to this folder again"
+    schema_version: Literal["c4s.backup.v1"] = "c4s.backup.v1"
+    made: str
+    """When: UTC, ISO 8601."""
+    parts: list[str]
+    """Folders of the home: ``runs``, ``suites``, ``warehouse``, ``packs``."""
+    left_out: list[str]
+    """Runs that somebody worked on."""
+    files: list[KeptFile]

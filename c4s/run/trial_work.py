@@ -1,0 +1,72 @@
+"""A trial in work: held here and nowhere else, and kept whole in the store that machines share."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+from collections.abc import AsyncIterator, Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import asynccontextmanager
+from functools import cache, partial
+from typing import Any, TypeVar, TypeVarTuple
+
+from c4s.run.lease import WAIT_S, Held, take
+from c4s.run.limits import Stage
+from c4s.run.plan import Trial
+from c4s.run.store import Store, open_store
+from c4s.run.trial import Do
+
+Args = TypeVarTuple("Args")
+R = TypeVar("R")
+
+
+class Sending:
+    """Puts a trial's folder in the store after each stage, so that a machine that is lost costs the stage in work."""
+
+    def __init__(self, trial: Trial, store: Store) -> None:
+        self._trial, self._store = trial, store
+        self._one_at_a_time = asyncio.Lock()
+
+    def sending(self, do: Do) -> Do:
+        """``do``, and what it made is sent before the next stage begins."""
+        if not self._store.apart:
+            return do
+
+        async def sent(stage: Stage, *arguments: Any) -> Any:
+            made = await do(stage, *arguments)
+            await self.send()
+            return made
+
+        return sent
+
+    async def send(self) -> None:
+        """Send the folder as it is."""
+        if self._store.apart:
+            async with self._one_at_a_time:
+                await asyncio.to_thread(self._store.push, self._trial.folder.root)
+
+
+@cache
+def _desk(process: int) -> ThreadPoolExecutor:
+    """Where trials are taken in the order in which they are asked for: one a process, also after a fork."""
+    return ThreadPoolExecutor(1, "leases")
+
+
+async def in_order(function: Callable[[*Args], R], *arguments: *Args) -> R:
+    """Run a short function beside the event loop, after those that were asked for before."""
+    return await asyncio.get_running_loop().run_in_executor(_desk(os.getpid()), partial(function, *arguments))
+
+
+@asynccontextmanager
+async def holding_trial(trial: Trial) -> AsyncIterator[tuple[Held, Sending]]:
+    """Hold the lease of a trial for the block, once nobody else does, with its folder as the store has it."""
+    store = open_store()
+    place = store.leases(trial.folder.leases)
+    while not isinstance(held := await in_order(take, place, "trial"), Held):
+        await asyncio.sleep(WAIT_S)
+    try:
+        if store.apart:
+            await asyncio.to_thread(store.pull, trial.folder.root)
+        yield held, Sending(trial, store)
+    finally:
+        await in_order(held.give_back)

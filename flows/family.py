@@ -1,0 +1,32 @@
+"""Processes that a worker starts end with it, however it ends."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+from typing import Final
+
+from c4s.run.worker import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG
+
+WORKER: Final = "C4S_WORKER"
+"""Process id of the worker that started this process's flow run."""
+
+
+def die_with_the_worker() -> None:
+    """Let the kernel end this process with the worker that started it. Nothing where no worker of c4s did."""
+    worker = os.environ.get(WORKER)
+    if worker is not None and str(os.getppid()) == worker:
+        die_with(int(worker))
+
+
+def die_with(parent: int) -> None:
+    """Let the kernel end this process with its parent; at once where that has ended already."""
+    ctypes.CDLL(None, use_errno=True).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    if os.getppid() != parent:
+        os._exit(1)
+
+
+def adopt() -> None:
+    """What a child of this process leaves behind becomes a child of this process."""
+    ctypes.CDLL(None, use_errno=True).prctl(PR_SET_CHILD_SUBREAPER, 1)

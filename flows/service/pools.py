@@ -1,0 +1,48 @@
+"""The work pools and the deployments of the server."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+from prefect.client.orchestration import get_client
+from prefect.client.schemas.actions import WorkPoolCreate
+from prefect.exceptions import ObjectAlreadyExists
+from prefect.settings import PREFECT_API_URL, temporary_settings
+
+from c4s.errors import BadInput, MachineryFault
+from flows.service.health import prefect_yaml
+from flows.service.names import POOLS
+from flows.service.settings import environment
+
+
+def make_pools(url: str) -> list[str]:
+    """Make the pools that are not there; their names."""
+    made = []
+    with temporary_settings({PREFECT_API_URL: url}), get_client(sync_client=True) as client:
+        for name, what in POOLS.items():
+            try:
+                client.create_work_pool(WorkPoolCreate(name=name, type="process", description=what))
+            except ObjectAlreadyExists:
+                continue
+            made.append(name)
+    return made
+
+
+def deploy(url: str) -> None:
+    """Deploy every flow of ``prefect.yaml``. ``MachineryFault`` with what Prefect said where it refuses."""
+    declared = prefect_yaml()
+    if not declared.is_file():
+        raise BadInput("there is no such file", where=str(declared), todo="run c4s from a checkout")
+    told = subprocess.run(
+        [sys.executable, "-m", "prefect", "--no-prompt", "deploy", "--all"],
+        cwd=declared.parent,
+        env=environment(url),
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if told.returncode:
+        last = " ".join((told.stdout + told.stderr).split())[-600:]
+        raise MachineryFault(f"the flows were not deployed: {last}", where=str(declared))

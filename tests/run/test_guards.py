@@ -1,0 +1,270 @@
+"""What stops a whole run, by real files of its folder, with stages that only say what they were."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections import Counter
+from collections.abc import Callable
+from datetime import datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from c4s.engine import EngineDied
+from c4s.errors import BadInput
+from c4s.meter.spending import Ledger, SpendingLimitReached
+from c4s.records.attempt import AttemptOutcome
+from c4s.records.folder import RunFolder
+from c4s.records.plan import Plan
+from c4s.records.score import TrialScore
+from c4s.run.bounds import moment, seconds_of
+from c4s.run.drive import Pending, refuse_pending, run_trials
+from c4s.run.guards import RunStopped, Watchman, ask, set_guards
+from c4s.run.limits import Stage
+from c4s.run.overseer import Overseer
+from c4s.run.plan import Trial
+from tests.run.test_orchestration import DummyPool, finished, planned
+
+Act = Callable[[Stage, Trial, Overseer, Counter[str]], object]
+
+
+def outcome(number: int) -> AttemptOutcome:
+    return AttemptOutcome(attempt=number, ended_by="finished", submission="/Game/A")
+
+
+def score(trial: Trial, value: float = 0.5) -> TrialScore:
+    return TrialScore(
+        case_id=trial.case.case_id,
+        setting=trial.case.setting,
+        configuration=trial.configuration.name,
+        repeat=trial.repeat,
+        status="measured",
+        score=value,
+        policy="p",
+        judge="rule",
+        engine="headless",
+    )
+
+
+def work(
+    made: list[Trial], plan: Plan, act: Act = lambda *_: None, tell: Callable[[str], None] = lambda line: None
+) -> tuple[list[Pending], Counter[str], Overseer]:
+    """Run trials behind one slot; ``act`` is called in each stage, with how often each was begun."""
+    seen: Counter[str] = Counter()
+    overseer = Overseer(made[0].run, tell=tell)
+
+    async def run(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
+        seen[stage] += 1
+        act(stage, trial, overseer, seen)
+        if stage == "attempt":
+            outcome(*arguments).write(trial.folder.attempt(*arguments).outcome)
+            return outcome(*arguments)
+        return score(trial) if stage == "score" else True
+
+    async def all_of_it() -> list[Pending]:
+        async with DummyPool(1, processors=1) as pool:
+            overseer.begin(pool.slots)
+            return await run_trials(made, plan, pool, run, overseer=overseer)
+
+    pending = finished(all_of_it())
+    overseer.end()
+    return pending, seen, overseer
+
+
+def stopped(pending: list[Pending], total: int) -> RunStopped:
+    with pytest.raises(RunStopped) as told:
+        refuse_pending(pending, total)
+    return told.value
+
+
+def test_a_drained_run_ends_what_is_in_work_and_goes_on_later(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 40)
+    set_guards(RunFolder(tmp_path))
+
+    def drain(stage: Stage, trial: Trial, overseer: Overseer, seen: Counter[str]) -> None:
+        if stage == "attempt" and seen[stage] == 3:
+            ask(RunFolder(tmp_path), "drain")
+            overseer.look()
+
+    lines: list[str] = []
+    pending, seen, _ = work(made, plan, drain, lines.append)
+    assert seen["attempt"] == seen["score"] == seen["persist"] == 3, "what was in work was scored and stored"
+    error = stopped(pending, len(made))
+    assert len(pending) == 37 and error.exit_code == 1
+    assert "37 of 40 trials left" in error.line() and "asked it to drain" in error.line()
+    assert "run the same command again" in error.line() and len(lines) == 1 and "stopping" in lines[0]
+    assert not list(tmp_path.glob("*/*/*/faults.jsonl")), "nobody failed"
+    left = [trial for trial in made if not trial.folder.attempts()]
+    set_guards(RunFolder(tmp_path))
+    again, seen, _ = work(left, plan)
+    assert not again and seen["attempt"] == 37
+
+
+def test_no_second_attempt_starts_in_a_run_that_is_stopped(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 1)
+    set_guards(RunFolder(tmp_path))
+    overseer = Overseer(tmp_path, tell=lambda line: None)
+
+    async def run(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
+        if stage == "integrity":
+            ask(RunFolder(tmp_path), "drain")
+            overseer.look()
+            return False
+        return outcome(*arguments)
+
+    async def all_of_it() -> list[Pending]:
+        async with DummyPool(1, processors=1) as pool:
+            return await run_trials(made, plan, pool, run, overseer=overseer)
+
+    pending = finished(all_of_it())
+    assert [type(one.error) for one in pending] == [RunStopped]
+    assert not made[0].folder.faults.exists() and not made[0].folder.score.exists()
+
+
+def test_nothing_starts_while_a_run_is_paused(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 4)
+    set_guards(RunFolder(tmp_path))
+    began: list[tuple[Stage, bool]] = []
+
+    def pause(stage: Stage, trial: Trial, overseer: Overseer, seen: Counter[str]) -> None:
+        began.append((stage, overseer.paused))
+        if len(began) == 5:
+            ask(RunFolder(tmp_path), "pause")
+            overseer.look()
+            asyncio.get_running_loop().call_later(0.2, ask, RunFolder(tmp_path), "go")
+
+    lines: list[str] = []
+    pending, seen, _ = work(made, plan, pause, lines.append)
+    assert not pending and seen["persist"] == 4
+    assert not any(paused for _, paused in began), "no stage began while the run was paused"
+    assert ["paused" in lines[0], lines[1]] == [True, "going on"]
+
+
+def test_a_run_whose_trials_fail_for_one_cause_stops(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 60)
+    set_guards(RunFolder(tmp_path), most_faults=5)
+
+    def die(stage: Stage, trial: Trial, overseer: Overseer, seen: Counter[str]) -> None:
+        if stage == "attempt":
+            raise EngineDied("SIGSEGV", during="start", where="logs")
+
+    pending, seen, _ = work(made, plan, die)
+    error = stopped(pending, len(made))
+    assert seen["attempt"] == 5 and len(pending) == 60 and error.exit_code == 3
+    assert "5 trials in a row failed with EngineDied" in error.line() and "faults.jsonl" in error.line()
+
+
+def test_failures_between_which_trials_succeed_do_not_stop_a_run(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 12)
+    set_guards(RunFolder(tmp_path), most_faults=2)
+
+    def die_at_times(stage: Stage, trial: Trial, overseer: Overseer, seen: Counter[str]) -> None:
+        if stage == "score" and seen[stage] % 2:
+            raise EngineDied("SIGSEGV", during="start", where="logs")
+
+    pending, seen, overseer = work(made, plan, die_at_times)
+    assert len(pending) == 6 and seen["attempt"] == 12 and overseer.stopped is None
+    with pytest.raises(Exception, match=r"more in .*faults\.jsonl"):
+        refuse_pending(pending, 12)
+
+
+def test_failures_of_an_earlier_start_do_not_count(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 8)
+
+    def die(stage: Stage, trial: Trial, overseer: Overseer, seen: Counter[str]) -> None:
+        if stage == "attempt":
+            raise EngineDied("SIGSEGV", during="start", where="logs")
+
+    set_guards(RunFolder(tmp_path), most_faults=4)
+    work(made, plan, die)
+    set_guards(RunFolder(tmp_path), most_faults=4)
+    assert work(made, plan)[0] == []
+
+
+def test_no_attempt_starts_after_the_deadline(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 3)
+    set_guards(RunFolder(tmp_path), deadline=time.time() - 1)
+    pending, seen, _ = work(made, plan)
+    error = stopped(pending, 3)
+    assert not seen and "deadline" in error.line() and "later --deadline" in error.line() and error.exit_code == 1
+
+
+def test_what_is_booked_stops_the_run_at_its_limit(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 20)
+    set_guards(RunFolder(tmp_path), spend_usd=1.0)
+    ledger = Ledger(RunFolder(tmp_path).spending, 1.0)
+
+    def spend(stage: Stage, trial: Trial, overseer: Overseer, seen: Counter[str]) -> None:
+        if stage == "attempt":
+            ledger.settle(str(ledger.hold(0.5)), 0.25)
+            overseer.look()
+
+    pending, seen, _ = work(made, plan, spend)
+    error = stopped(pending, 20)
+    assert seen["attempt"] == 4 and len(pending) == 16 and error.exit_code == 1
+    assert "1.0000 of 1.0000 USD" in error.line() and "raise the limit" in error.line()
+
+
+def test_a_request_that_was_refused_for_spending_stops_the_run(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 6)
+    set_guards(RunFolder(tmp_path))
+
+    def refuse(stage: Stage, trial: Trial, overseer: Overseer, seen: Counter[str]) -> None:
+        if stage == "attempt":
+            raise SpendingLimitReached("the spending limit of this run is reached", todo="raise the limit")
+
+    pending, seen, _ = work(made, plan, refuse)
+    assert seen["attempt"] == 1 and "spending limit" in stopped(pending, 6).line()
+
+
+def test_whoever_looks_at_the_folder_comes_to_the_same(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 10)
+    set_guards(RunFolder(tmp_path), most_faults=3)
+
+    def die(stage: Stage, trial: Trial, overseer: Overseer, seen: Counter[str]) -> None:
+        raise EngineDied("SIGSEGV", during="start", where="logs")
+
+    _, _, overseer = work(made, plan, die)
+    _, found = Watchman(RunFolder(tmp_path)).look()
+    assert found and overseer.stopped and found.line() == overseer.stopped.line()
+
+
+def test_a_garbled_word_of_an_operator_asks_nothing(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 2)
+    set_guards(RunFolder(tmp_path))
+    RunFolder(tmp_path).asked.write_text("{")
+    assert work(made, plan)[0] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "after"),
+    [
+        ("8h", timedelta(hours=8)),
+        ("1h30m", timedelta(minutes=90)),
+        ("2d", timedelta(days=2)),
+        ("45s", timedelta(0, 45)),
+    ],
+)
+def test_a_deadline_as_a_duration(text: str, after: timedelta) -> None:
+    assert abs(moment(text, "--deadline") - time.time() - after.total_seconds()) < 5
+
+
+def test_a_deadline_as_a_time() -> None:
+    at = (datetime.now().astimezone() + timedelta(hours=3)).replace(second=0, microsecond=0)
+    assert moment(at.isoformat(), "--deadline") == moment(at.strftime("%H:%M"), "--deadline") == at.timestamp()
+    before = datetime.fromtimestamp(moment((at - timedelta(hours=5)).strftime("%H:%M"), "--deadline")).astimezone()
+    assert before == at + timedelta(hours=19)
+
+
+@pytest.mark.parametrize(
+    "text", ["", " ", "soon", "-1h", "0s", "2020-01-01", "2999-01-01T00:00", "1e9h", "9999999999d", "25:00"]
+)
+def test_what_is_no_deadline(text: str) -> None:
+    with pytest.raises(BadInput, match="--deadline"):
+        moment(text, "--deadline")
+
+
+def test_a_duration() -> None:
+    assert seconds_of("1d2h3m4s", "--older") == 93784
