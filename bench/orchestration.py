@@ -45,7 +45,7 @@ class _Pool(Pool):
         return LIMITS[stage]
 
 
-def _planned(root: Path, count: int) -> tuple[Plan, list[Trial]]:
+def planned(root: Path, count: int) -> tuple[Plan, list[Trial]]:
     """A plan of the size of the published suite, and some of its trials."""
     cases = [
         PlannedCase(
@@ -75,7 +75,7 @@ def _planned(root: Path, count: int) -> tuple[Plan, list[Trial]]:
 async def _busy(slots: int) -> float:
     """Mean busy engine slots, from the first stage to the start of the last attempt."""
     with tempfile.TemporaryDirectory() as folder:
-        plan, made = _planned(Path(folder), TRIALS_A_SLOT * slots)
+        plan, made = planned(Path(folder), TRIALS_A_SLOT * slots)
         began, area, seen_at = 0, 0.0, time.perf_counter()
         started = seen_at
         async with _Pool(slots) as pool:
@@ -112,7 +112,7 @@ async def _straight(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> 
 async def _cost(run: Run) -> float:
     """Seconds of orchestration a trial, as it is recorded with every trial."""
     with tempfile.TemporaryDirectory() as folder:
-        plan, made = _planned(Path(folder), COSTED_TRIALS)
+        plan, made = planned(Path(folder), COSTED_TRIALS)
         async with _Pool(1, processors=1) as pool:
             await run_trials(made, plan, pool, run)
         told = [line for trial in made for line in json_lines(trial.folder.stages.read_text().splitlines())]

@@ -24,6 +24,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from statistics import median
 
+from bench.orchestration import QUIET
 from bench.row import Row
 
 STAGES = ("instant", "prefect", "noop")
@@ -48,6 +49,8 @@ class ScaleResult:
     trials: int
     start_s: float
     """From the command to the start of the first attempt."""
+    start_cpu_s: float
+    """Processor time until then, imports included: other work on the machine does not count."""
     run_s: float
     """From there to the last row stored."""
     end_s: float
@@ -58,7 +61,9 @@ class ScaleResult:
     stages_s: float
     """A trial, all its stages."""
     driver_mb: tuple[float, float]
-    """Resident memory of the process that drives: median of the second and of the last tenth of the run."""
+    """Resident memory of the process that drives: median of the second and of the last tenth of the run of trials."""
+    ending_mb: float
+    """The same at most, after the last row: the database and the pages are made then."""
     most_mb: float
     """Of all processes together, at most."""
     answers_s: float
@@ -88,11 +93,11 @@ def measured(cases: int, configurations: int, repeats: int, stages: str, *, star
         asked = [str(repeats), stages, str(int(start_only)), *map(str, names)]
         process = subprocess.Popen(
             [sys.executable, "-m", "bench.scale_run", str(home), *asked],
-            env={**os.environ, "C4S_HOME": str(home)},
+            env={**os.environ, **QUIET, "C4S_HOME": str(home), "PREFECT_HOME": str(home / "prefect")},
             stdout=subprocess.PIPE,
             text=True,
         )
-        samples: list[tuple[float, float]] = []
+        samples: list[tuple[float, float, float]] = []
         ended = threading.Event()
         watching = threading.Thread(target=_sample, args=(process.pid, samples, ended))
         watching.start()
@@ -101,25 +106,30 @@ def measured(cases: int, configurations: int, repeats: int, stages: str, *, star
         watching.join()
         if process.returncode:
             raise RuntimeError(f"the run ended with {process.returncode}")
-        own = [own for own, _ in samples] or [0.0]
+        made = json.loads(told.splitlines()[-1])
+        ended_s = max((at for at, _, _ in samples), default=0.0)
+        last_s, first_s = ended_s - made["end_s"], ended_s - made["end_s"] - made["run_s"]
+        own = [mb for at, mb, _ in samples if first_s <= at <= last_s] or [0.0]
         tenth = max(1, len(own) // 10)
-        driver_mb = median(own[tenth : 2 * tenth] or own), median(own[-tenth:])
         return ScaleResult(
-            **json.loads(told.splitlines()[-1]),
-            driver_mb=driver_mb,
-            most_mb=max((whole for _, whole in samples), default=0.0),
+            **made,
+            driver_mb=(median(own[tenth : 2 * tenth] or own), median(own[-tenth:])),
+            ending_mb=max((mb for at, mb, _ in samples if at > last_s), default=0.0),
+            most_mb=max((whole for _, _, whole in samples), default=0.0),
         )
 
 
-def _sample(process: int, samples: list[tuple[float, float]], ended: threading.Event) -> None:
-    """Resident memory (MB) of a process, and of it with all that it started, until the end."""
+def _sample(process: int, samples: list[tuple[float, float, float]], ended: threading.Event) -> None:
+    """The time (s), and resident memory (MB) of a process, and of it with all that it started, until the end."""
+    started = time.perf_counter()
     while not ended.wait(SAMPLED_S):
         memory, parents = _resident()
         tree = {process}
         while grown := {child for child, parent in parents.items() if parent in tree} - tree:
             tree |= grown
         if process in memory:
-            samples.append((memory[process], sum(memory.get(one, 0.0) for one in tree)))
+            whole = sum(memory.get(one, 0.0) for one in tree)
+            samples.append((time.perf_counter() - started, memory[process], whole))
 
 
 def _resident() -> tuple[dict[int, float], dict[int, int]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 from typing import Any
 from unittest import mock
@@ -20,7 +20,7 @@ from c4s.records.plan import Plan
 from c4s.run import drive
 from c4s.run.drive import Run
 from c4s.run.limits import Stage
-from c4s.run.plan import Trial
+from c4s.run.plan import Trial, trials
 from c4s.run.pool import work
 from warehouse.database import rows
 from warehouse.ingest import ingest_trial
@@ -36,10 +36,12 @@ class _Clock:
     def __init__(self, run: Run, *, start_only: bool) -> None:
         self._run, self._start_only = run, start_only
         self.first: float | None = None
+        self.spent_s = 0.0
         self.last = 0.0
 
     async def __call__(self, stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
-        self.first = self.first or time.perf_counter()
+        if self.first is None:
+            self.first, self.spent_s = time.perf_counter(), time.process_time()
         if self._start_only:
             raise _Started
         try:
@@ -60,8 +62,10 @@ def _as_tasks() -> Run:
             return await work(drive.store, _persist, trial, plan)
         return await work(instant_stage, stage, trial, plan, *arguments)
 
+    counted: Callable[..., Awaitable[Any]] = one
+
     async def run(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
-        return await one(stage, opaque(trial), opaque(plan), arguments)
+        return await counted(stage, opaque(trial), opaque(plan), arguments)
 
     return run
 
@@ -113,28 +117,30 @@ def main(home: Path, repeats: int, stages: str, start_only: bool, agents: Sequen
         except C4SError as error:
             failures = error.line()
     ended = time.perf_counter()
-    run = RunFolder(runs_root() / "made")
-    plan = Plan.read(run.plan)
+    run = runs_root() / "made"
+    plan = Plan.read(RunFolder(run).plan)
     first = clock[0].first or ended
     told = {
-        "trials": len(plan.cases) * len(plan.configurations) * plan.repeats,
         "start_s": round(first - started, 2),
+        "start_cpu_s": round(clock[0].spent_s, 2),
         "run_s": round(max(0.0, clock[0].last - first), 2),
         "end_s": round(ended - max(clock[0].last, first), 2),
         "failures": failures,
-        **_recorded(run, len(plan.cases) * len(plan.configurations) * plan.repeats),
+        **_recorded(run, plan),
         **({"pending": 0, "answers_s": 0.0} if start_only else _stored()),
     }
     print(json.dumps(told), flush=True)
 
 
-def _recorded(run: RunFolder, count: int) -> dict[str, float]:
-    """What the stages and the driving of them took a trial, as it is recorded."""
+def _recorded(run: Path, plan: Plan) -> dict[str, float]:
+    """How many trials there are, and what the stages and the driving of them took a trial, as it is recorded."""
     spent = {True: 0.0, False: 0.0}
-    for path in run.root.glob("*/*/*/stages.jsonl"):
-        for line in json_lines(path.read_text().splitlines()):
+    planned = list(trials(run, run, plan))
+    for path in (trial.folder.stages for trial in planned):
+        for line in json_lines(path.read_text().splitlines() if path.is_file() else []):
             spent[line["stage"] == "orchestration"] += line["seconds"]
-    return {"orchestration_s": round(spent[True] / count, 4), "stages_s": round(spent[False] / count, 4)}
+    recorded = {"orchestration_s": spent[True] / len(planned), "stages_s": spent[False] / len(planned)}
+    return {"trials": len(planned)} | {name: round(seconds, 4) for name, seconds in recorded.items()}
 
 
 def _stored() -> dict[str, float]:

@@ -67,7 +67,7 @@ def _opened(table: str, path: Path, *, whole: bool) -> pa.Table | None:
     try:
         file = pq.ParquetFile(path)
         found = {field.name: field.type for field in file.schema_arrow}
-        rows = file.read() if whole else None
+        rows = file.read(use_threads=False) if whole else None
     except (pa.ArrowException, ValueError) as fault:
         raise BadInput(f"these rows cannot be read: {_told(fault)}", where=str(path), todo=REMEDY) from None
     except OSError as fault:

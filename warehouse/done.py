@@ -31,7 +31,7 @@ def held_by(trial: Trial, plan: Plan, warehouse: Path) -> str | None:
     if not all(is_whole(part(table)) for table in reversed(TRIAL_TABLES)):
         return None
     try:
-        (row,) = pq.ParquetFile(part("outcomes")).read(["run_id", "score_sha256"]).to_pylist()
+        (row,) = pq.ParquetFile(part("outcomes")).read(["run_id", "score_sha256"], use_threads=False).to_pylist()
     except (pa.ArrowException, OSError, ValueError):
         return None
     folder = RunFolder(trial.run.parent / str(row.get("run_id"))).trial(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import io
 import os
 import struct
@@ -37,6 +38,7 @@ def _arrow_type(annotation: Any) -> tuple[pa.DataType, bool]:
     return _ARROW[annotation], False
 
 
+@functools.cache
 def arrow_schema(table: str, *, partitions: bool = True) -> pa.Schema:
     """The Arrow schema of a table, from its record model; partition columns are left out of the files."""
     fields = []

@@ -23,7 +23,7 @@ from c4s.errors import BadInput
 from c4s.files import digest, no_place
 from warehouse.damage import broken_rows
 from warehouse.parts import HELD, LISTED, Look, look, rows_of, table_of
-from warehouse.tables import ROWS, table_statements, view_statements
+from warehouse.tables import KEPT, ROWS, question_text, table_statements, view_statements
 
 NAME = "c4s.duckdb"
 LOCK = ".rebuild.lock"
@@ -166,6 +166,9 @@ def _bring_up(root: Path, *, trusting: bool) -> None:
             _take_in(connection, root, due)
             if opened is None or opened[1].views != _views_digest(root):
                 _make_views(connection, root)
+            else:
+                for name in KEPT:
+                    _keep_answer(connection, name)
             _note(connection, root, found)
         fresh.replace(root / NAME)
     finally:
@@ -227,9 +230,17 @@ def _make_views(connection: duckdb.DuckDBPyConnection, root: Path) -> None:
         connection.execute(f'DROP VIEW "{name}"')
     for name, statement in view_statements(root):
         try:
+            if name in KEPT:
+                statement = _keep_answer(connection, name)
             connection.execute(f"CREATE VIEW {name} AS {statement}")
         except duckdb.Error as error:
             raise broken_rows(root, error) from None
+
+
+def _keep_answer(connection: duckdb.DuckDBPyConnection, name: str) -> str:
+    """Keep what a question answers now as a table; what its view reads."""
+    connection.execute(f"CREATE OR REPLACE TABLE {ROWS}.{name} AS {question_text(name)}")
+    return f"SELECT * FROM {ROWS}.{name}"
 
 
 def _note(connection: duckdb.DuckDBPyConnection, root: Path, found: Look) -> None:

@@ -13,6 +13,8 @@ from warehouse.parts import HELD
 SQL = Path(__file__).parent / "sql"
 FOUNDATIONS = ("trials", "case_scores", "setting_means", "leaderboards")
 """Questions that others build on, in this order."""
+KEPT = ("setting_means",)
+"""Questions whose answer is kept as a table, made anew when rows change: a leaderboard is made of few rows then."""
 ROWS = "stored"
 """Schema of the tables: rows as they were read, each with the number of its part, and what is known of the parts."""
 BOOKS = (
@@ -46,7 +48,12 @@ def view_statements(root: Path) -> Iterator[tuple[str, str]]:
         yield table, _parts_view(root, table)
     yield "settings", _settings_view()
     for name in (*FOUNDATIONS, *(question for question in questions() if question not in FOUNDATIONS)):
-        yield name, (SQL / f"{name}.sql").read_text()
+        yield name, question_text(name)
+
+
+def question_text(name: str) -> str:
+    """The SQL of a question."""
+    return (SQL / f"{name}.sql").read_text()
 
 
 _ONCE = {"schedule": " QUALIFY row_number() OVER (PARTITION BY trial_id ORDER BY planned_at, run_id, part) = 1"}

@@ -26,6 +26,11 @@ class Slots:
         """Slots in use."""
         return self.count - self._free
 
+    @property
+    def waiting(self) -> int:
+        """Jobs that wait for a slot."""
+        return sum(not turn.done() for _, _, turn in self._waiting)
+
     @asynccontextmanager
     async def slot(self, rank: int) -> AsyncIterator[None]:
         """Hold a slot for the block. The lowest rank goes first, then who came first."""

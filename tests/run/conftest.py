@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import atexit
+import functools
 import os
 import subprocess
-import sys
 from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -17,6 +19,7 @@ from cases.starter import indoor_cases
 from cases.suite import build_suite
 from catalog.build import ensure_pack
 from tests.built import built_once
+from tests.cli.warm import Warm
 
 KEPT = ("text-flat-family",)
 Command = Callable[..., subprocess.CompletedProcess[str]]
@@ -57,18 +60,21 @@ def apart(root: Path, home: Path) -> Path:
     return root
 
 
-def command_in(home: Path) -> Command:
-    """Runs the command line in a home."""
+@functools.cache
+def _warm() -> Warm:
+    """A process that forks for each command: none of them has to import what the one before it did."""
+    with ExitStack() as stack:
+        warm = stack.enter_context(Warm())
+        atexit.register(stack.pop_all().close)
+    return warm
 
-    def run(*arguments: str, timeout: float = 280, home: Path = home) -> subprocess.CompletedProcess[str]:
-        return subprocess.run(
-            [sys.executable, "-m", "c4s.cli", *arguments],
-            env=environment(home),
-            text=True,
-            capture_output=True,
-            timeout=timeout,
-            check=False,
-        )
+
+def command_in(home: Path) -> Command:
+    """Runs the command line in a home, as a process of its own."""
+
+    def run(*arguments: str, timeout: int = 280, home: Path = home) -> subprocess.CompletedProcess[str]:
+        done = _warm().call(arguments, cwd=Path.cwd(), environment=environment(home), limit_s=timeout)
+        return subprocess.CompletedProcess(arguments, done.code, done.out, done.err)
 
     return run
 
