@@ -120,9 +120,9 @@ def evaluate_here(
                 for trial, holder in zip(scheduled, holders, strict=True)
                 if holder not in (None, run.name)
             )
-            progress, pool = Progress(run, folder), Pool(slots)
+            progress, pool, status = Progress(run, folder), Pool(slots), RunFolder(run).status_page
             with (
-                every(REFRESH_S, lambda: write_status(progress.read(), RunFolder(run).status_page, page)),
+                every(REFRESH_S, lambda: write_status(progress.read(), status, page), str(status)),
                 overseen(run, folder, plan, pool, bounds, elsewhere) as overseer,
             ):
                 with drawn(progress):
