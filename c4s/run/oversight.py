@@ -32,7 +32,7 @@ WAIT_S = 20.0
 
 
 @dataclass(frozen=True)
-class Bounds:
+class RunBounds:
     """What whoever starts a run gives it beside its plan. It may differ each time."""
 
     deadline: float | None = None
@@ -52,7 +52,7 @@ class Bounds:
 
 @contextmanager
 def overseen(
-    run: Path, suite: Path, plan: Plan, pool: Pool, bounds: Bounds | None, reused: Counter[str] | None = None
+    run: Path, suite: Path, plan: Plan, pool: Pool, bounds: RunBounds | None, reused: Counter[str] | None = None
 ) -> Iterator[Overseer]:
     """For the block, watch over a run; its plan is written.
 

@@ -21,7 +21,7 @@ from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.run.bounds import moment, seconds_of
 from c4s.run.drive import Pending, refuse_pending, run_trials
-from c4s.run.guards import RunStopped, Watchman, ask, set_guards
+from c4s.run.guards import StoppedByGuard, Watchman, ask, set_guards
 from c4s.run.limits import Stage
 from c4s.run.overseer import Overseer
 from c4s.run.plan import Trial
@@ -73,8 +73,8 @@ def work(
     return pending, seen, overseer
 
 
-def stopped(pending: list[Pending], total: int) -> RunStopped:
-    with pytest.raises(RunStopped) as told:
+def stopped(pending: list[Pending], total: int) -> StoppedByGuard:
+    with pytest.raises(StoppedByGuard) as told:
         refuse_pending(pending, total)
     return told.value
 
@@ -119,7 +119,7 @@ def test_no_second_attempt_starts_in_a_run_that_is_stopped(tmp_path: Path) -> No
             return await run_trials(made, plan, pool, run, overseer=overseer)
 
     pending = finished(all_of_it())
-    assert [type(one.error) for one in pending] == [RunStopped]
+    assert [type(one.error) for one in pending] == [StoppedByGuard]
     assert not made[0].folder.faults.exists() and not made[0].folder.score.exists()
 
 
