@@ -239,8 +239,7 @@ async def _in_work(
 
 
 def refuse_pending(pending: Sequence[Pending], total: int) -> None:
-    """Raise what kept trials pending: ``StoppedByGuard`` where a guard did, ``BadInput`` where nothing but that did, else
-    ``MachineryFault``."""
+    """Raise what kept trials pending: a ``StoppedByGuard``, else a ``MachineryFault``, else a ``BadInput``."""
     if not pending:
         return
     for one in pending:
