@@ -122,7 +122,7 @@ def evaluate_here(
             )
             progress, pool, status = Progress(run, folder), Pool(slots), RunFolder(run).status_page
             with (
-                every(REFRESH_S, lambda: write_status(progress.read(), status, page), str(status)),
+                every(REFRESH_S, lambda: write_status(progress.read(), status, page), "the status page"),
                 overseen(run, folder, plan, pool, bounds, elsewhere) as overseer,
             ):
                 with drawn(progress):
