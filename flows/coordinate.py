@@ -35,7 +35,7 @@ from c4s.errors import BadInput, MachineryFault
 from c4s.records.handover import Handover, WorkPool
 from c4s.records.plan import Plan
 from c4s.run.drive import Pending
-from c4s.run.guards import RunStopped
+from c4s.run.guards import StoppedByGuard
 from c4s.run.lease import Held, in_force
 from c4s.run.overseer import Overseer
 from c4s.run.plan import Trial
@@ -138,7 +138,7 @@ class Coordinator:
                 del queue[: len(batch)]
                 await self._start(pool, [trial for trial, _ in batch], batch[0][1])
 
-    def _leave(self, stopped: RunStopped) -> None:
+    def _leave(self, stopped: StoppedByGuard) -> None:
         """Leave the trials whose next stage is an engine's; what is in work ends, is verified and scored."""
         for trial, _ in self._queue["engines"]:
             self._pending[trial.name] = Pending(trial, stopped)

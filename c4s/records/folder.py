@@ -240,6 +240,13 @@ class RunFolder:
         return self.root / "status.html"
 
     @classmethod
+    def own_names(cls) -> frozenset[str]:
+        """What directly below a run is no folder of a configuration."""
+        run = cls(Path())
+        files = (run.plan, run.spending, run.guards, run.asked, run.status_page)
+        return frozenset(path.parts[0] for path in (*files, run.earlier_plan(""), run.leases, run.journals, run.logs))
+
+    @classmethod
     def planned(cls, runs: Path) -> list[RunFolder]:
         """The runs of a folder that have a plan, by name."""
         return [folder for path in sorted(runs.glob("*")) if (folder := cls(path)).plan.is_file()]

@@ -27,22 +27,22 @@ MOST_IN_A_ROW: Final = 20
 _AGAIN = "run the same command again to go on"
 
 
-class RunStopped(MachineryFault):
+class StoppedByGuard(MachineryFault):
     """A guard stopped the run before it was done: the answer is no, and nothing but the run's own bounds is why."""
 
     exit_code = 1
     guard: Guard = "drain"
 
 
-class TooManyFaults(RunStopped):
+class TooManyFaults(StoppedByGuard):
     """The run stopped because its trials fail for one cause: the machinery's fault."""
 
     exit_code = 3
 
 
-def stop(guard: Guard, what: str, todo: str = _AGAIN) -> RunStopped:
+def stop(guard: Guard, what: str, todo: str = _AGAIN) -> StoppedByGuard:
     """What stops a run."""
-    kind = TooManyFaults if guard == "faults" else RunStopped
+    kind = TooManyFaults if guard == "faults" else StoppedByGuard
     made = kind(what, todo=todo)
     made.guard = guard
     return made
@@ -92,7 +92,7 @@ class Watchman:
         """Trial and reason of the last failure."""
         self._ledger = Ledger(run.spending, None)
 
-    def look(self) -> tuple[bool, RunStopped | None]:
+    def look(self) -> tuple[bool, StoppedByGuard | None]:
         """Whether the run is to pause, and what stops it, if anything does."""
         guards = guards_of(self._run)
         if guards is None:
@@ -112,13 +112,13 @@ class Watchman:
             return None
         return asked if asked is not None and asked.time >= guards.since else None
 
-    def _deadline(self, guards: Guards) -> RunStopped | None:
+    def _deadline(self, guards: Guards) -> StoppedByGuard | None:
         if guards.deadline is None or time.time() < guards.deadline:
             return None
         told = datetime.fromtimestamp(guards.deadline).astimezone().isoformat(" ", "minutes")
         return stop("deadline", f"its deadline, {told}, has come", "run the same command again with a later --deadline")
 
-    def _spending(self, guards: Guards) -> RunStopped | None:
+    def _spending(self, guards: Guards) -> StoppedByGuard | None:
         if guards.spend_usd is None or not self._run.spending.is_file():
             return None
         spent = self._ledger.spent().total_usd
@@ -130,7 +130,7 @@ class Watchman:
             "raise the limit and run the same command again",
         )
 
-    def _faults(self, guards: Guards) -> RunStopped | None:
+    def _faults(self, guards: Guards) -> StoppedByGuard | None:
         for cause, times in self._in_a_row.items():
             if times >= guards.most_faults:
                 trial, line = self._last
@@ -153,12 +153,12 @@ class Watchman:
                 self._last = (str(event.get("trial")), str(event.get("line")))
 
 
-def spent_up(error: SpendingLimitReached) -> RunStopped:
+def spent_up(error: SpendingLimitReached) -> StoppedByGuard:
     """What stops a run of which a request was refused for spending."""
     return stop("spending", error.what, error.todo)
 
 
-def left_over(stopped: RunStopped, left: int, total: int, run: Path) -> RunStopped:
+def left_over(stopped: StoppedByGuard, left: int, total: int, run: Path) -> StoppedByGuard:
     """What stopped a run, with what is left of it."""
     made = stop(stopped.guard, f"stopped with {left} of {total} trials left: {stopped.what}", stopped.todo)
     made.where = str(run)

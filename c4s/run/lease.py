@@ -40,25 +40,27 @@ class LeaseLost(MachineryFault):
     """The lease was taken over or removed."""
 
 
-class _Keeper(threading.Thread):
-    """Gives a sign of life for every lease that this process holds."""
+class _Keeper:
+    """Gives a sign of life for every lease that this process holds, in a thread that is begun with the first one: one
+    that was made before a fork counts as ended after it."""
 
     def __init__(self) -> None:
-        super().__init__(name="leases", daemon=True)
         self._kept: set[Held] = set()
         self._lock = threading.Lock()
+        self._thread: threading.Thread | None = None
 
     def keep(self, held: Held) -> None:
         with self._lock:
             self._kept.add(held)
-            if not self.is_alive():
-                self.start()
+            if self._thread is None or not self._thread.is_alive():
+                self._thread = threading.Thread(target=self._run, name="leases", daemon=True)
+                self._thread.start()
 
     def let_go(self, held: Held) -> None:
         with self._lock:
             self._kept.discard(held)
 
-    def run(self) -> None:
+    def _run(self) -> None:
         pause = threading.Event()
         while not pause.wait(BEAT_S):
             with self._lock:

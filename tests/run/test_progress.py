@@ -11,9 +11,10 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
+import pytest
 from rich.console import Console
 
-from c4s.cli.run_view import line_of, view
+from c4s.cli.run_view import drawn, line_of, view
 from c4s.engine import EngineDied
 from c4s.records.folder import RunFolder
 from c4s.records.journal import Event
@@ -168,3 +169,17 @@ def test_the_estimate_is_the_work_that_is_left_over_the_slots(tmp_path: Path) ->
 def test_a_snapshot_is_plain_json(tmp_path: Path) -> None:
     grown(tmp_path, 2)
     assert json.loads(json.dumps(Progress(tmp_path).read().plain()))["planned"] == 4
+
+
+def test_a_terminal_is_drawn_on_and_anything_else_gets_lines(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plan = grown(tmp_path, 3)
+    work(list(trials(tmp_path, tmp_path, plan)), plan)
+    screen = io.StringIO()
+    with drawn(Progress(tmp_path), Console(file=screen, force_terminal=True, width=100, height=30)):
+        pass
+    assert "6/6 trials" in screen.getvalue() and "score so far" in screen.getvalue()
+    with drawn(Progress(tmp_path), Console(file=screen, force_terminal=False)):
+        pass
+    assert capsys.readouterr().err == "  6 of 6 trials done\n"
