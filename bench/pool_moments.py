@@ -144,9 +144,7 @@ def _one(
         stay, left = len(orphans(made.mark)), len(list(made.temporary.iterdir()))
         code = "0" if ends[-1] == "COMPLETED" else "3"
         told = f"{' '.join(ends).lower()} {code}"
-        return FaultResult(
-            name, len(set(found) ^ set(wanted)), repeated, stay, len(list(made.temporary.iterdir())), told
-        )
+        return FaultResult(name, len(set(found) ^ set(wanted)), repeated, stay, left, told)
 
 
 def results(built: Path, count: int, seed: int, database: str | None) -> Iterator[FaultResult]:

@@ -32,6 +32,7 @@ from prefect.states import Cancelled, Crashed
 
 from c4s.agents.base import ModelClient, agent_of
 from c4s.errors import BadInput, MachineryFault
+from c4s.records.folder import HANDOVER
 from c4s.records.handover import Handover, WorkPool
 from c4s.records.plan import Plan
 from c4s.run.drive import Pending
@@ -206,7 +207,7 @@ class Coordinator:
 
     def _ended(self, sent: _Sent, how: str) -> None:
         for trial in sent.trials:
-            open_store().pull(trial.folder.root, lambda name: name == "handover.json")
+            open_store().pull(trial.folder.root, lambda name: name == HANDOVER)
             handover = _handover(trial)
             if handover is None or handover.part != sent.part:
                 self._lose(trial, sent.pool, how)

@@ -1,6 +1,7 @@
 """A run: its plan and its holder, attempts, the stages of a trial and the one program over them, worker processes."""
 
 __all__ = [
+    "again",
     "artifacts",
     "attempt",
     "backup",
@@ -19,13 +20,17 @@ __all__ = [
     "notify",
     "overseer",
     "oversight",
+    "owner",
     "part",
     "plan",
     "pool",
     "progress",
+    "rejudging",
+    "repeats",
     "signals",
     "stages",
     "store",
     "torn",
     "trial",
+    "worker",
 ]

@@ -12,12 +12,16 @@ RUN_FILES: dict[str, set[str]] = {
 SETTINGS: dict[str, set[str]] = {}
 
 VERIFIERS: dict[str, set[str]] = {
+    "bench/instant.py": {"integrity"},
+    "bench/leaderboard.py": {"detailed", "overview", "physics"},
+    "bench/night.py": {"detailed", "integrity", "overview", "physics", "repair"},
     "bench/orchestration.py": {"integrity"},
     "bench/scored_run.py": {"repair"},
     "c4s/bundle/writing.py": {"overview", "physics"},
     "c4s/records/policy.py": {"overview"},
     "c4s/run/drive.py": {"integrity"},
     "c4s/run/limits.py": {"integrity"},
+    "c4s/run/part.py": {"integrity"},
     "c4s/run/repeats.py": {"integrity"},
     "c4s/run/trial.py": {"integrity"},
     "c4s/score/batch.py": {"detailed", "overview", "physics"},
