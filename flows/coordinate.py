@@ -101,7 +101,7 @@ class Coordinator:
                 if trial.name not in given:
                     self._queue[_first_pool(trial)].append((trial, False))
             while self._sent or any(self._queue.values()):
-                self.held.check()
+                await self.held.check_beside()
                 self.overseer.look()
                 if self.overseer.stopped is not None:
                     self._leave(self.overseer.stopped)

@@ -66,7 +66,7 @@ def in_slots(
                 await overseer.may_start(stage)
             async with pool.turn(stage, trial, own, rank):
                 for lease in held:
-                    lease.check()
+                    await lease.check_beside()
                 if overseer is None:
                     return await run(stage, trial, own, *arguments)
                 if overseer.holds(stage):
@@ -166,7 +166,7 @@ async def _watch(pool: Pool, held: Held | None, overseer: Overseer | None) -> No
         await asyncio.sleep(LOOK_S)
         pool.headroom.look()
         if held is not None:
-            held.check()
+            await held.check_beside()
         if overseer is not None:
             overseer.look()
 

@@ -10,6 +10,7 @@ another lease in force, or its own gone, stops before it writes more.
 
 from __future__ import annotations
 
+import asyncio
 import os
 import threading
 import time
@@ -41,8 +42,7 @@ class LeaseLost(MachineryFault):
 
 
 class _Keeper:
-    """Gives a sign of life for every lease that this process holds, in a thread that is begun with the first one: one
-    that was made before a fork counts as ended after it."""
+    """Gives a sign of life for every lease that this process holds, in a thread that is begun with the first one."""
 
     def __init__(self) -> None:
         self._kept: set[Held] = set()
@@ -66,7 +66,7 @@ class _Keeper:
             with self._lock:
                 kept = list(self._kept)
             for held in kept:
-                with suppress(OSError):
+                with suppress(OSError, MachineryFault):
                     held.beat()
 
 
@@ -96,6 +96,13 @@ class Held:
             where=self._place.where,
             todo=f"nothing more was written; run the same command again once nobody works on the {self._what}",
         )
+
+    async def check_beside(self) -> None:
+        """``check``, beside the event loop where it asks over a network."""
+        if isinstance(self._place, FolderLeases):
+            self.check()
+        else:
+            await asyncio.to_thread(self.check)
 
     def beat(self) -> None:
         """A sign of life."""
