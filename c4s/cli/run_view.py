@@ -166,11 +166,13 @@ def _draw(progress: Progress, on: Console, stop: threading.Event) -> None:
 
 
 def _print_lines(progress: Progress, on: Console, stop: threading.Event) -> None:
-    counted, silent_s = (-1, -1), 0.0
+    counted, silent_s, last = (-1, -1), 0.0, ""
     while not stop.wait(PLAIN_INTERVAL_S):
         now = progress.read()
         silent_s += PLAIN_INTERVAL_S
         if (now.done, now.pending) != counted or silent_s >= SIGN_OF_LIFE_S:
-            tell(f"  {line_of(now)}")
+            last = line_of(now)
+            tell(f"  {last}")
             counted, silent_s = (now.done, now.pending), 0.0
-    tell(f"  {line_of(progress.read())}")
+    if (line := line_of(progress.read())) != last:
+        tell(f"  {line}")

@@ -88,8 +88,8 @@ class Watchman:
         self._run = run
         self._tail = Tail(run)
         self._in_a_row: Counter[str] = Counter()
-        self._last = ("", "")
-        """Trial and reason of the last failure."""
+        self._last: dict[str, tuple[str, str]] = {}
+        """Trial and reason of the last failure, by cause."""
         self._ledger = Ledger(run.spending, None)
 
     def look(self) -> tuple[bool, StoppedByGuard | None]:
@@ -133,7 +133,7 @@ class Watchman:
     def _faults(self, guards: Guards) -> StoppedByGuard | None:
         for cause, times in self._in_a_row.items():
             if times >= guards.most_faults:
-                trial, line = self._last
+                trial, line = self._last[cause]
                 faults = self._run.trial_named(trial).faults
                 return stop(
                     "faults",
@@ -149,8 +149,9 @@ class Watchman:
             if event.get("event") == "done":
                 self._in_a_row.clear()
             elif event.get("event") == "pending":
-                self._in_a_row[str(event.get("error"))] += 1
-                self._last = (str(event.get("trial")), str(event.get("line")))
+                cause = str(event.get("error"))
+                self._in_a_row[cause] += 1
+                self._last[cause] = (str(event.get("trial")), str(event.get("line")))
 
 
 def spent_up(error: SpendingLimitReached) -> StoppedByGuard:
