@@ -7,6 +7,7 @@ the first script runs.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, Protocol
 
 from c4s.editor.facts import Reader
@@ -35,6 +36,11 @@ class EngineHost(Protocol):
         """What takes pictures; None where a SceneCapture2D of the editor does."""
         ...
 
+    @property
+    def mesh_facts(self) -> Mapping[str, Record]:
+        """What a snapshot keeps of meshes, by path, where it is known without asking the editor."""
+        ...
+
     def reader(self) -> Reader:
         """What reads the level, for one export."""
         ...
@@ -48,6 +54,7 @@ class PlainEditor:
     """An editor that offers nothing."""
 
     pictures: Pictures | None = None
+    mesh_facts: Mapping[str, Record] = MappingProxyType({})
 
     def reader(self) -> Reader:
         """Reads through ``unreal``."""

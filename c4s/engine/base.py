@@ -97,6 +97,8 @@ class Backend(Protocol):
 
     version: str
     """Version of the API that its engines follow here."""
+    level_suffix: str
+    """What the file of a saved level's package ends with, below ``<content>``."""
 
     def open_session(
         self,
@@ -130,9 +132,15 @@ def _headless() -> Backend:
     return headless
 
 
+def _unreal() -> Backend:
+    from c4s.engine import unreal
+
+    return unreal
+
+
 DEFAULT_ENGINE = "headless"
 """The engine that needs nothing but the default install."""
-_BACKENDS: dict[str, Callable[[], Backend]] = {DEFAULT_ENGINE: _headless}
+_BACKENDS: dict[str, Callable[[], Backend]] = {DEFAULT_ENGINE: _headless, "unreal": _unreal}
 
 
 def engine_kinds() -> tuple[str, ...]:

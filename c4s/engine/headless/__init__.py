@@ -15,9 +15,10 @@ from c4s.engine.headless.version import ENGINE_VERSION
 if TYPE_CHECKING:
     from c4s.engine.headless.host.session import EngineSession
 
-__all__ = ["asset_paths", "export_glb", "open_session", "version"]
+__all__ = ["asset_paths", "export_glb", "level_suffix", "open_session", "version"]
 
 version = ENGINE_VERSION
+level_suffix = ".level.json"
 
 
 def open_session(
