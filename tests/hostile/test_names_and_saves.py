@@ -98,7 +98,10 @@ def test_pages_write_names_as_text(prey: Prey) -> None:
 def test_a_scene_with_hostile_names_is_saved_and_read_as_any(prey: Prey) -> None:
     saved = prey.client.call("save_scene_as", name="named").data
     level = json.loads((prey.root / "content/Game/SavedScenes/named.level.json").read_text())
-    assert len(level["actors"]) == saved["actors"] and last_saved(prey.root / "content", ".level.json") == "/Game/SavedScenes/named"
+    assert (
+        len(level["actors"]) == saved["actors"]
+        and last_saved(prey.root / "content", ".level.json") == "/Game/SavedScenes/named"
+    )
 
 
 def test_the_start_level_packs_and_other_places_cannot_be_written(prey: Prey) -> None:

@@ -33,7 +33,8 @@ def main() -> None:
     _prctl(_SET_CHILD_SUBREAPER, 1)
     if rules is not None:
         _prctl(_SET_NO_NEW_PRIVS, 1)
-        landlock.restrict(map(Path, rules["read_only"]), map(Path, rules["read_write"]))
+        paths = {name: [Path(path) for path in told] for name, told in rules.items()}
+        landlock.restrict((), paths["read_write"], programs=paths["programs"], devices=paths["devices"])
     os.set_inheritable(life, False)
     asked, ask = os.pipe()
     signal.signal(signal.SIGTERM, lambda *_: os.write(ask, b"t"))

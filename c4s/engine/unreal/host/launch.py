@@ -79,8 +79,9 @@ def start(
     elif use == "landlock":
         devices = [str(path) for pattern in (*_DEVICES, *_DEVICE_FILES) for path in Path("/").glob(pattern[1:])]
         rules = {
-            "read_only": [*_SYSTEM, "/proc", str(_package()), *map(str, (*mounts.read_only, *_runtime()))],
-            "read_write": [*map(str, mounts.read_write), *devices],
+            "programs": [*_SYSTEM, "/proc", str(_package()), *map(str, (*mounts.read_only, *_runtime()))],
+            "read_write": [*map(str, mounts.read_write)],
+            "devices": devices,
         }
     keeper = [sys.executable, "-P", "-s", "-B", "-m", "c4s.engine.unreal.host.keeper", str(life), json.dumps(rules)]
     return subprocess.Popen(
