@@ -32,6 +32,11 @@ class EngineHost(Protocol):
     """What an engine offers to the scripts that run in it."""
 
     @property
+    def kind(self) -> str:
+        """The kind of engine that this is."""
+        ...
+
+    @property
     def pictures(self) -> Pictures | None:
         """What takes pictures; None where a SceneCapture2D of the editor does."""
         ...
@@ -53,6 +58,7 @@ class EngineHost(Protocol):
 class PlainEditor:
     """An editor that offers nothing."""
 
+    kind = "unreal"
     pictures: Pictures | None = None
     mesh_facts: Mapping[str, Record] = MappingProxyType({})
 

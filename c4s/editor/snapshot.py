@@ -206,7 +206,7 @@ def export_snapshot() -> dict[str, Any]:
         "material_parameter_catalog": materials,
         "export_metadata": _metadata(actors, level, len(materials)),
         "c4s": {
-            "engine": "headless" if headless else "unreal",
+            "engine": "headless" if headless else host().kind,
             "engine_version": str(unreal.SystemLibrary.get_engine_version()),
             "meshes": {path: _mesh_facts(path, meshes[path]) for path in sorted(meshes)},
         },

@@ -138,9 +138,19 @@ def _unreal() -> Backend:
     return unreal
 
 
+def _unreal_standin() -> Backend:
+    from c4s.engine.unreal import standin
+
+    return standin
+
+
 DEFAULT_ENGINE = "headless"
 """The engine that needs nothing but the default install."""
-_BACKENDS: dict[str, Callable[[], Backend]] = {DEFAULT_ENGINE: _headless, "unreal": _unreal}
+_BACKENDS: dict[str, Callable[[], Backend]] = {
+    DEFAULT_ENGINE: _headless,
+    "unreal": _unreal,
+    "unreal-standin": _unreal_standin,
+}
 
 
 def engine_kinds() -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""The stand-in editor, installed once for these tests; every engine of kind ``unreal`` is one."""
+"""The stand-in editor, installed once for these tests; what asks for an engine of its kind gets one."""
 
 from __future__ import annotations
 
@@ -21,5 +21,6 @@ def editor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 @pytest.fixture
 def session(editor: Path, tmp_path: Path) -> Iterator[EditorSession]:
     """An editor on an empty level."""
-    with EditorSession.start(packs=[], content=tmp_path / "content", scratch=tmp_path / "scratch") as opened:
+    content, scratch = tmp_path / "content", tmp_path / "scratch"
+    with EditorSession.start("unreal-standin", packs=[], content=content, scratch=scratch) as opened:
         yield opened

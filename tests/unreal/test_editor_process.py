@@ -22,7 +22,7 @@ from c4s.engine.unreal.host.slots import MARK
 from c4s.errors import BadInput, MachineryFault
 from tests.standin import behaving
 
-WAIT_S = 20.0
+KIND, WAIT_S = "unreal-standin", 20.0
 LEAVE_A_CHILD = """
 import subprocess
 child = subprocess.Popen(["/usr/bin/setsid", "/usr/bin/sleep", "600"])
@@ -30,8 +30,8 @@ print("child", child.pid)
 """
 
 
-def start(root: Path, **options: object) -> EditorSession:
-    return EditorSession.start(packs=[], content=root / "content", scratch=root / "scratch", **options)  # type: ignore[arg-type]
+def start(root: Path) -> EditorSession:
+    return EditorSession.start(KIND, packs=[], content=root / "content", scratch=root / "scratch")
 
 
 def marked() -> list[int]:
@@ -65,8 +65,8 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, editor: Path) -> Itera
 
 
 def test_an_editor_says_what_it_is_and_logs_as_an_editor(session: EditorSession) -> None:
-    assert (session.kind, session.version) == ("unreal", "5.6.0-standin")
-    assert session.request("editor_status")["engine"] == "unreal"
+    assert (session.kind, session.version) == ("unreal-standin", "5.6.0-standin")
+    assert session.request("editor_status")["engine"] == "unreal-standin"
     reply = session.execute("import unreal\nprint('printed')\nunreal.log_warning('logged')")
     assert reply["result"]["python_logs"] == ["printed", "Warning: logged"]
     session.close()
@@ -149,7 +149,7 @@ def test_withheld_and_other_files_are_not_there(session: EditorSession, tmp_path
 def test_an_editor_dies_with_its_host(tmp_path: Path, editor: Path) -> None:
     code = (
         "import sys, time; from pathlib import Path; from c4s.engine import open_engine\n"
-        "e = open_engine('unreal', packs=[], content=Path(sys.argv[1], 'c'), scratch=Path(sys.argv[1], 's'))\n"
+        "e = open_engine('unreal-standin', packs=[], content=Path(sys.argv[1], 'c'), scratch=Path(sys.argv[1], 's'))\n"
         "print('up', flush=True); time.sleep(600)"
     )
     host = subprocess.Popen([sys.executable, "-c", code, str(tmp_path)], stdout=subprocess.PIPE, text=True)
@@ -197,4 +197,24 @@ def test_a_project_has_its_pinned_version_plugins_and_settings(session: EditorSe
     assert "bSendUsageData=False" in settings and "RecastNavMesh" in settings
     assert "Shared=(Type=FileSystem, ReadOnly=true" in settings
     with pytest.raises(BadInput, match="/Game/No/Map"):
-        open_engine("unreal", packs=[], content=tmp_path / "c", scratch=tmp_path / "s", start_map="/Game/No/Map")
+        open_engine(KIND, packs=[], content=tmp_path / "c", scratch=tmp_path / "s", start_map="/Game/No/Map")
+
+
+def test_a_stand_in_is_never_taken_for_an_editor(tmp_path: Path) -> None:
+    with pytest.raises(MachineryFault, match="of the engine unreal-standin"):
+        open_engine("unreal", packs=[], content=tmp_path / "c", scratch=tmp_path / "s")
+
+
+def test_an_editor_of_another_version_and_none_at_all_are_refused_in_one_line(
+    editor: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("C4S_UNREAL_VERSION", "5.8")
+    with pytest.raises(MachineryFault, match=r"is 5\.6\.0-standin, and c4s is pinned to 5\.8") as wrong:
+        start(tmp_path)
+    monkeypatch.setenv("C4S_UNREAL_EDITOR", str(tmp_path / "nowhere"))
+    with pytest.raises(MachineryFault, match="this is no Unreal Editor"):
+        start(tmp_path)
+    monkeypatch.delenv("C4S_UNREAL_EDITOR")
+    with pytest.raises(MachineryFault, match=r"docs/unreal\.md") as none:
+        start(tmp_path)
+    assert "\n" not in wrong.value.line() + none.value.line()

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
-from typing import Any, ClassVar, Self
+from typing import Any, Self
 
 from c4s.engine.bridge import FAILED, OVER_TIME, BridgeFault, SocketBridge
 from c4s.engine.confine import leftovers
@@ -39,7 +39,7 @@ _WITHHELD = "withheld"
 class Session:
     """One engine process. Use it as a context manager, or call ``close``."""
 
-    kind: ClassVar[str]
+    kind: str
 
     def __init__(
         self,

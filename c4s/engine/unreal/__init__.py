@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from c4s.engine.unreal.host.installation import PINNED, installed
+from c4s.engine.unreal.host.installation import KIND, PINNED, installed
 from c4s.errors import BadInput
 
 if TYPE_CHECKING:
@@ -36,6 +36,7 @@ def open_session(
     from c4s.engine.unreal.host.session import EditorSession
 
     return EditorSession.start(
+        KIND,
         packs=packs,
         content=content,
         scratch=scratch,

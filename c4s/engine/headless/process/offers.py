@@ -30,6 +30,7 @@ class HeadlessPictures:
 class HeadlessHost:
     """The offer of this process: of whatever world it has at the time."""
 
+    kind = "headless"
     pictures = HeadlessPictures()
     mesh_facts: Mapping[str, Any] = MappingProxyType({})
     """None: its ``unreal`` tells them of every mesh."""

@@ -39,8 +39,8 @@ class EditorHost:
 
     pictures: Pictures | None = None
 
-    def __init__(self, facts: dict[str, Any]) -> None:
-        self.mesh_facts = facts
+    def __init__(self, kind: str, facts: dict[str, Any]) -> None:
+        self.kind, self.mesh_facts = kind, facts
 
     def reader(self) -> Reader:
         """Reads through ``unreal``."""
@@ -128,7 +128,7 @@ def main(job_file: str) -> None:
     job = json.loads(Path(job_file).read_text(encoding="utf-8"))
     connection = socket.socket(socket.AF_UNIX)
     connection.connect(job["channel"])
-    register(EditorHost(json.loads(Path(job["facts"]).read_text(encoding="utf-8"))))
+    register(EditorHost(job["kind"], json.loads(Path(job["facts"]).read_text(encoding="utf-8"))))
     try:
         _open(job)
     except Exception as error:  # whatever it is, the level that was asked for is not open

@@ -15,6 +15,8 @@ VERSION = "C4S_UNREAL_VERSION"
 """Environment variable: the version that the editor must have, in place of ``PINNED``."""
 PINNED = "5.6"
 """The version whose Python API c4s's editor scripts are written against."""
+KIND, STAND_IN_KIND = "unreal", "unreal-standin"
+"""Kinds of engine: what a stand-in made is never taken for Unreal's, nor ranked beside it."""
 PROGRAM = Path("Engine/Binaries/Linux/UnrealEditor-Cmd")
 BUILD = Path("Engine/Build/Build.version")
 PLUGINS = ("PythonScriptPlugin", "EditorScriptingUtilities")
@@ -40,6 +42,11 @@ class Installation:
         return self.root / PROGRAM
 
     @property
+    def kind(self) -> str:
+        """The kind of engine that its results are labelled with."""
+        return STAND_IN_KIND if self.stand_in else KIND
+
+    @property
     def api(self) -> str:
         """The version that content and scripts are made for: ``5.6``, of a stand-in ``5.6-standin``."""
         return f"{self.numbers[0]}.{self.numbers[1]}{'-standin' if self.stand_in else ''}"
@@ -55,12 +62,18 @@ class Installation:
         return [name for name in PLUGINS if next(folder.glob(f"*/{name}/{name}.uplugin"), None) is None]
 
 
-def find_installation() -> Installation:
-    """The editor that ``C4S_UNREAL_EDITOR`` names, else the first in a usual place.
+def find_installation(kind: str) -> Installation:
+    """The editor for a kind of engine: the one that ``C4S_UNREAL_EDITOR`` names, else the first in a usual place.
 
-    ``MachineryFault`` in one line where there is none, or it is of another version or lacks a plugin.
+    ``MachineryFault`` in one line where there is none, it is none of that kind, of another version, or lacks a plugin.
     """
     found = installed()
+    if found.kind != kind:
+        raise MachineryFault(
+            f"this editor is {found.version}, of the engine {found.kind}",
+            where=str(found.root),
+            todo=f"ask for that engine, or let {EDITOR} name another editor",
+        )
     wanted = os.environ.get(VERSION) or PINNED
     if found.version.removesuffix("-standin") != wanted and found.api.removesuffix("-standin") != wanted:
         raise MachineryFault(

@@ -36,7 +36,7 @@ START = "C4S_UNREAL_START_S"
 """Environment variable: how long an editor may take until it serves (seconds); the first start compiles shaders."""
 WARM = "C4S_UNREAL_WARM_S"
 """Environment variable: how long an editor ticks before it serves (seconds): pictures taken earlier are black."""
-START_S, WARM_S = 1800.0, 20.0
+START_S, WARM_S = 300.0, 20.0
 TICKS_A_SECOND = 20
 """Ticks that must have passed, for each second of warming up."""
 _CHANNEL = "editor.sock"
@@ -64,9 +64,8 @@ class Begun(NamedTuple):
 class EditorSession(Session):
     """One editor process with the keeper that ends what it starts."""
 
-    kind = "unreal"
-
-    def __init__(self, begun: Begun, harvest: Harvest, bridge: socket.socket, sandbox: Backend) -> None:
+    def __init__(self, kind: str, begun: Begun, harvest: Harvest, bridge: socket.socket, sandbox: Backend) -> None:
+        self.kind = kind
         self._slot, self._life, self._project, self._harvest = begun.slot, begun.life, begun.project, harvest
         self._letting_go = threading.Lock()
         super().__init__(
@@ -84,6 +83,7 @@ class EditorSession(Session):
     @classmethod
     def start(
         cls,
+        kind: str,
         *,
         packs: Sequence[Path],
         content: Path,
@@ -104,7 +104,7 @@ class EditorSession(Session):
         content, scratch = content.resolve(), scratch.resolve()
         logs = scratch.with_name(f"{scratch.name}.logs")
         check_paths(packs, levels, content, scratch, logs)
-        editor, sandbox = find_installation(), launch.choose()
+        editor, sandbox = find_installation(kind), launch.choose()
         cache = cache_root() / "unreal" / f"derived-{editor.version}"
         for folder in (content, scratch, logs, cache):
             folder.mkdir(parents=True, exist_ok=True)
@@ -126,7 +126,12 @@ class EditorSession(Session):
                 offered=offered,
                 cache=cache,
                 cache_read_only=not warming,
-                job={"channel": str(meeting / _CHANNEL), "warm_s": warm_s, "warm_ticks": int(warm_s * TICKS_A_SECOND)},
+                job={
+                    "kind": kind,
+                    "channel": str(meeting / _CHANNEL),
+                    "warm_s": warm_s,
+                    "warm_ticks": int(warm_s * TICKS_A_SECOND),
+                },
             )
             bridge, channel = (undo.enter_context(socket.socket(socket.AF_UNIX)) for _ in range(2))
             for listener, path in ((bridge, sockets / SOCKET), (channel, meeting / _CHANNEL)):
@@ -160,7 +165,7 @@ class EditorSession(Session):
             undo.pop_all()
         channel.close()
         begun = Begun(process, slot, life, project, near, output, paths, sockets, log)
-        session = cls(begun, Harvest(project, None if content_read_only else content), bridge, sandbox)
+        session = cls(kind, begun, Harvest(project, None if content_read_only else content), bridge, sandbox)
         try:
             session._wait_until_ready(max(0.0, until - time.monotonic()))
         except BaseException:

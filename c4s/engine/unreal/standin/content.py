@@ -102,7 +102,7 @@ def read_content(content: Path, folder: Path) -> list[Path]:
         for name in manifest["files"]:
             target = folder / pack_id / name
             target.parent.mkdir(parents=True, exist_ok=True)
-            target.symlink_to(content / _bulk(pack_id, name))
+            shutil.copyfile(content / _bulk(pack_id, name), target)
     return [folder / pack_id for pack_id in sorted(packs)]
 
 
