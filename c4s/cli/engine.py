@@ -102,6 +102,22 @@ def conform(
 
 
 @app.command()
+def warm(
+    pack: Annotated[list[str], typer.Argument(help="ids or folders of the packs that engines will show")],
+    engine: Kind = DEFAULT_ENGINE,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
+    """Make what engines only read before the first one needs it: compiled kernels, or an editor's shaders."""
+    from c4s.cli.levels import named_pack
+
+    folder = backend(engine).warm([named_pack(name) for name in pack])
+    if json_output:
+        print_json({"engine": engine, "folder": str(folder)})
+    else:
+        say(str(folder))
+
+
+@app.command()
 def python(
     file: Annotated[Path, typer.Argument(help="Python source; `-` reads standard input")],
     case: Annotated[str | None, typer.Option("--case", "-c", help="run on the start level of this case")] = None,

@@ -6,10 +6,10 @@ nowhere else; everything outside of it knows ``Engine`` and the bridge.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Protocol, Self
+from typing import Any, NamedTuple, Protocol, Self
 
 from c4s.engine.faults import EngineCallError, EngineDied
 from c4s.errors import unknown
@@ -21,6 +21,7 @@ __all__ = [
     "Engine",
     "EngineCallError",
     "EngineDied",
+    "Finding",
     "backend",
     "engine_kinds",
     "open_engine",
@@ -92,6 +93,15 @@ class Engine(Calls, Protocol):
     ) -> None: ...
 
 
+class Finding(NamedTuple):
+    """One thing that a kind of engine needs of this machine."""
+
+    what: str
+    found: bool
+    text: str
+    """What it is, or what is missing and what that costs."""
+
+
 class Backend(Protocol):
     """The face of a backend's package."""
 
@@ -112,6 +122,17 @@ class Backend(Protocol):
         offered: Sequence[str] | None = None,
     ) -> Engine:
         """Start an engine and wait until it serves; see ``open_engine``."""
+        ...
+
+    def findings(self) -> Iterable[Finding]:
+        """What its engines need of this machine, there or not, without starting one."""
+        ...
+
+    def warm(self, packs: Sequence[Path]) -> Path:
+        """Make what all later engines only read (compiled kernels, shaders), by a process that runs no agent code.
+
+        Returns the folder that holds it. Raises as ``open_session``.
+        """
         ...
 
     def asset_paths(self, level: Path) -> list[str]:

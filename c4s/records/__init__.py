@@ -18,6 +18,7 @@ __all__ = [
     "snapshot",
     "snapshot_faults",
     "suite",
+    "unreal_content",
     "verdict",
     "version",
 ]

@@ -12,6 +12,7 @@ __all__ = [
     "droppable",
     "guards",
     "headroom",
+    "host",
     "inputs",
     "lease",
     "limits",

@@ -10,13 +10,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from c4s.engine.unreal.host.installation import KIND, PINNED, installed
+from c4s.engine.unreal.host.installation import KIND, PINNED
 from c4s.errors import BadInput
 
 if TYPE_CHECKING:
+    from c4s.engine.base import Finding
     from c4s.engine.unreal.host.session import EditorSession
 
-__all__ = ["asset_paths", "export_glb", "installed", "level_suffix", "open_session", "version"]
+__all__ = ["asset_paths", "export_glb", "findings", "level_suffix", "open_session", "standin", "version", "warm"]
 
 version = PINNED
 level_suffix = ".umap"
@@ -45,6 +46,20 @@ def open_session(
         content_read_only=content_read_only,
         offered=offered,
     )
+
+
+def findings() -> list[Finding]:
+    """The editor with its version, its plugins, and the GPUs."""
+    from c4s.engine.unreal.host.inspection import findings as found
+
+    return found()
+
+
+def warm(packs: Sequence[Path]) -> Path:
+    """Let an editor load all that the packs hold, so that its shaders are compiled for all later ones."""
+    from c4s.engine.unreal.host.warming import warm as fill
+
+    return fill(KIND, packs)
 
 
 def asset_paths(level: Path) -> list[str]:

@@ -93,19 +93,21 @@ class EditorSession(Session):
         content_read_only: bool = False,
         offered: Sequence[str] | None = None,
         warming: bool = False,
+        start_s: float | None = None,
     ) -> EditorSession:
         """Start an editor and wait until it serves; see ``c4s.engine.open_engine``.
 
         It works in a project below ``scratch`` that holds copies of what lies in ``content``. The packages that it
         saves are copied out into ``content`` after each request, unless that is read-only; the rest is left behind.
-        ``warming``: what it compiles is kept for all later editors; for one that runs no agent code.
+        ``warming``: what it compiles is kept for all later editors; for one that runs no agent code. ``start_s``: how
+        long it may take, in place of the environment's.
         """
         packs, levels = [path.resolve() for path in packs], [path.resolve() for path in levels]
         content, scratch = content.resolve(), scratch.resolve()
         logs = scratch.with_name(f"{scratch.name}.logs")
         check_paths(packs, levels, content, scratch, logs)
         editor, sandbox = find_installation(kind), launch.choose()
-        cache = cache_root() / "unreal" / f"derived-{editor.version}"
+        cache = derived_data(kind)
         for folder in (content, scratch, logs, cache):
             folder.mkdir(parents=True, exist_ok=True)
         warm_s = _seconds(WARM, WARM_S)
@@ -159,7 +161,7 @@ class EditorSession(Session):
                 os.close(held)
                 os.close(writing)
             undo.callback(_end_keeper, process, slot)
-            until = time.monotonic() + _seconds(START, START_S)
+            until = time.monotonic() + (start_s or _seconds(START, START_S))
             log = JobLog(logs / ENGINE_LOG)
             near = _meet(channel, output, process, log, until, project)
             undo.pop_all()
@@ -199,6 +201,11 @@ class EditorSession(Session):
     def _end(self, at_once: bool) -> str:
         told = crash_report(self._project.crashes)
         return f"{super()._end(at_once)}{f', {told}' if told else ''}"
+
+
+def derived_data(kind: str) -> Path:
+    """The folder of derived data that all editors of this machine's version read."""
+    return cache_root() / "unreal" / f"derived-{find_installation(kind).version}"
 
 
 def _seconds(name: str, default: float) -> float:

@@ -15,11 +15,34 @@ from c4s.engine.unreal import asset_paths, export_glb, level_suffix
 from c4s.engine.unreal.host.installation import PINNED, STAND_IN_KIND
 
 if TYPE_CHECKING:
+    from c4s.engine.base import Finding
     from c4s.engine.unreal.host.session import EditorSession
 
-__all__ = ["asset_paths", "content", "export_glb", "install", "level_suffix", "open_session", "version"]
+__all__ = [
+    "asset_paths",
+    "content",
+    "export_glb",
+    "findings",
+    "install",
+    "level_suffix",
+    "open_session",
+    "version",
+    "warm",
+]
 
 version = f"{PINNED}-standin"
+
+
+def findings() -> tuple[Finding, ...]:
+    """Nothing: it is for rehearsals."""
+    return ()
+
+
+def warm(packs: Sequence[Path]) -> Path:
+    """Go through what a real editor would."""
+    from c4s.engine.unreal.host.warming import warm as fill
+
+    return fill(STAND_IN_KIND, packs)
 
 
 def open_session(
