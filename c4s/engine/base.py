@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any, NamedTuple, Protocol, Self
+from typing import Any, Protocol, Self
 
 from c4s.engine.faults import EngineCallError, EngineDied
+from c4s.engine.finding import EngineFinding
 from c4s.errors import unknown
 
 __all__ = [
@@ -21,7 +22,7 @@ __all__ = [
     "Engine",
     "EngineCallError",
     "EngineDied",
-    "Finding",
+    "EngineFinding",
     "backend",
     "engine_kinds",
     "open_engine",
@@ -93,15 +94,6 @@ class Engine(Calls, Protocol):
     ) -> None: ...
 
 
-class Finding(NamedTuple):
-    """One thing that a kind of engine needs of this machine."""
-
-    what: str
-    found: bool
-    text: str
-    """What it is, or what is missing and what that costs."""
-
-
 class Backend(Protocol):
     """The face of a backend's package."""
 
@@ -124,7 +116,7 @@ class Backend(Protocol):
         """Start an engine and wait until it serves; see ``open_engine``."""
         ...
 
-    def findings(self) -> Iterable[Finding]:
+    def findings(self) -> Iterable[EngineFinding]:
         """What its engines need of this machine, there or not, without starting one."""
         ...
 

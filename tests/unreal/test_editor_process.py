@@ -14,7 +14,9 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
+from c4s.cli.main import app
 from c4s.engine import EngineDied, open_engine
 from c4s.engine.confine.sandbox import faults
 from c4s.engine.unreal.host.session import EditorSession
@@ -218,3 +220,17 @@ def test_an_editor_of_another_version_and_none_at_all_are_refused_in_one_line(
     with pytest.raises(MachineryFault, match=r"docs/unreal\.md") as none:
         start(tmp_path)
     assert "\n" not in wrong.value.line() + none.value.line()
+
+
+def test_doctor_tells_what_there_is_of_an_editor(editor: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def rows() -> dict[str, dict[str, object]]:
+        return {row["what"]: row for row in json.loads(CliRunner().invoke(app, ["doctor", "--json"]).stdout)}
+
+    told = rows()
+    assert told["Unreal Editor"]["found"] and told["editor plugins"]["found"]
+    assert f"5.6.0-standin in {editor}, engine unreal-standin" in str(told["Unreal Editor"]["text"])
+    monkeypatch.setenv("C4S_UNREAL_VERSION", "5.8")
+    assert not rows()["Unreal Editor"]["found"]
+    monkeypatch.setenv("C4S_UNREAL_EDITOR", str(editor / "nowhere"))
+    missing = rows()
+    assert "this is no Unreal Editor" in str(missing["Unreal Editor"]["text"]) and "editor plugins" not in missing

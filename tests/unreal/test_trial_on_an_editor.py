@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from c4s.engine import open_engine
+from c4s.engine import backend, open_engine
 from c4s.engine.unreal.host.session import EditorSession
 from c4s.engine.unreal.standin.content import add_content
 from c4s.errors import BadInput
@@ -210,3 +210,13 @@ def test_a_level_document_becomes_the_level_that_it_says(pack: Path, tmp_path: P
             snapshots.append(engine.call("snapshot.export_snapshot"))
     headless, made = ([{k: v for k, v in a.items() if k != "actor_guid"} for a in s["actors"]] for s in snapshots)
     assert made == headless
+
+
+def test_a_warmed_cache_is_written_by_no_later_editor(home: Path, pack: Path, tmp_path: Path) -> None:
+    cache = backend("unreal-standin").warm([pack])
+    assert cache.is_relative_to(home / "cache") and cache.is_dir()
+    (cache / "shaders").write_text("compiled")
+    spoil = f"open({str(cache / 'shaders')!r}, 'w').write('spoilt')"
+    with EditorSession.start("unreal-standin", packs=[pack], content=tmp_path / "c", scratch=tmp_path / "s") as session:
+        assert session.execute(spoil)["status"] == "error"
+    assert (cache / "shaders").read_text() == "compiled"

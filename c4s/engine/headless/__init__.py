@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from c4s.engine.headless.version import ENGINE_VERSION
 
 if TYPE_CHECKING:
-    from c4s.engine.base import Finding
+    from c4s.engine.finding import EngineFinding
     from c4s.engine.headless.host.session import EngineSession
 
 __all__ = [
@@ -60,7 +60,7 @@ def open_session(
     )
 
 
-def findings() -> tuple[Finding, ...]:
+def findings() -> tuple[EngineFinding, ...]:
     """Nothing beside the default install and a sandbox."""
     return ()
 

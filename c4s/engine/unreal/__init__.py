@@ -14,7 +14,7 @@ from c4s.engine.unreal.host.installation import KIND, PINNED
 from c4s.errors import BadInput
 
 if TYPE_CHECKING:
-    from c4s.engine.base import Finding
+    from c4s.engine.finding import EngineFinding
     from c4s.engine.unreal.host.session import EditorSession
 
 __all__ = ["asset_paths", "export_glb", "findings", "level_suffix", "open_session", "standin", "version", "warm"]
@@ -48,7 +48,7 @@ def open_session(
     )
 
 
-def findings() -> list[Finding]:
+def findings() -> list[EngineFinding]:
     """The editor with its version, its plugins, and the GPUs."""
     from c4s.engine.unreal.host.inspection import findings as found
 

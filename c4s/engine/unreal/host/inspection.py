@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from c4s.engine.base import Finding
+from c4s.engine.finding import EngineFinding
 from c4s.engine.unreal.host.installation import KIND, PINNED, find_installation, installed
 from c4s.errors import MachineryFault
 
@@ -12,20 +12,20 @@ _DRIVERS = (Path("/proc/driver/nvidia/gpus"), Path("/dev/dri"))
 _WITHOUT = "without it scenes are built on the headless engine, and are never ranked with Unreal results"
 
 
-def findings() -> list[Finding]:
+def findings() -> list[EngineFinding]:
     """The editor, its plugins, and a GPU to draw with."""
     try:
         found = installed()
     except MachineryFault as fault:
-        return [Finding("Unreal Editor", False, f"{fault.line()}; {_WITHOUT}")]
+        return [EngineFinding("Unreal Editor", False, f"{fault.line()}; {_WITHOUT}")]
     try:
         find_installation(found.kind)
-        editor = Finding("Unreal Editor", True, f"{found.version} in {found.root}, engine {found.kind}")
+        editor = EngineFinding("Unreal Editor", True, f"{found.version} in {found.root}, engine {found.kind}")
     except MachineryFault as fault:
-        editor = Finding("Unreal Editor", False, fault.line())
+        editor = EngineFinding("Unreal Editor", False, fault.line())
     missing = found.missing_plugins()
     plugins = f"not there: {', '.join(missing)}" if missing else f"as c4s needs them for {PINNED}"
     drivers = [str(place) for place in _DRIVERS if place.is_dir() and any(place.iterdir())]
     gpu = ", ".join(drivers) if drivers else "none is seen: a real editor draws no picture without one"
-    rows = [editor, Finding("editor plugins", not missing, plugins)]
-    return [*rows, Finding("GPU", bool(drivers), gpu)] if found.kind == KIND else rows
+    rows = [editor, EngineFinding("editor plugins", not missing, plugins)]
+    return [*rows, EngineFinding("GPU", bool(drivers), gpu)] if found.kind == KIND else rows

@@ -18,7 +18,7 @@ from c4s.engine.confine.sandbox import CHOICE, Mounts
 from c4s.engine.confine.sandbox import backend as choose_sandbox
 from c4s.engine.unreal.host.installation import Installation
 from c4s.engine.unreal.host.project import Project
-from c4s.engine.unreal.host.slots import CUDA, MARK, Slot
+from c4s.engine.unreal.host.slots import CUDA, MARK, EditorSlot
 from c4s.errors import MachineryFault
 
 READABLE = "C4S_UNREAL_READABLE"
@@ -42,7 +42,7 @@ _DEVICES: Final = ("/dev/nvidia*", "/dev/nvidia-caps", "/dev/dri")
 _DEVICE_FILES: Final = ("/dev/null", "/dev/zero", "/dev/random", "/dev/urandom", "/dev/shm")
 
 
-def command_line(editor: Installation, project: Project, slot: Slot) -> list[str]:
+def command_line(editor: Installation, project: Project, slot: EditorSlot) -> list[str]:
     """The program with its arguments: no window, no question, the log on standard output, our script at the start."""
     adapter = [f"-graphicsadapter={slot.gpu}"] if slot.gpu.isdecimal() else []
     return [
@@ -55,7 +55,7 @@ def command_line(editor: Installation, project: Project, slot: Slot) -> list[str
     ]
 
 
-def environment(project: Project, slot: Slot) -> dict[str, str]:
+def environment(project: Project, slot: EditorSlot) -> dict[str, str]:
     """The variables that an editor gets: none of the host's but where programs and GPU drivers are found."""
     kept = {name: os.environ[name] for name in ("PATH", "LD_LIBRARY_PATH", "VK_ICD_FILENAMES") if name in os.environ}
     gpu = {CUDA: slot.gpu, "NVIDIA_VISIBLE_DEVICES": slot.gpu} if slot.gpu else {}

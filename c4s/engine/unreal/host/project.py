@@ -33,6 +33,7 @@ INSIDE: Final = (
     "engine/base.py",
     "engine/channel.py",
     "engine/faults.py",
+    "engine/finding.py",
     "engine/inside",
     "engine/unreal/boot",
 )

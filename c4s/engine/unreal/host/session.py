@@ -27,7 +27,7 @@ from c4s.engine.unreal.host.crash import crash_report
 from c4s.engine.unreal.host.harvest import Harvest
 from c4s.engine.unreal.host.installation import find_installation
 from c4s.engine.unreal.host.project import Project, make_project
-from c4s.engine.unreal.host.slots import Slot, take_slot
+from c4s.engine.unreal.host.slots import EditorSlot, take_slot
 from c4s.errors import BadInput, MachineryFault
 from c4s.folders import remove_tree
 from c4s.home import cache_root
@@ -50,7 +50,7 @@ class Begun(NamedTuple):
     """An editor whose start script has connected."""
 
     process: subprocess.Popen[bytes]
-    slot: Slot
+    slot: EditorSlot
     life: int
     """The descriptor that its keeper lives by."""
     project: Project
@@ -254,7 +254,7 @@ def _meet(
             )
 
 
-def _end_keeper(keeper: subprocess.Popen[bytes], slot: Slot) -> None:
+def _end_keeper(keeper: subprocess.Popen[bytes], slot: EditorSlot) -> None:
     """Wait for a keeper that was let go of; one that does not end is killed with all that its slot started."""
     try:
         keeper.send_signal(signal.SIGTERM)

@@ -22,7 +22,7 @@ MOST = 64
 
 
 @dataclass
-class Slot:
+class EditorSlot:
     """A slot that is held, by this process alone, until it is given back."""
 
     number: int
@@ -40,7 +40,7 @@ class Slot:
         self._lock.close()
 
 
-def take_slot() -> Slot:
+def take_slot() -> EditorSlot:
     """The first slot that is free, swept. ``MachineryFault`` when all are held."""
     folder = cache_root() / "unreal" / "slots"
     folder.mkdir(parents=True, exist_ok=True)
@@ -53,7 +53,7 @@ def take_slot() -> Slot:
         except OSError:
             lock.close()
             continue
-        slot = Slot(number, gpus[number % len(gpus)] if gpus else "", str(path.resolve()), lock)
+        slot = EditorSlot(number, gpus[number % len(gpus)] if gpus else "", str(path.resolve()), lock)
         slot.sweep()
         return slot
     raise MachineryFault(f"{MOST} editors run here already", where=str(folder), todo="run fewer slots")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -30,10 +31,9 @@ if finish is not None:
 
 def warm(kind: str, packs: Sequence[Path]) -> Path:
     """Start an editor that may write the cache, load and show all that the packs hold; the cache's folder."""
-    import json
-
     manifests = [Pack.read(pack / "pack.json") for pack in packs]
-    paths = [record.path for manifest in manifests for record in (*manifest.assets, *manifest.materials)]
+    paths = [asset.path for manifest in manifests for asset in manifest.assets]
+    paths += [material.path for manifest in manifests for material in manifest.materials]
     with tempfile.TemporaryDirectory(prefix="c4s-warm-") as name:
         folder = Path(name)
         with EditorSession.start(

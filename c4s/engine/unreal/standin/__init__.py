@@ -15,7 +15,7 @@ from c4s.engine.unreal import asset_paths, export_glb, level_suffix
 from c4s.engine.unreal.host.installation import PINNED, STAND_IN_KIND
 
 if TYPE_CHECKING:
-    from c4s.engine.base import Finding
+    from c4s.engine.finding import EngineFinding
     from c4s.engine.unreal.host.session import EditorSession
 
 __all__ = [
@@ -33,7 +33,7 @@ __all__ = [
 version = f"{PINNED}-standin"
 
 
-def findings() -> tuple[Finding, ...]:
+def findings() -> tuple[EngineFinding, ...]:
     """Nothing: it is for rehearsals."""
     return ()
 
