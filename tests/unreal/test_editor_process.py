@@ -19,12 +19,14 @@ from typer.testing import CliRunner
 from c4s.cli.main import app
 from c4s.engine import EngineDied, open_engine
 from c4s.engine.confine.sandbox import faults
+from c4s.engine.faults import EngineOverLimit
 from c4s.engine.unreal.host.session import EditorSession
 from c4s.engine.unreal.host.slots import MARK
 from c4s.errors import BadInput, MachineryFault
 from tests.standin import behaving
 
 KIND, WAIT_S = "unreal-standin", 20.0
+NEVER_ENDS = "while True:\n    try:\n        while True: pass\n    except BaseException: pass"
 LEAVE_A_CHILD = """
 import subprocess
 child = subprocess.Popen(["/usr/bin/setsid", "/usr/bin/sleep", "600"])
@@ -117,6 +119,14 @@ def test_a_level_is_not_opened_from_a_tick_and_the_editor_lives(session: EditorS
 def test_a_script_that_ends_its_editor_is_told(session: EditorSession) -> None:
     with pytest.raises(EngineDied, match="exit code 3"):
         session.execute("import os\nos._exit(3)")
+
+
+def test_an_editor_that_hangs_in_a_job_is_ended_in_time(session: EditorSession) -> None:
+    began = time.monotonic()
+    reply = session.execute(NEVER_ENDS, timeout_s=1.0)
+    with pytest.raises(EngineOverLimit, match="could not be ended"):
+        session.request("read_job_log", {"job_id": reply["job_id"], "wait_s": WAIT_S})
+    assert time.monotonic() - began < WAIT_S and not session.alive
 
 
 def test_a_script_that_does_not_end_is_ended(session: EditorSession) -> None:

@@ -103,6 +103,11 @@ class Project:
         """The editor's own log file."""
         return self.root / "Saved" / "Logs" / f"{NAME}.log"
 
+    def clear_derived(self) -> None:
+        """Remove what the editor can make again; its log, its reports and what scripts wrote stay."""
+        for name in ("DerivedDataCache", "Intermediate", "Start"):
+            remove_tree(self.root / name, inside=self.root, at_best=True)
+
     @property
     def crashes(self) -> Path:
         """Where the editor puts its crash reports."""

@@ -188,6 +188,7 @@ class EditorSession(Session):
         self._slot.sweep()
         self._harvest.gather()
         self._harvest.close()
+        self._project.clear_derived()
         self._slot.give_back()
 
     def _end_group(self) -> None:
