@@ -26,7 +26,9 @@ from c4s.errors import BadInput, MachineryFault
 from tests.standin import behaving
 
 KIND, WAIT_S = "unreal-standin", 20.0
-NEVER_ENDS = "import time\nwhile True:\n    try:\n        time.sleep(60)\n    except BaseException:\n        time.sleep(0.01)"
+NEVER_ENDS = (
+    "import time\nwhile True:\n    try:\n        time.sleep(60)\n    except BaseException:\n        time.sleep(0.01)"
+)
 LEAVE_A_CHILD = """
 import subprocess
 child = subprocess.Popen(["/usr/bin/setsid", "/usr/bin/sleep", "600"])
@@ -192,6 +194,11 @@ def test_four_slots_run_side_by_side_each_on_its_own(tmp_path: Path, monkeypatch
         assert [one.execute("print('lives')")["result"]["python_logs"] for one in sessions[1:]] == [["lives"]] * 3
         with start(tmp_path / "after") as after:
             assert after.execute(tell)["status"] == "ok"
+
+
+def test_a_path_that_an_editor_cannot_be_told_is_bad_input(tmp_path: Path) -> None:
+    with pytest.raises(BadInput, match="blank"):
+        start(tmp_path / "a b")
 
 
 def test_a_wrong_limit_is_bad_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,7 +19,7 @@ from c4s.engine.confine.sandbox import backend as choose_sandbox
 from c4s.engine.unreal.host.installation import Installation
 from c4s.engine.unreal.host.project import Project
 from c4s.engine.unreal.host.slots import CUDA, MARK, EditorSlot
-from c4s.errors import MachineryFault
+from c4s.errors import BadInput, MachineryFault
 
 READABLE = "C4S_UNREAL_READABLE"
 """Environment variable: more paths that the editor may read, with ``:`` between them."""
@@ -37,6 +37,8 @@ LIMITS: Final = Limits(
     memory=48 << 30, threads=2048, files=200_000, disk=32 << 30, written=256 << 30, file_size=8 << 30
 )
 """What ends an editor: it takes far more than the headless engine. The kernel's own limits are left as they are."""
+_SPLITTING: Final = " ,\"'"
+"""What ends a command on the editor's command line."""
 _SYSTEM: Final = ("/usr", "/etc", "/lib", "/lib64", "/bin", "/sbin", "/opt/nvidia", "/sys")
 _DEVICES: Final = ("/dev/nvidia*", "/dev/nvidia-caps", "/dev/dri")
 _DEVICE_FILES: Final = ("/dev/null", "/dev/zero", "/dev/random", "/dev/urandom", "/dev/shm")
@@ -44,6 +46,12 @@ _DEVICE_FILES: Final = ("/dev/null", "/dev/zero", "/dev/random", "/dev/urandom",
 
 def command_line(editor: Installation, project: Project, slot: EditorSlot) -> list[str]:
     """The program with its arguments: no window, no question, the log on standard output, our script at the start."""
+    if any(mark in str(project.start_script) for mark in _SPLITTING):
+        raise BadInput(
+            "an editor's commands cannot name a path with a blank, a comma or a quote",
+            where=str(project.root),
+            todo="use a C4S_HOME and a TMPDIR without",
+        )
     adapter = [f"-graphicsadapter={slot.gpu}"] if slot.gpu.isdecimal() else []
     return [
         str(editor.program),
