@@ -26,9 +26,14 @@ from c4s.errors import BadInput, MachineryFault
 from tests.standin import behaving
 
 KIND, WAIT_S = "unreal-standin", 20.0
-NEVER_ENDS = (
-    "import time\nwhile True:\n    try:\n        time.sleep(60)\n    except BaseException:\n        time.sleep(0.01)"
-)
+NEVER_ENDS = """
+import time
+while True:
+    try:
+        time.sleep(60)
+    except BaseException:
+        time.sleep(0.01)
+"""
 LEAVE_A_CHILD = """
 import subprocess
 child = subprocess.Popen(["/usr/bin/setsid", "/usr/bin/sleep", "600"])

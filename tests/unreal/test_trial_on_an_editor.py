@@ -7,18 +7,19 @@ import json
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 import yaml
 
-from c4s.engine import backend, open_engine
+from c4s.engine import backend
 from c4s.engine.unreal.host.session import EditorSession
 from c4s.engine.unreal.standin.content import add_content
 from c4s.errors import BadInput
-from c4s.evidence import SceneUnreadable, open_clean
+from c4s.evidence import SceneUnreadable, open_clean, open_level, overview_cameras
 from c4s.files import read_json
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.attempt import AttemptOutcome
-from c4s.records.folder import SAVES
+from c4s.records.folder import SAVES, EvidenceFolder
 from c4s.records.level import Level
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration
@@ -103,7 +104,7 @@ def done(home: Path) -> list[Trial]:
 def test_a_scene_built_in_an_editor_is_scored(done: list[Trial]) -> None:
     score = TrialScore.read(done[0].folder.score)
     assert (score.engine, score.retained_attempt) == ("unreal-standin", 1)
-    assert score.components["physics"] is not None and score.components["physics"] > 0
+    assert score.components["physics"] and score.components["overview"]
     attempt = done[0].folder.attempt(1)
     outcome = AttemptOutcome.read(attempt.outcome)
     assert outcome.ended_by == "finished" and outcome.engine_version == "5.6.0-standin"
@@ -111,7 +112,7 @@ def test_a_scene_built_in_an_editor_is_scored(done: list[Trial]) -> None:
     evidence = done[0].folder.evidence
     assert read_json(evidence.snapshot)["c4s"]["engine_version"] == "5.6.0-standin"
     assert read_json(evidence.captures_index)["engine_version"] == "5.6.0-standin"
-    assert len(list(evidence.captures.glob("*.png"))) == 4
+    assert len(list(evidence.captures.glob("*.png"))) == len(list(evidence.captures.glob("*.actors.npz"))) == 4
 
 
 def test_a_pack_without_unreal_content_is_refused_in_one_line(pack: Path, tmp_path: Path, editor: Path) -> None:
@@ -202,14 +203,20 @@ def test_a_level_document_becomes_the_level_that_it_says(pack: Path, tmp_path: P
         }
     )
     document.write(tmp_path / "start.level.json")
-    options = {"packs": [pack], "levels": [tmp_path / "start.level.json"], "start_map": "/Game/Start/Yard"}
-    snapshots = []
+    found = []
     for kind in ("headless", "unreal-standin"):
-        root = tmp_path / kind
-        with open_engine(kind, content=root / "content", scratch=root / "scratch", **options) as engine:  # type: ignore[arg-type]
-            snapshots.append(engine.call("snapshot.export_snapshot"))
-    headless, made = ([{k: v for k, v in a.items() if k != "actor_guid"} for a in s["actors"]] for s in snapshots)
-    assert made == headless
+        out = EvidenceFolder(tmp_path / kind)
+        with open_level(engine=kind, packs=[pack], level=tmp_path / "start.level.json") as clean:
+            actors = clean.export(out.root)["actors"]
+            clean.look(out.root, overview_cameras)
+        masks = [np.load(path) for path in sorted(out.captures.glob("*.actors.npz"))]
+        found.append(([{**actor, "actor_guid": ""} for actor in actors], masks))
+    (told, seen), (told_by_editor, traced) = found
+    assert told_by_editor == told
+    assert len(seen) == len(traced) == 4
+    for own, other in zip(seen, traced, strict=True):
+        assert (own["actor"] >= 0).any() and list(own["names"]) == list(other["names"])
+        np.testing.assert_array_equal(own["actor"], other["actor"])
 
 
 def test_a_warmed_cache_is_written_by_no_later_editor(home: Path, pack: Path, tmp_path: Path) -> None:
