@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from pathlib import Path
 
@@ -16,7 +17,7 @@ def main(arguments: list[str]) -> int:
         match arguments:
             case ["install", folder]:
                 for name, value in install(Path(folder)).items():
-                    print(f"export {name}={value}")
+                    print(f"export {name}={shlex.quote(value)}")
             case ["content", pack]:
                 add_content(Path(pack))
             case _:
