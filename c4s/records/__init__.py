@@ -22,6 +22,7 @@ __all__ = [
     "snapshot",
     "snapshot_faults",
     "suite",
+    "unreal_content",
     "verdict",
     "version",
 ]

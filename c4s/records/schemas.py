@@ -27,12 +27,14 @@ from c4s.records.progress import Snapshot
 from c4s.records.score import TrialScore
 from c4s.records.snapshot import SceneSnapshot
 from c4s.records.suite import AgentCase, Suite, WithheldCase
+from c4s.records.unreal_content import UnrealContent
 from c4s.records.verdict import Verdict
 
 FORMATS: dict[str, type[BaseModel]] = {
     "scene-snapshot": SceneSnapshot,
     "level": Level,
     "pack": Pack,
+    "unreal-content": UnrealContent,
     "suite": Suite,
     "agent-case": AgentCase,
     "withheld-case": WithheldCase,

@@ -13,6 +13,7 @@ __all__ = [
     "droppable",
     "guards",
     "headroom",
+    "host",
     "inputs",
     "lease",
     "limits",
