@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 import yaml
 
-from c4s.engine import backend
+from c4s.engine import backend, open_engine
 from c4s.engine.unreal.host.session import EditorSession
 from c4s.engine.unreal.standin.content import add_content
 from c4s.errors import BadInput
-from c4s.evidence import SceneUnreadable, open_clean, open_level, overview_cameras
+from c4s.evidence import SceneUnreadable, open_clean, open_level
 from c4s.files import read_json
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.attempt import AttemptOutcome
@@ -44,6 +44,14 @@ TASK = {
         "size_m": 200,
         "budget": {"tool_calls": 60, "wall_minutes": 5},
     },
+}
+VIEW = {
+    "name": "view",
+    "location_cm": [-400, -300, 300],
+    "target_cm": [150, 0, 50],
+    "fov_deg": 60,
+    "width": 160,
+    "height": 90,
 }
 BUILD = """
 import unreal
@@ -176,7 +184,9 @@ def test_half_a_package_is_kept_and_is_the_scenes_fault(pack: Path, tmp_path: Pa
         pass
 
 
-def test_a_level_document_becomes_the_level_that_it_says(pack: Path, tmp_path: Path, editor: Path) -> None:
+def test_a_level_document_becomes_the_level_that_it_says_and_no_submission(
+    pack: Path, tmp_path: Path, editor: Path
+) -> None:
     document = Level.parse(
         {
             "package": "/Game/Start/Yard",
@@ -203,17 +213,27 @@ def test_a_level_document_becomes_the_level_that_it_says(pack: Path, tmp_path: P
         }
     )
     document.write(tmp_path / "start.level.json")
+    options = {"levels": [tmp_path / "start.level.json"], "start_map": "/Game/Start/Yard"}
+    with open_engine(
+        "unreal-standin",
+        packs=[pack],
+        content=tmp_path / "c",
+        scratch=tmp_path / "s",
+        **options,  # type: ignore[arg-type]
+    ) as engine:
+        assert engine.call("scene_tools.current_level") == "/Game/Start/Yard"
+    assert list((tmp_path / "c").iterdir()) == []
     found = []
     for kind in ("headless", "unreal-standin"):
         out = EvidenceFolder(tmp_path / kind)
         with open_level(engine=kind, packs=[pack], level=tmp_path / "start.level.json") as clean:
             actors = clean.export(out.root)["actors"]
-            clean.look(out.root, overview_cameras)
+            clean.look(out.root, [VIEW])
         masks = [np.load(path) for path in sorted(out.captures.glob("*.actors.npz"))]
         found.append(([{**actor, "actor_guid": ""} for actor in actors], masks))
     (told, seen), (told_by_editor, traced) = found
     assert told_by_editor == told
-    assert len(seen) == len(traced) == 4
+    assert len(seen) == len(traced) == 1
     for own, other in zip(seen, traced, strict=True):
         assert (own["actor"] >= 0).any() and list(own["names"]) == list(other["names"])
         np.testing.assert_array_equal(own["actor"], other["actor"])

@@ -20,13 +20,20 @@ class Harvest:
     def __init__(self, project: Project, content: Path | None) -> None:
         """``content``: where to; None for an editor that may save nothing."""
         self._project, self._content = project, content
-        self._known: dict[Path, Stamp | None] = {name: self._stamp(name) for name in saved_packages(project)}
+        self._known: dict[Path, Stamp | None] = {}
+        self._begun = False
         self._lock = threading.Lock()
+
+    def begin(self) -> None:
+        """Copy from now on; what lies there now, the levels of documents too, is none of the agent's."""
+        with self._lock:
+            self._known = {name: self._stamp(name) for name in saved_packages(self._project)}
+            self._begun = True
 
     def gather(self) -> None:
         """Copy what was saved since the last time, in the order in which it was written."""
         with self._lock:
-            if self._content is None:
+            if self._content is None or not self._begun:
                 return
             for name in saved_packages(self._project):
                 stamp = self._stamp(name)

@@ -173,6 +173,7 @@ class EditorSession(Session):
         except BaseException:
             session.kill()
             raise
+        session._harvest.begin()
         return session
 
     def request(self, kind: str, params: Mapping[str, Any] | None = None, timeout_s: float = 300.0) -> dict[str, Any]:
@@ -180,7 +181,8 @@ class EditorSession(Session):
         try:
             return super().request(kind, params, timeout_s)
         finally:
-            self._harvest.gather()
+            if kind != "editor_status":
+                self._harvest.gather()
 
     def kill(self) -> None:
         """End the editor and all that it started at once, and give its slot back; its logs and packages are kept."""
