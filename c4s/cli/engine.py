@@ -109,8 +109,12 @@ def warm(
 ) -> None:
     """Make what engines only read before the first one needs it: compiled kernels, or an editor's shaders."""
     from c4s.cli.levels import named_pack
+    from c4s.records.pack import MANIFEST, Pack
 
-    folder = backend(engine).warm([named_pack(name) for name in pack])
+    chosen, packs = backend(engine), [named_pack(name) for name in pack]
+    for place in packs:
+        Pack.read(place / MANIFEST)
+    folder = chosen.warm(packs)
     if json_output:
         print_json({"engine": engine, "folder": str(folder)})
     else:
