@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -157,10 +158,28 @@ def test_what_a_script_leaves_running_ends_with_the_editor(
     assert none_left()
 
 
-def test_withheld_and_other_files_are_not_there(session: EditorSession, tmp_path: Path) -> None:
+@pytest.mark.parametrize("sandbox", ["bubblewrap", "landlock"])
+def test_what_is_not_its_own_is_out_of_an_editors_reach(
+    sandbox: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if faults()[sandbox] is not None:  # type: ignore[index]
+        pytest.skip(f"{sandbox}: {faults()[sandbox]}")  # type: ignore[index]
+    monkeypatch.setenv("C4S_SANDBOX", sandbox)
+    monkeypatch.setenv("A_KEY", "of the host")
     (tmp_path / "secret").write_text("the truth")
-    reply = session.execute(f"print(open({str(tmp_path / 'secret')!r}).read())")
-    assert reply["status"] == "error" and "the truth" not in str(reply)
+    with socket.create_server(("127.0.0.1", 0)) as server, start(tmp_path) as session:
+        for attempt in (
+            f"print(open({str(tmp_path / 'secret')!r}).read())",
+            f"print(open('/proc/{os.getpid()}/environ').read())",
+            f"import socket\nprint(socket.create_connection(('127.0.0.1', {server.getsockname()[1]}), 2))",
+        ):
+            reply = session.execute(attempt)
+            assert reply["status"] == "error", attempt
+            assert not {"the truth", "of the host"} & set(str(reply).split("'"))
+        session.execute(f"open({str(tmp_path / 'home' / 'new')!r}, 'w')")
+        assert not (tmp_path / "home" / "new").exists()
+        told = session.execute("import os\nprint(sorted(os.environ))")["result"]["python_logs"]
+    assert "A_KEY" not in str(told) and "PYTHONPATH" not in str(told)
     with pytest.raises(MachineryFault, match="withheld"):
         start(tmp_path / "withheld")
 

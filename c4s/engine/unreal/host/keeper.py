@@ -16,6 +16,7 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 from c4s.engine.confine import landlock
@@ -31,14 +32,13 @@ def main() -> None:
     """Entry point."""
     life, rules, program = int(sys.argv[1]), json.loads(sys.argv[2]), sys.argv[3:]
     _prctl(_SET_CHILD_SUBREAPER, 1)
-    if rules is not None:
-        _prctl(_SET_NO_NEW_PRIVS, 1)
-        paths = {name: [Path(path) for path in told] for name, told in rules.items()}
-        landlock.restrict((), paths["read_write"], programs=paths["programs"], devices=paths["devices"])
     os.set_inheritable(life, False)
     asked, ask = os.pipe()
     signal.signal(signal.SIGTERM, lambda *_: os.write(ask, b"t"))
-    child = subprocess.Popen(program, stdin=subprocess.DEVNULL, start_new_session=True, preexec_fn=_die_with_keeper)
+    os.environ.pop("PYTHONPATH", None)  # it leads this process to c4s, and an editor's Python to what is not its own
+    child = subprocess.Popen(
+        program, stdin=subprocess.DEVNULL, start_new_session=True, preexec_fn=partial(_confine, rules)
+    )
     code = _wait(child, [life, asked])
     _end_all()
     os._exit(code)
@@ -81,8 +81,13 @@ def _below(process: int) -> list[int]:
     return found
 
 
-def _die_with_keeper() -> None:
+def _confine(rules: dict[str, list[str]] | None) -> None:
+    """In the program's process, before it is the program: it dies with the keeper, and keeps to its paths."""
     _prctl(_SET_PDEATHSIG, signal.SIGKILL)
+    if rules is not None:
+        _prctl(_SET_NO_NEW_PRIVS, 1)
+        paths = {name: [Path(path) for path in told] for name, told in rules.items()}
+        landlock.restrict((), paths["read_write"], programs=paths["programs"], devices=paths["devices"])
 
 
 def _prctl(option: int, value: int) -> None:

@@ -40,6 +40,11 @@ LIMITS: Final = Limits(
 _SPLITTING: Final = " ,\"'"
 """What ends a command on the editor's command line."""
 _SYSTEM: Final = ("/usr", "/etc", "/lib", "/lib64", "/bin", "/sbin", "/opt/nvidia", "/sys")
+_PROC: Final = (
+    "/proc/self",
+    *(f"/proc/{name}" for name in ("cpuinfo", "driver", "filesystems", "meminfo", "stat", "sys", "uptime", "version")),
+)
+"""Of ``/proc`` under Landlock: the editor's own, and the machine's; of other processes nothing."""
 _DEVICES: Final = ("/dev/nvidia*", "/dev/nvidia-caps", "/dev/dri")
 _DEVICE_FILES: Final = ("/dev/null", "/dev/zero", "/dev/random", "/dev/urandom", "/dev/shm")
 
@@ -87,7 +92,7 @@ def start(
     elif use == "landlock":
         devices = [str(path) for pattern in (*_DEVICES, *_DEVICE_FILES) for path in Path("/").glob(pattern[1:])]
         rules = {
-            "programs": [*_SYSTEM, "/proc", str(_package()), *map(str, (*mounts.read_only, *_runtime()))],
+            "programs": [*_SYSTEM, *_PROC, *map(str, mounts.read_only)],
             "read_write": [*map(str, mounts.read_write)],
             "devices": devices,
         }
@@ -132,11 +137,6 @@ def readable() -> tuple[Path, ...]:
 
 def _package() -> Path:
     return Path(c4s.__file__).resolve().parent
-
-
-def _runtime() -> tuple[Path, ...]:
-    """What the keeper, which Landlock holds with the editor, still loads."""
-    return tuple(dict.fromkeys(Path(prefix) for prefix in (sys.prefix, sys.base_prefix)))
 
 
 def _bubblewrapped(command: Sequence[str], variables: dict[str, str], mounts: Mounts) -> list[str]:

@@ -54,6 +54,7 @@ GameDefaultMap=
 [/Script/PythonScriptPlugin.PythonScriptPluginSettings]
 bRemoteExecution=False
 bDeveloperMode=False
+bIsolateInterpreterEnvironment=True
 
 [/Script/NavigationSystem.NavigationSystemV1]
 bAutoCreateNavigationData=True
