@@ -12,6 +12,8 @@ RUN_FILES: dict[str, set[str]] = {
 SETTINGS: dict[str, set[str]] = {}
 
 VERIFIERS: dict[str, set[str]] = {
+    "bench/instant.py": {"integrity"},
+    "bench/night.py": {"integrity"},
     "bench/orchestration.py": {"integrity"},
     "bench/scored_run.py": {"repair"},
     "c4s/bundle/writing.py": {"overview", "physics"},
