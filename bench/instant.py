@@ -35,8 +35,8 @@ def instant_functions(persist: Persist | None = None) -> Run:
     return run
 
 
-def instant_stage(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> bool:
-    """One stage."""
+def instant_stage(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
+    """One stage; what it gives where the trial's program looks at it."""
     folder = trial.folder
     if stage == "attempt":
         attempt = folder.attempt(*arguments)
@@ -47,7 +47,9 @@ def instant_stage(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> bo
             for number in range(CALLS)
         ]
         attempt.trajectory.write_text("".join(json.dumps(call) + "\n" for call in calls))
-        AttemptOutcome(attempt=1, ended_by="finished", submission=None, client="noop").write(attempt.outcome)
+        outcome = AttemptOutcome(attempt=1, ended_by="finished", submission=None, client="noop")
+        outcome.write(attempt.outcome)
+        return outcome
     elif stage == "integrity":
         gate = Verdict(verifier=GATE, status="valid", policy=plan.policy)
         gate.write(folder.verdict(GATE))

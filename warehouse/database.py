@@ -11,7 +11,7 @@ import duckdb
 from c4s.errors import BadInput
 from warehouse.damage import refused
 from warehouse.records import TABLES
-from warehouse.refresh import LIMITS, NAME, catch_up, is_current, read_books, rebuild
+from warehouse.refresh import NAME, catch_up, is_current, open_books, rebuild
 from warehouse.tables import questions
 
 __all__ = ["ask", "catch_up", "connect", "is_current", "questions", "rebuild", "rows"]
@@ -28,8 +28,7 @@ def connect(root: Path) -> duckdb.DuckDBPyConnection:
     if not path.exists():
         raise BadInput("no warehouse here yet", where=str(root), todo="run `c4s run` or `c4s report` first")
     try:
-        connection = duckdb.connect(str(path), read_only=True, config=LIMITS)
-        books = read_books(connection)
+        connection, books = open_books(path)
     except duckdb.Error as error:
         holder = re.search(r"PID (\d+)", str(error))
         if holder:

@@ -119,8 +119,20 @@ def is_current(root: Path) -> bool:
     return False
 
 
-def read_books(connection: duckdb.DuckDBPyConnection) -> Books | None:
-    """What a database says of itself; None for one of another version. ``duckdb.Error`` for one that is damaged."""
+def open_books(path: Path) -> tuple[duckdb.DuckDBPyConnection, Books | None]:
+    """A database open for reading, and what it says of itself; None for one of another version.
+
+    ``duckdb.Error`` for one that is damaged, or that another process writes.
+    """
+    connection = duckdb.connect(str(path), read_only=True, config=LIMITS)
+    try:
+        return connection, _books(connection)
+    except BaseException:
+        connection.close()
+        raise
+
+
+def _books(connection: duckdb.DuckDBPyConnection) -> Books | None:
     try:
         ((tables, views, place),) = connection.execute(f"FROM {ROWS}.made").fetchall()
     except (duckdb.CatalogException, ValueError):
@@ -134,12 +146,13 @@ def read_books(connection: duckdb.DuckDBPyConnection) -> Books | None:
 def _reading(root: Path) -> Iterator[tuple[duckdb.DuckDBPyConnection, Books] | None]:
     """The database open for reading, and what it says of itself; None where it is of no use."""
     with ExitStack() as stack:
-        try:
-            connection = stack.enter_context(duckdb.connect(str(root / NAME), read_only=True, config=LIMITS))
-            books = read_books(connection)
-        except duckdb.Error:
-            books = None
-        yield (connection, books) if books is not None and books.place == str(root.absolute()) else None
+        found: tuple[duckdb.DuckDBPyConnection, Books] | None = None
+        with suppress(duckdb.Error):
+            connection, books = open_books(root / NAME)
+            stack.enter_context(connection)
+            if books is not None and books.place == str(root.absolute()):
+                found = connection, books
+        yield found
 
 
 def _bring_up(root: Path, *, trusting: bool, anew: bool = False) -> None:
