@@ -12,6 +12,7 @@ from c4s.files import digest_file
 from c4s.protocol.rules import GATE
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.plan import Plan
+from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.run.drive import Persist, Run, store
 from c4s.run.limits import Stage
@@ -35,8 +36,8 @@ def instant_functions(persist: Persist | None = None) -> Run:
     return run
 
 
-def instant_stage(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> bool:
-    """One stage."""
+def instant_stage(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
+    """One stage; what it gives where the trial's program looks at it."""
     folder = trial.folder
     if stage == "attempt":
         attempt = folder.attempt(*arguments)
@@ -47,7 +48,9 @@ def instant_stage(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> bo
             for number in range(CALLS)
         ]
         attempt.trajectory.write_text("".join(json.dumps(call) + "\n" for call in calls))
-        AttemptOutcome(attempt=1, ended_by="finished", submission=None, client="noop").write(attempt.outcome)
+        outcome = AttemptOutcome(attempt=1, ended_by="finished", submission=None, client="noop")
+        outcome.write(attempt.outcome)
+        return outcome
     elif stage == "integrity":
         gate = Verdict(verifier=GATE, status="valid", policy=plan.policy)
         gate.write(folder.verdict(GATE))
@@ -56,11 +59,11 @@ def instant_stage(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> bo
         rng = random.Random(f"{trial.name} {arguments}")
         made_verdict(arguments[0], rng).write(folder.verdict(arguments[0]))
     elif stage == "score":
-        _score(trial, plan)
+        return _score(trial, plan)
     return True
 
 
-def _score(trial: Trial, plan: Plan) -> None:
+def _score(trial: Trial, plan: Plan) -> TrialScore:
     folder = trial.folder
     names = [GATE, *(verifier.name for verifier in verifiers_of(trial.case.setting))]
     made = case_score(
@@ -76,4 +79,6 @@ def _score(trial: Trial, plan: Plan) -> None:
         verdicts={name: Verdict.read(folder.verdict(name)) for name in names},
     )
     read = {name: digest_file(path) for name, path in folder.verdicts.items()}
-    made.model_copy(update={"verdicts": read}).write(folder.score)
+    made = made.model_copy(update={"verdicts": read})
+    made.write(folder.score)
+    return made

@@ -29,6 +29,7 @@ from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, SETTINGS, is_co
 from warehouse.database import catch_up, rebuild
 from warehouse.database import rows as answer
 from warehouse.parquet import arrow_schema
+from warehouse.records import HEADLINES
 
 TRIALS, NIGHT, CASES, CONFIGURATIONS = 100_000, 1_330, 190, 14
 GOAL_S, GOAL_RATIO = 1.0, 10.0
@@ -54,7 +55,7 @@ def _made(number: int, rng: random.Random) -> tuple[dict[str, Any], dict[str, An
         "ranked": True,
     }
     plan = dict.fromkeys(("client", "title", "operations"), "") | {"prompt": "A yard. " * 40, "proxy_assets": False}
-    score = {name: rng.random() for name in ("score", "physics", "detailed", "overview", "repair_f1")}
+    score = {name: rng.random() for name in ("score", *HEADLINES)}
     scored = {"status": "measured", "reason": "", "attempts": 1, "score_sha256": "0" * 64, "attempt_wall_s": 60.0}
     return {**key, **plan, "planned_at": "2026-01-01"}, {**key, **score, **scored}
 

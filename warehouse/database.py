@@ -11,7 +11,7 @@ import duckdb
 from c4s.errors import BadInput
 from warehouse.damage import refused
 from warehouse.records import TABLES
-from warehouse.refresh import LIMITS, NAME, catch_up, is_current, read_books, rebuild
+from warehouse.refresh import NAME, catch_up, is_current, open_books, rebuild
 from warehouse.tables import questions
 
 __all__ = ["ask", "catch_up", "connect", "is_current", "questions", "rebuild", "rows"]
@@ -28,17 +28,14 @@ def connect(root: Path) -> duckdb.DuckDBPyConnection:
     if not path.exists():
         raise BadInput("no warehouse here yet", where=str(root), todo="run `c4s run` or `c4s report` first")
     try:
-        connection = duckdb.connect(str(path), read_only=True, config=LIMITS)
-        books = read_books(connection)
+        connection, books = open_books(path)
     except duckdb.Error as error:
         holder = re.search(r"PID (\d+)", str(error))
         if holder:
             raise BadInput(
                 f"process {holder[1]} has it open for writing", where=str(path), todo="close it there, then ask again"
             ) from None
-        raise BadInput(
-            "this is no file of DuckDB, or a damaged one", where=str(path), todo="delete it, then run `c4s report`"
-        ) from None
+        raise _damaged(path) from None
     if books is None:
         raise BadInput("another version of c4s made this file", where=str(path), todo="run `c4s report`")
     if books.place != str(root.absolute()):
@@ -48,6 +45,12 @@ def connect(root: Path) -> duckdb.DuckDBPyConnection:
     connection.execute("SET enable_external_access = false")
     connection.execute("SET lock_configuration = true")
     return connection
+
+
+def _damaged(path: Path) -> BadInput:
+    return BadInput(
+        "this is no file of DuckDB, or a damaged one", where=str(path), todo="delete it, then run `c4s report`"
+    )
 
 
 def ask(root: Path, sql: str, *, where: str = "query") -> tuple[list[str], list[tuple[Any, ...]]]:
@@ -71,6 +74,10 @@ def ask(root: Path, sql: str, *, where: str = "query") -> tuple[list[str], list[
             return columns, cursor.fetchall()
         except UnicodeEncodeError:
             raise BadInput("it is not UTF-8 text", where=where) from None
+        except duckdb.IOException as error:
+            if NAME in str(error) or "database file" in str(error):
+                raise _damaged(root / NAME) from None
+            raise refused(root, error, where, [*TABLES, *questions()]) from None
         except duckdb.Error as error:
             raise refused(root, error, where, [*TABLES, *questions()]) from None
 

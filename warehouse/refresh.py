@@ -11,7 +11,7 @@ import fcntl
 import os
 import shutil
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -83,7 +83,10 @@ def rebuild(root: Path) -> Path:
     with (root / LOCK).open("a") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         try:
-            _bring_up(root, trusting=False)
+            try:
+                _bring_up(root, trusting=False)
+            except duckdb.Error:
+                _bring_up(root, trusting=False, anew=True)
         except OSError as error:
             raise BadInput(
                 f"it cannot be replaced: {no_place(error)}",
@@ -99,25 +102,37 @@ def catch_up(root: Path) -> None:
 
     ``BadInput`` for a part that cannot be read, or is gone.
     """
-    with _reading(root) as opened:
+    with suppress(duckdb.Error), _reading(root) as opened:
         if opened is None or _due(*opened, look(root, opened[1].folders)).is_nothing:
             return
-    with suppress(OSError), (root / LOCK).open("a") as lock:
+    with suppress(OSError, duckdb.Error), (root / LOCK).open("a") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         _bring_up(root, trusting=True)
 
 
 def is_current(root: Path) -> bool:
     """Whether ``c4s.duckdb`` is there, of this place, answers every question, and holds all parts as they lie there."""
-    with _reading(root) as opened:
-        if opened is None:
-            return False
-        connection, books = opened
-        return books.views == _views_digest(root) and _due(connection, books, look(root, {})).is_nothing
+    with suppress(duckdb.Error), _reading(root) as opened:
+        if opened is not None:
+            connection, books = opened
+            return books.views == _views_digest(root) and _due(connection, books, look(root, {})).is_nothing
+    return False
 
 
-def read_books(connection: duckdb.DuckDBPyConnection) -> Books | None:
-    """What a database says of itself; None for one of another version. ``duckdb.Error`` for one that is damaged."""
+def open_books(path: Path) -> tuple[duckdb.DuckDBPyConnection, Books | None]:
+    """A database open for reading, and what it says of itself; None for one of another version.
+
+    ``duckdb.Error`` for one that is damaged, or that another process writes.
+    """
+    connection = duckdb.connect(str(path), read_only=True, config=LIMITS)
+    try:
+        return connection, _books(connection)
+    except BaseException:
+        connection.close()
+        raise
+
+
+def _books(connection: duckdb.DuckDBPyConnection) -> Books | None:
     try:
         ((tables, views, place),) = connection.execute(f"FROM {ROWS}.made").fetchall()
     except (duckdb.CatalogException, ValueError):
@@ -131,20 +146,27 @@ def read_books(connection: duckdb.DuckDBPyConnection) -> Books | None:
 def _reading(root: Path) -> Iterator[tuple[duckdb.DuckDBPyConnection, Books] | None]:
     """The database open for reading, and what it says of itself; None where it is of no use."""
     with ExitStack() as stack:
-        try:
-            connection = stack.enter_context(duckdb.connect(str(root / NAME), read_only=True, config=LIMITS))
-            books = read_books(connection)
-        except duckdb.Error:
-            books = None
-        yield (connection, books) if books is not None and books.place == str(root.absolute()) else None
+        found: tuple[duckdb.DuckDBPyConnection, Books] | None = None
+        with suppress(duckdb.Error):
+            connection, books = open_books(root / NAME)
+            stack.enter_context(connection)
+            if books is not None and books.place == str(root.absolute()):
+                found = connection, books
+        yield found
 
 
-def _bring_up(root: Path, *, trusting: bool) -> None:
-    """For the holder of the lock. ``trusting``: folders that have not changed hold what they held."""
+def _bring_up(root: Path, *, trusting: bool, anew: bool = False) -> None:
+    """For the holder of the lock. ``duckdb.Error`` where the database that is there turns out to be damaged.
+
+    Args:
+        root: the warehouse.
+        trusting: folders that have not changed hold what they held.
+        anew: nothing is taken from the database that is there.
+    """
     for left in root.glob(f".{NAME}.*"):
         left.unlink()
     fresh = root / f".{NAME}.{os.getpid()}"
-    with _reading(root) as opened:
+    with nullcontext() if anew else _reading(root) as opened:
         found = look(root, opened[1].folders if opened and trusting else {})
         due = _Due(found.parts, _NONE, 1)
         if opened is None and trusting:

@@ -79,12 +79,18 @@ def _damage(place: Path, change: Any) -> None:
             place.unlink()
         place.mkdir(parents=True)
     elif change == "half":
-        place.write_bytes(place.read_bytes()[: place.stat().st_size // 2])
+        _put(place, place.read_bytes()[: place.stat().st_size // 2])
     elif isinstance(change, dict):
         _set(place, change)
     else:
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_bytes(KINDS[change] if change in KINDS else str(change).encode())
+        _put(place, KINDS[change] if change in KINDS else str(change).encode())
+
+
+def _put(place: Path, content: bytes) -> None:
+    """Put a file in the place of another, as every writer does: the folder tells that something changed."""
+    place.unlink(missing_ok=True)
+    place.write_bytes(content)
 
 
 def _set(place: Path, fields: Mapping[str, Any]) -> None:

@@ -15,7 +15,7 @@ from c4s.semantics.inventory import inventory
 from c4s.semantics.kinds import KindIndex
 from c4s.semantics.looks import is_made_of, material_index
 from c4s.toolbox.client import CallRefused
-from reports.site import _environment
+from reports.site import environment as pages
 
 SPEECH = (
     "</td></script><script>alert(1)</script><img src=x onerror=alert(2)>{{ 7 * 7 }} "
@@ -86,7 +86,7 @@ print("made", made.static_mesh_component.static_mesh.get_path_name())
 
 
 def test_pages_write_names_as_text(prey: Prey) -> None:
-    environment = _environment()
+    environment = pages()
     shown = environment.from_string('<td title="{{ name }}">{{ name }}</td>').render(name=SPEECH)
     assert "<script" not in shown and "<img" not in shown and "{{ 7 * 7 }}" in shown
     for template in environment.list_templates():

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from c4s.errors import BadInput
 from c4s.protocol.settings import SETTINGS
 from c4s.score.aggregate import aggregate
-from warehouse import database
+from warehouse import refresh
 from warehouse.database import ask, rebuild, rows
 from warehouse.frames import export
 from warehouse.parquet import write_part
@@ -295,7 +295,7 @@ def test_a_question_reads_the_warehouse_and_nothing_else(
     _store(root, {("alpha", "text-to-scene", 0): 0.5})
     (tmp_path / "secret").write_text("truth")
     before = sorted(root.rglob("*"))
-    monkeypatch.setitem(database.LIMITS, "memory_limit", "100MB")
+    monkeypatch.setitem(refresh.LIMITS, "memory_limit", "100MB")
     with pytest.raises(BadInput) as caught:
         ask(root, query.format(root=root))
     assert "\n" not in caught.value.line()

@@ -68,7 +68,7 @@ def test_a_part_of_the_same_size_and_time_is_another_part(tmp_path: Path) -> Non
 
 
 def test_a_database_that_is_up_to_date_is_not_written(tmp_path: Path) -> None:
-    store_outcome(tmp_path, 0, 0.25)
+    os.utime(store_outcome(tmp_path, 0, 0.25).parent, (1e9, 1e9))
     rebuild(tmp_path)
     before = (tmp_path / FILE).stat()
     rebuild(tmp_path)
@@ -127,6 +127,20 @@ def test_a_file_that_is_no_database_is_made_anew(tmp_path: Path, content: bytes)
     assert not is_current(tmp_path)
     rebuild(tmp_path)
     assert scores(tmp_path) == {"alpha-0": 0.5}
+
+
+@pytest.mark.parametrize("share", [0.3, 0.6])
+def test_a_database_that_was_cut_off_is_told_and_made_anew(tmp_path: Path, share: float) -> None:
+    for number in range(5):
+        store_outcome(tmp_path, number, 0.5)
+    file = rebuild(tmp_path)
+    store_outcome(tmp_path, 5, 0.5)
+    file.write_bytes(file.read_bytes()[: int(file.stat().st_size * share)])
+    catch_up(tmp_path)
+    with pytest.raises(BadInput, match=r"damaged.*c4s report"):
+        ask(tmp_path, "SELECT * FROM outcomes")
+    rebuild(tmp_path)
+    assert len(scores(tmp_path)) == 6
 
 
 def test_a_database_whose_tables_another_version_made_is_told_and_made_anew(tmp_path: Path) -> None:
@@ -207,7 +221,7 @@ def test_a_killed_refresh_leaves_the_database_of_before_and_the_next_one_goes_on
     rebuild(tmp_path)
     for number in range(1, 40):
         store_outcome(tmp_path, number, 0.5)
-    for statement in ("_take_in", "_make_views", "_note"):
+    for statement in ("_take_in", "_keep_answer", "_note"):
         killed = process(
             tmp_path,
             "import os, signal",
