@@ -14,7 +14,7 @@ from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.backup import Backup
 from c4s.records.base import SEAL, Sealed
-from c4s.records.guards import Asked, Guards
+from c4s.records.guards import Guards, Instruction
 from c4s.records.handover import Handover
 from c4s.records.journal import Event
 from c4s.records.judgement import Judgements
@@ -48,7 +48,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "handover": Handover,
     "lease": Lease,
     "guards": Guards,
-    "asked": Asked,
+    "asked": Instruction,
     "journal": Event,
     "progress": Snapshot,
     "backup": Backup,

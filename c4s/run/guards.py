@@ -18,7 +18,7 @@ from typing import Final, Literal
 from c4s.errors import BadInput, C4SError, MachineryFault, shortage
 from c4s.meter.spending import Ledger, SpendingLimitReached
 from c4s.records.folder import RunFolder
-from c4s.records.guards import Asked, Guards, Word
+from c4s.records.guards import Guards, Instruction, Word
 from c4s.run.journal import Tail
 
 Guard = Literal["deadline", "spending", "faults", "drain", "signal"]
@@ -54,16 +54,16 @@ def cause_of(error: BaseException) -> str:
     return short.name if short is not None else type(error).__name__
 
 
-def ask(run: RunFolder, word: Word) -> Asked:
+def ask(run: RunFolder, word: Word) -> Instruction:
     """Put on record what is asked of a run."""
-    asked = Asked(word=word, time=time.time(), by=f"{getpass.getuser()} on {platform.node()}")
+    asked = Instruction(word=word, time=time.time(), by=f"{getpass.getuser()} on {platform.node()}")
     asked.write(run.asked)
     return asked
 
 
-def asked_of(run: RunFolder) -> Asked | None:
+def asked_of(run: RunFolder) -> Instruction | None:
     """What was asked of a run, if anything was."""
-    return Asked.read(run.asked) if run.asked.is_file() else None
+    return Instruction.read(run.asked) if run.asked.is_file() else None
 
 
 def set_guards(
@@ -104,7 +104,7 @@ class Watchman:
         found = self._deadline(guards) or self._spending(guards) or self._faults(guards)
         return asked is not None and asked.word == "pause", found
 
-    def _asked(self, guards: Guards) -> Asked | None:
+    def _asked(self, guards: Guards) -> Instruction | None:
         """What was asked since the bounds were set. A file that is no such record asks nothing: it is left alone."""
         try:
             asked = asked_of(self._run)
