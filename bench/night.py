@@ -90,7 +90,7 @@ class _Loop(asyncio.SelectorEventLoop):
     def time(self) -> float:
         return self._made.now
 
-    def run_in_executor(self, executor: Any, func: Any, *args: Any) -> asyncio.Future[Any]:
+    def run_in_executor(self, executor: Any, func: Any, *args: Any) -> asyncio.Future[Any]:  # type: ignore[override]
         """What would run in a thread takes no time."""
         done = self.create_future()
         try:

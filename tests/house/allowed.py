@@ -13,8 +13,7 @@ SETTINGS: dict[str, set[str]] = {}
 
 VERIFIERS: dict[str, set[str]] = {
     "bench/instant.py": {"integrity"},
-    "bench/leaderboard.py": {"detailed", "overview", "physics"},
-    "bench/night.py": {"detailed", "integrity", "overview", "physics", "repair"},
+    "bench/night.py": {"integrity"},
     "bench/orchestration.py": {"integrity"},
     "bench/scored_run.py": {"repair"},
     "c4s/bundle/writing.py": {"overview", "physics"},
