@@ -19,10 +19,11 @@ import random
 import selectors
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar, TypeVarTuple
 
 from bench.orchestration import planned
 from bench.row import Row
@@ -42,6 +43,8 @@ from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
 TRIALS, SLOTS, PROCESSORS = 1_330, (1, 8, 64), 8
 AGENT_MINUTES, SPREAD, LONGEST = 15.0, 0.6, 4.0
 GOAL_BUSY = 0.98
+Args = TypeVarTuple("Args")
+Made = TypeVar("Made")
 Times = Mapping[str, float]
 """Seconds by the name under which a stage is recorded, ``attempt`` and ``orchestration`` left out."""
 _GATE = {"score": 0.02, "persist": 0.2}
@@ -90,9 +93,11 @@ class _Loop(asyncio.SelectorEventLoop):
     def time(self) -> float:
         return self._made.now
 
-    def run_in_executor(self, executor: Any, func: Any, *args: Any) -> asyncio.Future[Any]:  # type: ignore[override]
+    def run_in_executor(
+        self, executor: Executor | None, func: Callable[[*Args], Made], *args: *Args
+    ) -> asyncio.Future[Made]:
         """What would run in a thread takes no time."""
-        done = self.create_future()
+        done: asyncio.Future[Made] = self.create_future()
         try:
             done.set_result(func(*args))
         except Exception as error:

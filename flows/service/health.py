@@ -6,8 +6,6 @@ import re
 from pathlib import Path
 from typing import Any, Final
 
-import httpx
-
 import flows
 from c4s.errors import MachineryFault
 from c4s.files import read_yaml
@@ -19,6 +17,8 @@ _ERROR_NUMBER: Final = re.compile(r"\[Errno -?\d+\] ")
 
 def health(url: str) -> str:
     """What is wrong with the server of a URL; empty where it answers."""
+    import httpx
+
     try:
         answer = httpx.get(f"{url.rstrip('/')}/health", timeout=_TIMEOUT_S)
     except (httpx.HTTPError, httpx.InvalidURL) as error:
@@ -51,6 +51,8 @@ def prefect_yaml() -> Path:
 
 
 def _ask(url: str, what: str) -> list[dict[str, Any]]:
+    import httpx
+
     try:
         answer = httpx.post(f"{url.rstrip('/')}/{what}", json={}, timeout=_TIMEOUT_S)
         answer.raise_for_status()

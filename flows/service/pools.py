@@ -5,11 +5,6 @@ from __future__ import annotations
 import subprocess
 import sys
 
-from prefect.client.orchestration import get_client
-from prefect.client.schemas.actions import WorkPoolCreate
-from prefect.exceptions import ObjectAlreadyExists
-from prefect.settings import PREFECT_API_URL, temporary_settings
-
 from c4s.errors import BadInput, MachineryFault
 from flows.service.health import prefect_yaml
 from flows.service.names import POOLS
@@ -18,6 +13,11 @@ from flows.service.settings import environment
 
 def make_pools(url: str) -> list[str]:
     """Make the pools that are not there; their names."""
+    from prefect.client.orchestration import get_client
+    from prefect.client.schemas.actions import WorkPoolCreate
+    from prefect.exceptions import ObjectAlreadyExists
+    from prefect.settings import PREFECT_API_URL, temporary_settings
+
     made = []
     with temporary_settings({PREFECT_API_URL: url}), get_client(sync_client=True) as client:
         for name, what in POOLS.items():
