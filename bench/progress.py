@@ -11,20 +11,19 @@ from typing import Any
 
 from bench.row import Row
 from c4s.cli.run_view import view
+from c4s.protocol.settings import SETTINGS
 from c4s.records.folder import RunFolder
 from c4s.records.journal import Event
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.run.guards import Watchman, set_guards
 from c4s.run.journal import Journal
 from c4s.run.lease import holding
+from c4s.run.limits import LIMITS
 from c4s.run.progress import Progress
 from reports.status import write_status
 
 AGENTS, CASES, REPEATS, TIMES = 14, 190, 3, 15
-STAGES = (
-    *(("attempt", "engine"), ("integrity", "engine"), ("look", "engine"), ("judge", "processor")),
-    *(("verify", "processor"), ("score", "processor"), ("persist", "processor")),
-)
+STAGES = [(stage, limit.kind) for stage, limit in LIMITS.items() if stage != "control"]
 
 
 def rows() -> list[Row]:
@@ -84,7 +83,7 @@ def _plan(run: RunFolder) -> list[str]:
         PlannedCase(
             case_id=f"case-{number}",
             alias=f"case-{number}",
-            setting="text-to-scene",
+            setting=SETTINGS[0],
             scene_id="made",
             agent_digest="",
             withheld_digest="",

@@ -9,6 +9,10 @@ Every error that c4s raises on purpose is of one of three kinds:
 * ``AgentFault``: the agent under test failed (no submission, a budget overrun, a crashed client). It is an
   outcome, kept on record in the attempt, and never ends the run.
 
+A run that a guard stopped before it was done (a deadline, its spending limit, its operator, a signal) is a pending run
+like one with a fault, but nothing failed: the answer to whether it is done is no, exit code 1. Where what stopped it is
+that its trials fail for one cause, it is exit code 3 (``c4s.run.guards``).
+
 Whose fault something is depends on where it surfaces, and ``TABLE`` says it: a row a failure, a column a place.
 ``c4s.run.faults`` reads the table and is the only place that decides. The policy behind it:
 

@@ -13,7 +13,7 @@ from prefect import flow
 from prefect.artifacts import acreate_table_artifact
 
 from c4s.home import site_root, warehouse_root
-from c4s.run.again import Again, Change, set_back, stored_score
+from c4s.run.again import Again, ScoreChange, set_back, stored_score
 from c4s.run.drive import refuse_pending, run_trials
 from c4s.run.lease import holding
 from c4s.run.plan import trials as scheduled
@@ -68,7 +68,7 @@ async def _again(run_id: str, agents: Sequence[str], again: Again, slots: int | 
         async with Pool(slots, processors=slots) as pool:
             pending = await run_trials(done, plan, pool, as_tasks(warehouse_root()), held)
         publish(warehouse_root(), site_root())
-    changes = [Change(trial.name, before[trial.name], stored_score(trial)) for trial in done]
+    changes = [ScoreChange(trial.name, before[trial.name], stored_score(trial)) for trial in done]
     rows = [
         {"trial": change.trial, "before": change.before, "after": change.after} for change in changes if change.changed
     ]

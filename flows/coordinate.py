@@ -32,10 +32,11 @@ from prefect.states import Cancelled, Crashed
 
 from c4s.agents.base import ModelClient, agent_of
 from c4s.errors import BadInput, MachineryFault
+from c4s.records.folder import HANDOVER
 from c4s.records.handover import Handover, WorkPool
 from c4s.records.plan import Plan
 from c4s.run.drive import Pending
-from c4s.run.guards import RunStopped
+from c4s.run.guards import StoppedByGuard
 from c4s.run.lease import Held, in_force
 from c4s.run.overseer import Overseer
 from c4s.run.plan import Trial
@@ -100,7 +101,7 @@ class Coordinator:
                 if trial.name not in given:
                     self._queue[_first_pool(trial)].append((trial, False))
             while self._sent or any(self._queue.values()):
-                self.held.check()
+                await self.held.check_beside()
                 self.overseer.look()
                 if self.overseer.stopped is not None:
                     self._leave(self.overseer.stopped)
@@ -138,7 +139,7 @@ class Coordinator:
                 del queue[: len(batch)]
                 await self._start(pool, [trial for trial, _ in batch], batch[0][1])
 
-    def _leave(self, stopped: RunStopped) -> None:
+    def _leave(self, stopped: StoppedByGuard) -> None:
         """Leave the trials whose next stage is an engine's; what is in work ends, is verified and scored."""
         for trial, _ in self._queue["engines"]:
             self._pending[trial.name] = Pending(trial, stopped)
@@ -206,7 +207,7 @@ class Coordinator:
 
     def _ended(self, sent: _Sent, how: str) -> None:
         for trial in sent.trials:
-            open_store().pull(trial.folder.root, lambda name: name == "handover.json")
+            open_store().pull(trial.folder.root, lambda name: name == HANDOVER)
             handover = _handover(trial)
             if handover is None or handover.part != sent.part:
                 self._lose(trial, sent.pool, how)

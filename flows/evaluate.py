@@ -24,7 +24,7 @@ from c4s.run.guards import MOST_IN_A_ROW
 from c4s.run.headroom import print_line
 from c4s.run.lease import Held, holding
 from c4s.run.overseer import Overseer
-from c4s.run.oversight import Bounds, every, overseen
+from c4s.run.oversight import RunBounds, every, overseen
 from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
 from c4s.run.progress import Progress
@@ -88,7 +88,7 @@ async def evaluate(
         notify: address or command that is told when a guard stops the run, and how it ends.
     """
     die_with_the_worker()
-    bounds = Bounds(
+    bounds = RunBounds(
         deadline=None if deadline is None else moment(deadline, "deadline"),
         spend_usd=None if spend is None else amount(spend, "spend"),
         most_faults=most_faults,
@@ -120,7 +120,9 @@ async def evaluate(
         page, pool = site_root() / "index.html", Pool(1 if workers == "pools" else slots)
         progress = Progress(run, folder)
         with (
-            every(REFRESH_S, lambda: write_status(progress.read(), RunFolder(run).status_page, page)),
+            every(
+                REFRESH_S, lambda: write_status(progress.read(), RunFolder(run).status_page, page), "the status page"
+            ),
             overseen(run, folder, plan, pool, bounds) as overseer,
         ):
             async with shown(progress, run, page):

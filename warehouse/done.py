@@ -8,7 +8,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from c4s.files import digest_file
-from c4s.records.folder import RunFolder
+from c4s.records.folder import RunFolder, is_result
 from c4s.records.plan import Plan
 from c4s.run.plan import Trial, trial_id
 from c4s.run.store import open_store
@@ -37,12 +37,7 @@ def held_by(trial: Trial, plan: Plan, warehouse: Path) -> str | None:
     folder = RunFolder(trial.run.parent / str(row.get("run_id"))).trial(
         trial.configuration.name, trial.case.alias, trial.repeat
     )
-    open_store().pull(folder.root, _is_record)
+    open_store().pull(folder.root, is_result)
     if not is_scored(folder) or digest_file(folder.score) != row.get("score_sha256"):
         return None
     return str(row["run_id"])
-
-
-def _is_record(name: str) -> bool:
-    """Whether a file of a trial says what is done, and is small."""
-    return name == "score.json" or name.startswith("verdicts/") or name.endswith(("/outcome.json", "/integrity.json"))

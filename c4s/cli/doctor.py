@@ -14,6 +14,7 @@ import typer
 
 from c4s.agents.base import PROGRAMS, agent_of
 from c4s.cli.output import print_json, print_table
+from c4s.engine import backend as backend_of
 from c4s.engine.confine.sandbox import CHOICE, backend, faults
 from c4s.errors import BadInput, MachineryFault
 from c4s.home import home, suites_root
@@ -45,12 +46,8 @@ def _findings() -> Iterator[Diagnosis]:
         "built" if (suites_root() / "starter/suite.json").is_file() else "build it: c4s suite build starter",
     )
     yield from _prefect()
-    yield Diagnosis(
-        "Unreal Editor",
-        shutil.which("UnrealEditor-Cmd") is not None,
-        False,
-        "without it scenes are built on the headless engine, and are never ranked with Unreal results",
-    )
+    for what, there, text in backend_of("unreal").findings():
+        yield Diagnosis(what, there, False, text)
     yield from _clients()
 
 

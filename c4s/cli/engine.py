@@ -11,6 +11,7 @@ import typer
 from c4s.cli.output import check_new_file, print_json, print_table, say
 from c4s.engine import DEFAULT_ENGINE, backend
 from c4s.errors import BadInput
+from c4s.files import write_json
 from c4s.folders import check_out
 from c4s.stderr import tell
 
@@ -62,26 +63,62 @@ def export(
 
 
 @app.command()
-def conformance(
+def conform(
     engine: Kind = DEFAULT_ENGINE,
     only: Annotated[list[str] | None, typer.Option(help="name of a check, once for each; default: all")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="JSON file to write: the table with the engine's version, this host, its GPUs")
+    ] = None,
+    replace: Annotated[bool, typer.Option("--replace", help="overwrite a file of this name")] = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Check that an engine does what c4s asks of every engine. Exit 1 when a check fails."""
-    from c4s.engine.conformance import run
+    """Check that an engine does what c4s asks of every engine, and record how it answers open questions.
 
-    results = run(engine, only or ())
-    failed = [result for result in results if result.status == "failed"]
+    Exit 1 when a check fails. It is the first thing to run on a host with a real editor (docs/unreal.md).
+    """
+    from c4s.engine.conformance import run
+    from c4s.run.host import this_host
+
+    if out is not None:
+        check_new_file(out)
+        check_out(out, replace=replace, magic=b"{")
+    report = run(engine, only or ())
+    host = this_host().model_copy(update={"engine_version": report.version})
+    told = {**asdict(report), "failed": report.failed, "host": host.plain()}
+    if out is not None:
+        write_json(out, told)
     if json_output:
-        print_json({"engine": engine, "failed": len(failed), "checks": [asdict(result) for result in results]})
+        print_json(told)
     else:
         print_table(
             ("group", "check", "status", "detail"),
-            [(result.group, result.name, result.status, result.detail) for result in results],
+            [(result.group, result.name, result.status, result.detail) for result in report.checks],
         )
-        say(f"{len(results)} checks, {len(failed)} failed")
-    if failed:
+        say(f"{report.engine} {report.version}: {len(report.checks)} checks, {report.failed} failed")
+        if out is not None:
+            say(str(out))
+    if report.failed:
         raise typer.Exit(1)
+
+
+@app.command()
+def warm(
+    pack: Annotated[list[str], typer.Argument(help="ids or folders of the packs that engines will show")],
+    engine: Kind = DEFAULT_ENGINE,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
+    """Make what engines only read before the first one needs it: compiled kernels, or an editor's shaders."""
+    from c4s.cli.levels import named_pack
+    from c4s.records.pack import MANIFEST, Pack
+
+    chosen, packs = backend(engine), [named_pack(name) for name in pack]
+    for place in packs:
+        Pack.read(place / MANIFEST)
+    folder = chosen.warm(packs)
+    if json_output:
+        print_json({"engine": engine, "folder": str(folder)})
+    else:
+        say(str(folder))
 
 
 @app.command()

@@ -27,7 +27,7 @@ from c4s.run.headroom import print_line
 from c4s.run.inputs import inputs
 from c4s.run.lease import Held, holding
 from c4s.run.overseer import Overseer
-from c4s.run.oversight import Bounds, every, overseen
+from c4s.run.oversight import RunBounds, every, overseen
 from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
 from c4s.run.progress import Progress
@@ -76,15 +76,15 @@ def evaluate_here(
     engine: str = DEFAULT_ENGINE,
     slots: int | None = None,
     wait: bool = False,
-    bounds: Bounds | None = None,
+    bounds: RunBounds | None = None,
 ) -> Evaluation:
     """Evaluate in this process. Raises ``BadInput`` before anything is started where the request cannot be met.
 
-    Where somebody else works on the run, ``wait`` waits for them; else that is ``BadInput`` too. ``RunStopped`` where
-    one of ``bounds``, an operator or a signal ended the run before it was done.
+    Where somebody else works on the run, ``wait`` waits for them; else that is ``BadInput`` too. ``StoppedByGuard``
+    where one of ``bounds``, an operator or a signal ended the run before it was done.
     """
     started = time.perf_counter()
-    bounds = bounds or Bounds()
+    bounds = bounds or RunBounds()
     bounds.check()
     folder, warehouse, store = built_suite(suite), warehouse_root(), open_store()
     run = place_in(runs_root(), run_id or suite, "run")
@@ -120,9 +120,9 @@ def evaluate_here(
                 for trial, holder in zip(scheduled, holders, strict=True)
                 if holder not in (None, run.name)
             )
-            progress, pool = Progress(run, folder), Pool(slots)
+            progress, pool, status = Progress(run, folder), Pool(slots), RunFolder(run).status_page
             with (
-                every(REFRESH_S, lambda: write_status(progress.read(), RunFolder(run).status_page, page)),
+                every(REFRESH_S, lambda: write_status(progress.read(), status, page), "the status page"),
                 overseen(run, folder, plan, pool, bounds, elsewhere) as overseer,
             ):
                 with drawn(progress):

@@ -64,7 +64,7 @@ def run(
         checked_name(run_id, "--run-id")
     from c4s.cli.evaluation import evaluate_here
     from c4s.run.bounds import amount, moment
-    from c4s.run.oversight import Bounds
+    from c4s.run.oversight import RunBounds
 
     made = evaluate_here(
         suite,
@@ -77,7 +77,7 @@ def run(
         engine=engine,
         slots=slots,
         wait=wait,
-        bounds=Bounds(
+        bounds=RunBounds(
             deadline=None if deadline is None else moment(deadline, "--deadline"),
             spend_usd=None if spend is None else amount(spend, "--spend"),
             most_faults=most_faults,

@@ -13,6 +13,7 @@ from rich.table import Table
 from rich.text import Text
 
 from c4s.cli.output import progress_console
+from c4s.errors import BadInput
 from c4s.names import shown
 from c4s.records.progress import Snapshot
 from c4s.run.progress import Progress
@@ -30,8 +31,8 @@ STYLES = {"running": "green", "done": "green", "paused": "yellow", "stopping": "
 def line_of(now: Snapshot) -> str:
     """The run in one line: counts, cost, estimated end, what stops it."""
     told = [f"{now.done} of {now.planned} trials done"]
-    if in_work := now.planned - now.done - now.pending - now.waiting:
-        told.append(f"{in_work} in work")
+    if _in_work(now):
+        told.append(f"{_in_work(now)} in work")
     if now.pending:
         told.append(f"{now.pending} pending")
     if cost := _cost(now):
@@ -57,6 +58,10 @@ def view(now: Snapshot, height: int) -> RenderableType:
     return Group(*parts)
 
 
+def _in_work(now: Snapshot) -> int:
+    return now.planned - now.done - now.pending - now.waiting
+
+
 def _cost(now: Snapshot) -> str:
     if now.spent_usd is None:
         return ""
@@ -67,8 +72,9 @@ def _cost(now: Snapshot) -> str:
 def _bar(now: Snapshot) -> RenderableType:
     row = Table.grid(padding=(0, 1))
     row.add_row(
-        ProgressBar(total=max(1, now.planned), completed=now.done, width=48),
-        Text(f"{now.done}/{now.planned}", "bold"),
+        ProgressBar(max(1, now.planned), now.done, 48, complete_style="green", finished_style="green"),
+        Text(f"{now.done}/{now.planned} trials", "bold"),
+        Text(f"{_in_work(now)} in work"),
         Text(f"{now.waiting} waiting"),
         Text(f"{now.pending} pending", "red" if now.pending else "dim"),
     )
@@ -76,10 +82,11 @@ def _bar(now: Snapshot) -> RenderableType:
 
 
 def _facts(now: Snapshot) -> Text:
-    told = [f"{slot.kind} slots {slot.busy}/{slot.count}" for slot in now.slots]
+    slots = ", ".join(f"{slot.kind} {slot.busy}/{slot.count}" for slot in now.slots)
+    told = [f"slots: {slots}"] if slots else []
     told += [cost] if (cost := _cost(now)) else []
     if now.left_s is not None:
-        told.append(f"about {span(now.left_s)} left, until {clock(now.time + now.left_s)}")
+        told.append(f"about {span(now.left_s)} left, to {clock(now.time + now.left_s)}")
     if now.deadline is not None:
         told.append(f"deadline {clock(now.deadline)}")
     return Text("   ".join(told), "dim")
@@ -134,8 +141,15 @@ def _running(now: Snapshot, room: int) -> RenderableType:
 def drawn(progress: Progress, on: Console = progress_console) -> Iterator[None]:
     """Show a run until the block ends: a view that draws itself anew, or lines where there is no terminal."""
     stop = threading.Event()
-    target = _draw if on.is_terminal and not as_json() else _print_lines
-    thread = threading.Thread(target=target, args=(progress, on, stop), name="view", daemon=True)
+    show = _draw if on.is_terminal and not as_json() else _print_lines
+
+    def follow() -> None:
+        try:
+            show(progress, on, stop)
+        except BadInput as error:
+            tell(f"  the run cannot be shown any more: {error.line()}")
+
+    thread = threading.Thread(target=follow, name="view", daemon=True)
     thread.start()
     try:
         yield
@@ -152,11 +166,13 @@ def _draw(progress: Progress, on: Console, stop: threading.Event) -> None:
 
 
 def _print_lines(progress: Progress, on: Console, stop: threading.Event) -> None:
-    counted, silent_s = (-1, -1), 0.0
+    counted, silent_s, last = (-1, -1), 0.0, ""
     while not stop.wait(PLAIN_INTERVAL_S):
         now = progress.read()
         silent_s += PLAIN_INTERVAL_S
         if (now.done, now.pending) != counted or silent_s >= SIGN_OF_LIFE_S:
-            tell(f"  {line_of(now)}")
+            last = line_of(now)
+            tell(f"  {last}")
             counted, silent_s = (now.done, now.pending), 0.0
-    tell(f"  {line_of(progress.read())}")
+    if (line := line_of(progress.read())) != last:
+        tell(f"  {line}")

@@ -37,7 +37,7 @@ def up(
 
     Give it again after a change or a crash: what runs stays as it is. `c4s down` ends all of it.
     """
-    from flows.service import Asked
+    from flows.service import ServiceAsked
     from flows.service import up as start
 
     cores = os.cpu_count() or 1
@@ -47,7 +47,7 @@ def up(
         "verifiers": cores if verifiers is None else verifiers,
         "judges": judges,
     }
-    service = start(Asked(slots, host, port, database, url), tell)
+    service = start(ServiceAsked(slots, host, port, database, url), tell)
     if json_output:
         print_json({"url": service.url, "ui": service.ui, "database": service.database, "slots": slots})
         return

@@ -7,6 +7,7 @@ the first script runs.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, Protocol
 
 from c4s.editor.facts import Reader
@@ -31,8 +32,18 @@ class EngineHost(Protocol):
     """What an engine offers to the scripts that run in it."""
 
     @property
+    def kind(self) -> str:
+        """The kind of engine that this is."""
+        ...
+
+    @property
     def pictures(self) -> Pictures | None:
         """What takes pictures; None where a SceneCapture2D of the editor does."""
+        ...
+
+    @property
+    def mesh_facts(self) -> Mapping[str, Record]:
+        """What a snapshot keeps of meshes, by path, where it is known without asking the editor."""
         ...
 
     def reader(self) -> Reader:
@@ -47,7 +58,9 @@ class EngineHost(Protocol):
 class PlainEditor:
     """An editor that offers nothing."""
 
+    kind = "unreal"
     pictures: Pictures | None = None
+    mesh_facts: Mapping[str, Record] = MappingProxyType({})
 
     def reader(self) -> Reader:
         """Reads through ``unreal``."""

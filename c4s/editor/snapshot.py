@@ -122,7 +122,7 @@ def export_actor(actor: Any, meshes: dict[str, Any], reader: Reader) -> dict[str
 def _mesh_facts(path: str, mesh: Any) -> dict[str, Any]:
     """Digest, local bounds and collision bodies of a mesh (cm)."""
     hook = getattr(unreal, "c4s_mesh_facts", None)
-    facts: dict[str, Any] | None = hook(path) if hook is not None else None
+    facts: dict[str, Any] | None = hook(path) if hook is not None else host().mesh_facts.get(path)
     if facts is not None:
         return facts
     box = mesh.get_bounding_box()
@@ -206,7 +206,7 @@ def export_snapshot() -> dict[str, Any]:
         "material_parameter_catalog": materials,
         "export_metadata": _metadata(actors, level, len(materials)),
         "c4s": {
-            "engine": "headless" if headless else "unreal",
+            "engine": "headless" if headless else host().kind,
             "engine_version": str(unreal.SystemLibrary.get_engine_version()),
             "meshes": {path: _mesh_facts(path, meshes[path]) for path in sorted(meshes)},
         },

@@ -20,9 +20,12 @@ __all__ = [
     "answers",
     "backend",
     "bridge",
+    "channel",
     "confine",
     "conformance",
     "content",
     "engine_kinds",
+    "host",
+    "inside",
     "open_engine",
 ]

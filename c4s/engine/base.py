@@ -6,12 +6,13 @@ nowhere else; everything outside of it knows ``Engine`` and the bridge.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Protocol, Self
 
 from c4s.engine.faults import EngineCallError, EngineDied
+from c4s.engine.finding import EngineFinding
 from c4s.errors import unknown
 
 __all__ = [
@@ -21,6 +22,7 @@ __all__ = [
     "Engine",
     "EngineCallError",
     "EngineDied",
+    "EngineFinding",
     "backend",
     "engine_kinds",
     "open_engine",
@@ -97,6 +99,8 @@ class Backend(Protocol):
 
     version: str
     """Version of the API that its engines follow here."""
+    level_suffix: str
+    """What the file of a saved level's package ends with, below ``<content>``."""
 
     def open_session(
         self,
@@ -110,6 +114,17 @@ class Backend(Protocol):
         offered: Sequence[str] | None = None,
     ) -> Engine:
         """Start an engine and wait until it serves; see ``open_engine``."""
+        ...
+
+    def findings(self) -> Iterable[EngineFinding]:
+        """What its engines need of this machine, there or not, without starting one."""
+        ...
+
+    def warm(self, packs: Sequence[Path]) -> Path:
+        """Make what all later engines only read (compiled kernels, shaders), by a process that runs no agent code.
+
+        Returns the folder that holds it. Raises as ``open_session``.
+        """
         ...
 
     def asset_paths(self, level: Path) -> list[str]:
@@ -130,9 +145,25 @@ def _headless() -> Backend:
     return headless
 
 
+def _unreal() -> Backend:
+    from c4s.engine import unreal
+
+    return unreal
+
+
+def _unreal_standin() -> Backend:
+    from c4s.engine.unreal import standin
+
+    return standin
+
+
 DEFAULT_ENGINE = "headless"
 """The engine that needs nothing but the default install."""
-_BACKENDS: dict[str, Callable[[], Backend]] = {DEFAULT_ENGINE: _headless}
+_BACKENDS: dict[str, Callable[[], Backend]] = {
+    DEFAULT_ENGINE: _headless,
+    "unreal": _unreal,
+    "unreal-standin": _unreal_standin,
+}
 
 
 def engine_kinds() -> tuple[str, ...]:

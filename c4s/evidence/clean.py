@@ -18,6 +18,7 @@ from c4s.engine.answers import ask
 from c4s.engine.content import content_fault
 from c4s.errors import BadInput, MachineryFault, ReasonCode
 from c4s.evidence.folder import replace_captures, replace_exported
+from c4s.evidence.masks import with_masks
 from c4s.evidence.pictures import take_pictures
 from c4s.files import read_json, write_json
 from c4s.records.folder import EvidenceFolder
@@ -42,8 +43,8 @@ class SceneUnreadable(BadInput):
 class CleanEngine:
     """An engine with the submitted level open, and what it can say of it."""
 
-    def __init__(self, engine: Engine, package: str, folder: Path) -> None:
-        self._engine, self._package, self._folder = engine, package, folder
+    def __init__(self, engine: Engine, package: str, folder: Path, packs: Sequence[Path]) -> None:
+        self._engine, self._package, self._folder, self._packs = engine, package, folder, packs
         self._looks = 0
 
     def snapshot(self) -> Snapshot:
@@ -71,7 +72,8 @@ class CleanEngine:
     def look(self, out: Path, cameras: Cameras, *, keep_pictures: bool = False) -> None:
         """Take pictures into ``out/captures``, beside the snapshot that was exported; earlier ones are replaced.
 
-        Writes ``<view>.png`` and ``<view>.actors.npz`` for each camera, their index and the list of their digests.
+        Writes ``<view>.png`` and ``<view>.actors.npz`` for each camera, their index and the list of their digests. An
+        engine that has no masks gets them by ``c4s.evidence.masks``.
         Pictures that were kept of the same scene are not taken again; ``keep_pictures`` keeps these
         (``c4s.evidence.pictures``). Without a camera the index has no view.
 
@@ -86,6 +88,7 @@ class CleanEngine:
         views = views_of(cameras, snapshot)
         with _refusals("cannot_be_drawn", "the level cannot be drawn", self._package):
             records = take_pictures(self._engine, views, pictures, keep=keep_pictures)
+        records = with_masks(records, pictures, snapshot, self._packs)
         with tempfile.TemporaryDirectory(dir=self._folder) as folder:
             made = EvidenceFolder(Path(folder))
             if pictures.is_dir():
@@ -167,7 +170,7 @@ def _opened(
             )
         except BadInput as error:
             raise SceneUnreadable(error.what, code="unloadable", where=error.where, todo=error.todo) from error
-        yield CleanEngine(session, package, Path(name))
+        yield CleanEngine(session, package, Path(name), packs)
 
 
 def views_of(cameras: Cameras, snapshot: Snapshot) -> Sequence[Mapping[str, Any]]:

@@ -7,6 +7,14 @@ from pathlib import Path
 SAVES = "saves.jsonl"
 """In a submission: every package that the engine saved, a JSON line each."""
 
+HANDOVER = "handover.json"
+"""In a trial's folder: where it stood when the last work pool let go of it."""
+
+
+def is_result(name: str) -> bool:
+    """Whether a file of a trial, by its relative name, is a result that says what is done: outcome, verdict, score."""
+    return name == "score.json" or name.startswith("verdicts/") or name.endswith(("/outcome.json", "/integrity.json"))
+
 
 class EvidenceFolder:
     """What clean engine processes exported from the retained submission: ``<trial>/evidence``."""
@@ -181,7 +189,7 @@ class TrialFolder:
     @property
     def handover(self) -> Path:
         """Where the trial stood when the last work pool let go of it."""
-        return self.root / "handover.json"
+        return self.root / HANDOVER
 
     @property
     def stages(self) -> Path:
@@ -238,6 +246,13 @@ class RunFolder:
     def status_page(self) -> Path:
         """The page that tells how far the run is."""
         return self.root / "status.html"
+
+    @classmethod
+    def own_names(cls) -> frozenset[str]:
+        """What directly below a run is no folder of a configuration."""
+        run = cls(Path())
+        files = (run.plan, run.spending, run.guards, run.asked, run.status_page)
+        return frozenset(path.parts[0] for path in (*files, run.earlier_plan(""), run.leases, run.journals, run.logs))
 
     @classmethod
     def planned(cls, runs: Path) -> list[RunFolder]:

@@ -26,7 +26,7 @@ class Guards(Record):
     """So many trials in a row may fail for one cause."""
 
 
-class Asked(Record):
+class Instruction(Record):
     """What somebody asked of a run, the last time that somebody did."""
 
     schema_version: Literal["c4s.asked.v1"] = "c4s.asked.v1"

@@ -14,7 +14,7 @@ from c4s.files import write_json
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.backup import Backup
 from c4s.records.base import SEAL, Sealed
-from c4s.records.guards import Asked, Guards
+from c4s.records.guards import Guards, Instruction
 from c4s.records.handover import Handover
 from c4s.records.journal import Event
 from c4s.records.judgement import Judgements
@@ -27,12 +27,14 @@ from c4s.records.progress import Snapshot
 from c4s.records.score import TrialScore
 from c4s.records.snapshot import SceneSnapshot
 from c4s.records.suite import AgentCase, Suite, WithheldCase
+from c4s.records.unreal_content import UnrealContent
 from c4s.records.verdict import Verdict
 
 FORMATS: dict[str, type[BaseModel]] = {
     "scene-snapshot": SceneSnapshot,
     "level": Level,
     "pack": Pack,
+    "unreal-content": UnrealContent,
     "suite": Suite,
     "agent-case": AgentCase,
     "withheld-case": WithheldCase,
@@ -46,7 +48,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "handover": Handover,
     "lease": Lease,
     "guards": Guards,
-    "asked": Asked,
+    "asked": Instruction,
     "journal": Event,
     "progress": Snapshot,
     "backup": Backup,

@@ -15,6 +15,7 @@ __all__ = [
     "Sky",
     "Sun",
     "SurfaceMaterial",
+    "masks",
     "textures",
     "types",
 ]

@@ -1,6 +1,7 @@
 """A run: its plan and its holder, attempts, the stages of a trial and the one program over them, worker processes."""
 
 __all__ = [
+    "again",
     "artifacts",
     "attempt",
     "backup",
@@ -12,6 +13,7 @@ __all__ = [
     "droppable",
     "guards",
     "headroom",
+    "host",
     "inputs",
     "lease",
     "limits",
@@ -19,13 +21,17 @@ __all__ = [
     "notify",
     "overseer",
     "oversight",
+    "owner",
     "part",
     "plan",
     "pool",
     "progress",
+    "rejudging",
+    "repeats",
     "signals",
     "stages",
     "store",
     "torn",
     "trial",
+    "worker",
 ]

@@ -19,7 +19,7 @@ _WHAT = "outdated"
 
 
 @dataclass(frozen=True)
-class Change:
+class ScoreChange:
     """A trial's score before and after; null where it has none."""
 
     trial: str

@@ -18,7 +18,7 @@ from typing import Any
 
 from c4s.agents.base import Agent, AgentContext, AgentReport, ModelClient, Reached, agent_of
 from c4s.agents.model import ModelAccess, open_model
-from c4s.engine import DEFAULT_ENGINE, Engine, open_engine
+from c4s.engine import DEFAULT_ENGINE, Engine, backend, open_engine
 from c4s.engine.content import content_fault
 from c4s.errors import BadInput, C4SError, Place, shortage
 from c4s.files import append_json_line, json_lines, write_json
@@ -133,7 +133,7 @@ def run_attempt(
         )
     for record in report.usage:
         append_json_line(paths.usage, record)
-    outcome = _outcome(run, report, error, content, context, engine_version, sandbox)
+    outcome = _outcome(run, report, error, content, context, engine_version, sandbox, backend(engine).level_suffix)
     outcome.write(paths.outcome)
     return outcome
 
@@ -210,6 +210,7 @@ def _outcome(
     context: AgentContext,
     engine_version: str,
     sandbox: str,
+    level_suffix: str,
 ) -> AttemptOutcome:
     """The attempt's outcome. Raises what was the machinery's fault."""
     ended_by: EndedBy = "finished"
@@ -232,7 +233,7 @@ def _outcome(
     unsound = content_fault(content)
     if unsound is not None:
         ended_by, message = "agent_error", f"agent code left what cannot be submitted: {unsound}"
-    submission = last_saved(content) if unsound is None else None
+    submission = last_saved(content, level_suffix) if unsound is None else None
     with AttemptFolder(content.parent).usage.open(encoding="utf-8") as lines:
         used = sums(list(json_lines(lines)))
     return AttemptOutcome(
@@ -254,8 +255,8 @@ def _outcome(
     )
 
 
-def last_saved(content: Path) -> str | None:
-    """The last package in the list of saves whose level lies in ``content``.
+def last_saved(content: Path, level_suffix: str) -> str | None:
+    """The last package in the list of saves whose level lies in ``content``, in a file with the engine's suffix.
 
     Agent code can write to this folder: what is no plain line with a sound package name, or leads out of the folder
     by a link, is no save.
@@ -277,7 +278,7 @@ def last_saved(content: Path) -> str | None:
             continue
         package = saved.get("package") if isinstance(saved, dict) else None
         if isinstance(package, str) and _PACKAGE.fullmatch(package):
-            level = content / f"{package[1:]}.level.json"
+            level = content / f"{package[1:]}{level_suffix}"
             if level.is_file() and level.resolve().is_relative_to(content.resolve()):
                 return package
     return None

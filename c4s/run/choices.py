@@ -13,6 +13,7 @@ from c4s.judge.names import JUDGE_NAMES
 from c4s.meter.endpoints import key_of, spending_limit
 from c4s.protocol.baselines import BASELINES
 from c4s.protocol.settings import SETTING_ALIASES, SETTINGS
+from c4s.records.folder import RunFolder
 from c4s.records.plan import Configuration
 from c4s.score.policies import POLICIES
 
@@ -28,7 +29,8 @@ def check_labels(engine: str, judge: str, policy: str) -> None:
 
 
 def check_configurations(configurations: Sequence[Configuration]) -> None:
-    """``BadInput`` for a name that is given twice, an unknown client, and a model that its client could not reach."""
+    """``BadInput`` for a name that is given twice or that a run folder needs, an unknown client, and a model that its
+    client could not reach."""
     for name, times in Counter(chosen.name.lower() for chosen in configurations).items():
         if times > 1:
             raise BadInput(
@@ -36,6 +38,10 @@ def check_configurations(configurations: Sequence[Configuration]) -> None:
                 todo="give each agent a name of its own",
             )
     for chosen in configurations:
+        if chosen.name.lower() in RunFolder.own_names():
+            raise BadInput(
+                f"{chosen.name!r} is the name of something in every run folder", todo="give this agent another name"
+            )
         if chosen.name in BASELINES and any(one.client != chosen.name for one in chosen.everyone()):
             raise BadInput(f"{chosen.name!r} is the name of a baseline", todo="give this agent a name of its own")
         for one in chosen.everyone():

@@ -13,7 +13,7 @@ from c4s.meter.spending import SpendingLimitReached
 from c4s.records.plan import Plan
 from c4s.run import stages
 from c4s.run.aside import set_aside
-from c4s.run.guards import RunStopped, left_over, reason_of, spent_up
+from c4s.run.guards import StoppedByGuard, left_over, reason_of, spent_up
 from c4s.run.headroom import LOOK_S, REPEATS, NoRoom, print_line
 from c4s.run.lease import Held, LeaseLost
 from c4s.run.limits import Stage
@@ -66,7 +66,7 @@ def in_slots(
                 await overseer.may_start(stage)
             async with pool.turn(stage, trial, own, rank):
                 for lease in held:
-                    lease.check()
+                    await lease.check_beside()
                 if overseer is None:
                     return await run(stage, trial, own, *arguments)
                 if overseer.holds(stage):
@@ -135,7 +135,7 @@ async def run_trials(
 
     Each trial is held while it is in work; one that somebody else holds is waited for. What goes wrong in one trial
     costs that trial only; ``LeaseLost`` of the run ends all of them. Where a guard stops the run, the trials that it
-    kept from their next attempt are pending with ``RunStopped``.
+    kept from their next attempt are pending with ``StoppedByGuard``.
 
     Args:
         trials: what to run, best first.
@@ -166,7 +166,7 @@ async def _watch(pool: Pool, held: Held | None, overseer: Overseer | None) -> No
         await asyncio.sleep(LOOK_S)
         pool.headroom.look()
         if held is not None:
-            held.check()
+            await held.check_beside()
         if overseer is not None:
             overseer.look()
 
@@ -239,13 +239,12 @@ async def _in_work(
 
 
 def refuse_pending(pending: Sequence[Pending], total: int) -> None:
-    """Raise what kept trials pending: ``RunStopped`` where a guard did, ``BadInput`` where nothing else than that did,
-    else ``MachineryFault``."""
+    """Raise what kept trials pending: a ``StoppedByGuard``, else a ``MachineryFault``, else a ``BadInput``."""
     if not pending:
         return
     for one in pending:
         stopped = spent_up(one.error) if isinstance(one.error, SpendingLimitReached) else one.error
-        if isinstance(stopped, RunStopped):
+        if isinstance(stopped, StoppedByGuard):
             raise left_over(stopped, len(pending), total, one.trial.run) from one.error
     first = next((one for one in pending if not isinstance(one.error, BadInput)), pending[0])
     what = f"{len(pending)} of {total} trials are pending; first {first.trial.name}: {first.reason}"

@@ -18,7 +18,7 @@ from typing import Final, Literal
 from c4s.errors import BadInput, C4SError, MachineryFault, shortage
 from c4s.meter.spending import Ledger, SpendingLimitReached
 from c4s.records.folder import RunFolder
-from c4s.records.guards import Asked, Guards, Word
+from c4s.records.guards import Guards, Instruction, Word
 from c4s.run.journal import Tail
 
 Guard = Literal["deadline", "spending", "faults", "drain", "signal"]
@@ -27,22 +27,22 @@ MOST_IN_A_ROW: Final = 20
 _AGAIN = "run the same command again to go on"
 
 
-class RunStopped(MachineryFault):
+class StoppedByGuard(MachineryFault):
     """A guard stopped the run before it was done: the answer is no, and nothing but the run's own bounds is why."""
 
     exit_code = 1
     guard: Guard = "drain"
 
 
-class TooManyFaults(RunStopped):
+class TooManyFaults(StoppedByGuard):
     """The run stopped because its trials fail for one cause: the machinery's fault."""
 
     exit_code = 3
 
 
-def stop(guard: Guard, what: str, todo: str = _AGAIN) -> RunStopped:
+def stop(guard: Guard, what: str, todo: str = _AGAIN) -> StoppedByGuard:
     """What stops a run."""
-    kind = TooManyFaults if guard == "faults" else RunStopped
+    kind = TooManyFaults if guard == "faults" else StoppedByGuard
     made = kind(what, todo=todo)
     made.guard = guard
     return made
@@ -54,16 +54,16 @@ def cause_of(error: BaseException) -> str:
     return short.name if short is not None else type(error).__name__
 
 
-def ask(run: RunFolder, word: Word) -> Asked:
+def ask(run: RunFolder, word: Word) -> Instruction:
     """Put on record what is asked of a run."""
-    asked = Asked(word=word, time=time.time(), by=f"{getpass.getuser()} on {platform.node()}")
+    asked = Instruction(word=word, time=time.time(), by=f"{getpass.getuser()} on {platform.node()}")
     asked.write(run.asked)
     return asked
 
 
-def asked_of(run: RunFolder) -> Asked | None:
+def asked_of(run: RunFolder) -> Instruction | None:
     """What was asked of a run, if anything was."""
-    return Asked.read(run.asked) if run.asked.is_file() else None
+    return Instruction.read(run.asked) if run.asked.is_file() else None
 
 
 def set_guards(
@@ -88,11 +88,11 @@ class Watchman:
         self._run = run
         self._tail = Tail(run)
         self._in_a_row: Counter[str] = Counter()
-        self._last = ("", "")
-        """Trial and reason of the last failure."""
+        self._last: dict[str, tuple[str, str]] = {}
+        """Trial and reason of the last failure, by cause."""
         self._ledger = Ledger(run.spending, None)
 
-    def look(self) -> tuple[bool, RunStopped | None]:
+    def look(self) -> tuple[bool, StoppedByGuard | None]:
         """Whether the run is to pause, and what stops it, if anything does."""
         guards = guards_of(self._run)
         if guards is None:
@@ -104,7 +104,7 @@ class Watchman:
         found = self._deadline(guards) or self._spending(guards) or self._faults(guards)
         return asked is not None and asked.word == "pause", found
 
-    def _asked(self, guards: Guards) -> Asked | None:
+    def _asked(self, guards: Guards) -> Instruction | None:
         """What was asked since the bounds were set. A file that is no such record asks nothing: it is left alone."""
         try:
             asked = asked_of(self._run)
@@ -112,13 +112,13 @@ class Watchman:
             return None
         return asked if asked is not None and asked.time >= guards.since else None
 
-    def _deadline(self, guards: Guards) -> RunStopped | None:
+    def _deadline(self, guards: Guards) -> StoppedByGuard | None:
         if guards.deadline is None or time.time() < guards.deadline:
             return None
         told = datetime.fromtimestamp(guards.deadline).astimezone().isoformat(" ", "minutes")
         return stop("deadline", f"its deadline, {told}, has come", "run the same command again with a later --deadline")
 
-    def _spending(self, guards: Guards) -> RunStopped | None:
+    def _spending(self, guards: Guards) -> StoppedByGuard | None:
         if guards.spend_usd is None or not self._run.spending.is_file():
             return None
         spent = self._ledger.spent().total_usd
@@ -130,10 +130,10 @@ class Watchman:
             "raise the limit and run the same command again",
         )
 
-    def _faults(self, guards: Guards) -> RunStopped | None:
+    def _faults(self, guards: Guards) -> StoppedByGuard | None:
         for cause, times in self._in_a_row.items():
             if times >= guards.most_faults:
-                trial, line = self._last
+                trial, line = self._last[cause]
                 faults = self._run.trial_named(trial).faults
                 return stop(
                     "faults",
@@ -149,16 +149,17 @@ class Watchman:
             if event.get("event") == "done":
                 self._in_a_row.clear()
             elif event.get("event") == "pending":
-                self._in_a_row[str(event.get("error"))] += 1
-                self._last = (str(event.get("trial")), str(event.get("line")))
+                cause = str(event.get("error"))
+                self._in_a_row[cause] += 1
+                self._last[cause] = (str(event.get("trial")), str(event.get("line")))
 
 
-def spent_up(error: SpendingLimitReached) -> RunStopped:
+def spent_up(error: SpendingLimitReached) -> StoppedByGuard:
     """What stops a run of which a request was refused for spending."""
     return stop("spending", error.what, error.todo)
 
 
-def left_over(stopped: RunStopped, left: int, total: int, run: Path) -> RunStopped:
+def left_over(stopped: StoppedByGuard, left: int, total: int, run: Path) -> StoppedByGuard:
     """What stopped a run, with what is left of it."""
     made = stop(stopped.guard, f"stopped with {left} of {total} trials left: {stopped.what}", stopped.todo)
     made.where = str(run)

@@ -10,6 +10,7 @@ another lease in force, or its own gone, stops before it writes more.
 
 from __future__ import annotations
 
+import asyncio
 import os
 import threading
 import time
@@ -40,31 +41,32 @@ class LeaseLost(MachineryFault):
     """The lease was taken over or removed."""
 
 
-class _Keeper(threading.Thread):
-    """Gives a sign of life for every lease that this process holds."""
+class _Keeper:
+    """Gives a sign of life for every lease that this process holds, in a thread that is begun with the first one."""
 
     def __init__(self) -> None:
-        super().__init__(name="leases", daemon=True)
         self._kept: set[Held] = set()
         self._lock = threading.Lock()
+        self._thread: threading.Thread | None = None
 
     def keep(self, held: Held) -> None:
         with self._lock:
             self._kept.add(held)
-            if not self.is_alive():
-                self.start()
+            if self._thread is None or not self._thread.is_alive():
+                self._thread = threading.Thread(target=self._run, name="leases", daemon=True)
+                self._thread.start()
 
     def let_go(self, held: Held) -> None:
         with self._lock:
             self._kept.discard(held)
 
-    def run(self) -> None:
+    def _run(self) -> None:
         pause = threading.Event()
         while not pause.wait(BEAT_S):
             with self._lock:
                 kept = list(self._kept)
             for held in kept:
-                with suppress(OSError):
+                with suppress(OSError, MachineryFault):
                     held.beat()
 
 
@@ -94,6 +96,13 @@ class Held:
             where=self._place.where,
             todo=f"nothing more was written; run the same command again once nobody works on the {self._what}",
         )
+
+    async def check_beside(self) -> None:
+        """``check``, beside the event loop where it asks over a network."""
+        if isinstance(self._place, FolderLeases):
+            self.check()
+        else:
+            await asyncio.to_thread(self.check)
 
     def beat(self) -> None:
         """A sign of life."""

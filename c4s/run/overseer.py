@@ -18,7 +18,7 @@ from c4s.records.folder import RunFolder
 from c4s.records.journal import Event, What
 from c4s.records.score import TrialScore
 from c4s.run.faults import whose
-from c4s.run.guards import RunStopped, Watchman, cause_of, reason_of, spent_up, stop
+from c4s.run.guards import StoppedByGuard, Watchman, cause_of, reason_of, spent_up, stop
 from c4s.run.headroom import LOOK_S, print_line
 from c4s.run.journal import Journal, now
 from c4s.run.limits import Kind, Stage
@@ -51,7 +51,7 @@ class Overseer:
         self._watchman = Watchman(self._run)
         self._deaf = False
         self.paused = False
-        self.stopped: RunStopped | None = None
+        self.stopped: StoppedByGuard | None = None
 
     def begin(self, slots: Mapping[Kind, Slots], reused: Counter[str] | None = None) -> None:
         """This process begins its work on the run.
@@ -81,7 +81,7 @@ class Overseer:
             self._note("paused" if paused else "going")
             self._tell("paused, as asked: no stage starts (`c4s runs go-on` ends that)" if paused else "going on")
 
-    def stop(self, stopped: RunStopped) -> None:
+    def stop(self, stopped: StoppedByGuard) -> None:
         """No attempt starts from now on."""
         if self.stopped is None:
             self.stopped, self.paused = stopped, False
@@ -93,7 +93,7 @@ class Overseer:
         return self.paused or (stage == "attempt" and self.stopped is not None)
 
     async def may_start(self, stage: Stage) -> None:
-        """Wait while the run is paused. ``RunStopped`` for an attempt of a run that is stopped."""
+        """Wait while the run is paused. ``StoppedByGuard`` for an attempt of a run that is stopped."""
         while self.paused:
             await asyncio.sleep(LOOK_S)
             self.look()
@@ -128,7 +128,7 @@ class Overseer:
 
     def pending(self, trial: Trial, error: Exception) -> None:
         """A trial could not be finished. One that was not begun, or not repeated, for a guard is no failure."""
-        if isinstance(error, RunStopped):
+        if isinstance(error, StoppedByGuard):
             return
         told = {"error": cause_of(error), "whose": whose(error, "elsewhere"), "line": reason_of(error)}
         self._note("pending", trial=folder_name(trial), **told)
@@ -148,6 +148,6 @@ class Overseer:
             listener(event)
 
 
-def signalled(name: str) -> RunStopped:
+def signalled(name: str) -> StoppedByGuard:
     """What a signal to end stops a run with."""
     return stop("signal", f"{name} asked it to end")

@@ -13,6 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from c4s.errors import C4SError
 from c4s.meter.endpoints import spending_limit
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
@@ -31,7 +32,7 @@ WAIT_S = 20.0
 
 
 @dataclass(frozen=True)
-class Bounds:
+class RunBounds:
     """What whoever starts a run gives it beside its plan. It may differ each time."""
 
     deadline: float | None = None
@@ -51,7 +52,7 @@ class Bounds:
 
 @contextmanager
 def overseen(
-    run: Path, suite: Path, plan: Plan, pool: Pool, bounds: Bounds | None, reused: Counter[str] | None = None
+    run: Path, suite: Path, plan: Plan, pool: Pool, bounds: RunBounds | None, reused: Counter[str] | None = None
 ) -> Iterator[Overseer]:
     """For the block, watch over a run; its plan is written.
 
@@ -136,14 +137,25 @@ def _notice(event: str, line: str, progress: Progress, folder: RunFolder, second
 
 
 @contextmanager
-def every(seconds: float, do: Callable[[], None]) -> Iterator[None]:
-    """Do something at once, every so many seconds while the block runs, and once more after it."""
-    ended = threading.Event()
+def every(seconds: float, do: Callable[[], None], what: str) -> Iterator[None]:
+    """Do something at once, every so many seconds while the block runs, and once more after it.
+
+    It is not what the block is for: where it fails, a line tells so once, with what ``what`` names, and all goes on.
+    """
+    ended, told = threading.Event(), threading.Event()
+
+    def once() -> None:
+        try:
+            do()
+        except (C4SError, OSError) as error:
+            if not told.is_set():
+                print_line(f"{what} is not up to date: {reason_of(error)}")
+            told.set()
 
     def beat() -> None:
-        do()
+        once()
         while not ended.wait(seconds):
-            do()
+            once()
 
     thread = threading.Thread(target=beat, name="beat", daemon=True)
     thread.start()
@@ -152,4 +164,4 @@ def every(seconds: float, do: Callable[[], None]) -> Iterator[None]:
     finally:
         ended.set()
         thread.join(WAIT_S)
-        do()
+        once()

@@ -45,7 +45,8 @@ class _Sums:
     """What is known of a configuration's trials."""
 
     done: int = 0
-    scores: list[float] = field(default_factory=list)
+    scores: dict[str, float] = field(default_factory=dict)
+    """By trial."""
     costs: list[float] = field(default_factory=list)
     seconds: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     """In slots, by kind."""
@@ -71,8 +72,8 @@ class Progress:
         self._cases: dict[str, str] = {}
         self._done: set[str] = set()
         self._pending: dict[str, dict[str, Any]] = {}
-        self._begun: set[str] = set()
-        """Trials of which a stage ran, that are neither done nor pending."""
+        self._begun: dict[str, float] = {}
+        """Trials of which a stage ran, that are neither done nor pending, and when the last one started."""
         self._work: dict[tuple[str, str, Any], _Work] = {}
         self._sums: dict[str, _Sums] = defaultdict(_Sums)
         self._owners: dict[Path, Owner] = {}
@@ -102,6 +103,7 @@ class Progress:
     def _begin_anew(self, since: float) -> None:
         """Somebody gave the run its bounds anew and works on it: what failed before is tried again."""
         self._since = since
+        self._begun = {trial: at for trial, at in self._begun.items() if at >= since}
         self._pending = {trial: event for trial, event in self._pending.items() if event.get("time", 0.0) >= since}
         if self._word_time < since:
             self._word, self._why = "running", ""
@@ -174,7 +176,8 @@ class Progress:
             if trial in self._done:
                 self._done.discard(trial)
                 sums.done -= 1
-            self._begun.add(trial)
+                sums.scores.pop(trial, None)
+            self._begun[trial] = float(event.get("time", 0.0))
             for other in [key for key, work in self._work.items() if work.trial == trial and work.journal != journal]:
                 del self._work[other]
             self._work[key] = _Work(trial, event, journal)
@@ -185,10 +188,10 @@ class Progress:
                 sums.costs.append(event["cost_usd"])
         elif what == "done":
             sums.timed += 1
-            self._begun.discard(trial)
+            self._begun.pop(trial, None)
             self._count(trial, event.get("score"))
         elif what == "pending":
-            self._begun.discard(trial)
+            self._begun.pop(trial, None)
             self._pending[trial] = event
 
     def _count(self, trial: str, score: float | None) -> None:
@@ -197,17 +200,19 @@ class Progress:
             self._done.add(trial)
             sums.done += 1
             if score is not None:
-                sums.scores.append(score)
+                sums.scores[trial] = score
 
     def _forget(self, journal: Path) -> None:
         """What a journal's process had in work is in work no more."""
         for key in [key for key, work in self._work.items() if work.journal == journal]:
-            self._begun.discard(self._work.pop(key).trial)
+            self._begun.pop(self._work.pop(key).trial, None)
 
     def _snapshot(self, plan: Plan) -> Snapshot:
         held = holder(self._run)
         if held is not None and held.owner in self._over:
             held = None
+        if held is None:
+            self._begun.clear()
         for journal, owner in self._owners.items():
             if (held is None and not _lives(owner)) or (is_near(owner) and is_gone(owner)):
                 self._slots.pop(journal, None)
@@ -216,7 +221,7 @@ class Progress:
         standings = [self._standing(chosen.name, len(plan.cases) * plan.repeats) for chosen in plan.configurations]
         done, guards = sum(row.done for row in standings), guards_of(self._run)
         running = [self._running(work) for work in self._work.values()]
-        in_work = len({work.trial for work in self._work.values()} | self._begun)
+        in_work = len({work.trial for work in self._work.values()} | self._begun.keys())
         state, why = self._state(held, done == planned)
         return Snapshot(
             run_id=plan.run_id,
@@ -257,7 +262,7 @@ class Progress:
             done=min(planned, sums.done + self._reused.get(configuration, 0)),
             pending=sum(name.partition("/")[0] == configuration for name in self._pending),
             scored=len(sums.scores),
-            mean_score=sum(sums.scores) / len(sums.scores) if sums.scores else None,
+            mean_score=sum(sums.scores.values()) / len(sums.scores) if sums.scores else None,
             cost_usd=round(sum(sums.costs), 6) if sums.costs else None,
         )
 

@@ -15,7 +15,7 @@ from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.run import overrun, repeats
 from c4s.run.faults import SceneFault
-from c4s.run.guards import RunStopped
+from c4s.run.guards import StoppedByGuard
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from c4s.run.stages import ATTEMPTS
@@ -68,7 +68,7 @@ def _recording(trial: Trial, do: Do) -> Do:
     async def recorded(stage: Stage, *arguments: Any) -> Any:
         try:
             return await do(stage, *arguments)
-        except (SceneFault, HandedOver, RunStopped):
+        except (SceneFault, HandedOver, StoppedByGuard):
             raise
         except Exception as error:
             repeats.note(trial, stage, arguments, error)
@@ -81,7 +81,7 @@ async def _attempt(trial: Trial, number: int, do: Do) -> None:
     """An attempt. One that has spent its repeats ends without a submission, unless the machinery fails by itself."""
     try:
         await do("attempt", number)
-    except (HandedOver, RunStopped):
+    except (HandedOver, StoppedByGuard):
         raise
     except Exception:
         if not repeats.spent(trial, number):

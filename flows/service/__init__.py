@@ -2,7 +2,7 @@
 
 from flows.service.names import POOLS
 from flows.service.state import Service
-from flows.service.up import Asked, down, up
+from flows.service.up import ServiceAsked, down, up
 from flows.service.worker import supervise
 
-__all__ = ["POOLS", "Asked", "Service", "down", "supervise", "up"]
+__all__ = ["POOLS", "Service", "ServiceAsked", "down", "supervise", "up"]

@@ -30,7 +30,7 @@ _LOOK_S: Final = 0.25
 
 
 @dataclass(frozen=True)
-class Asked:
+class ServiceAsked:
     """What is asked for.
 
     Args:
@@ -48,7 +48,7 @@ class Asked:
     url: str | None = None
 
 
-def up(asked: Asked, tell: Callable[[str], None]) -> Service:
+def up(asked: ServiceAsked, tell: Callable[[str], None]) -> Service:
     """Start what is missing: server, pools, deployments, workers. What runs stays as it is."""
     found = Service.read()
     if found is not None and asked.url and found.url != asked.url:
@@ -99,7 +99,7 @@ def _kind(database: str | None) -> str:
     return "postgresql"
 
 
-def _check_port(asked: Asked) -> None:
+def _check_port(asked: ServiceAsked) -> None:
     with socket.socket() as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
@@ -112,7 +112,7 @@ def _check_port(asked: Asked) -> None:
             ) from None
 
 
-def _start_server(asked: Asked, service: Service) -> Owner:
+def _start_server(asked: ServiceAsked, service: Service) -> Owner:
     made = environment(service.url)
     if asked.database is not None:
         _, _, rest = asked.database.partition("://")

@@ -176,8 +176,8 @@ def test_a_forged_list_of_saves_names_no_submission(tmp_path: Path) -> None:
         '{"package": "/Game/SavedScenes/real"}\n{"package": "/Game/../../outside"}\nnonsense\n'
         '{"package": "/Game/SavedScenes/linked"}\n{"package": "/Game/SavedScenes/missing"}\n[]\n'
     )
-    assert last_saved(tmp_path) == "/Game/SavedScenes/real"
+    assert last_saved(tmp_path, ".level.json") == "/Game/SavedScenes/real"
     saves.unlink()
-    assert last_saved(tmp_path) is None
+    assert last_saved(tmp_path, ".level.json") is None
     saves.symlink_to(level)
-    assert last_saved(tmp_path) is None
+    assert last_saved(tmp_path, ".level.json") is None

@@ -13,8 +13,8 @@ from c4s.engine.confine import leftovers
 from c4s.engine.confine.confinement import Backend, Limits
 from c4s.engine.confine.sandbox import faults
 from c4s.engine.confine.watch import overfull
-from c4s.engine.headless.host import jobs
 from c4s.engine.headless.host.session import EngineSession
+from c4s.engine.host import jobs
 
 SMALL = Limits(disk=48 << 20, files=500, file_size=64 << 20, written=256 << 20)
 MIB = "bytes(1 << 20)"

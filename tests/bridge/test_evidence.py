@@ -107,7 +107,7 @@ def test_a_look_is_by_the_engine_that_exported(tmp_path: Path, submission: Path)
     with pytest.raises(MachineryFault, match="this one is headless"):
         look(**given, out=out, cameras=in_front)
     with pytest.raises(BadInput, match="there is headless"):
-        export_evidence(**{**given, "engine": "unreal"}, out=out)
+        export_evidence(**{**given, "engine": "unity"}, out=out)
 
 
 def test_a_level_that_is_not_there_is_bad_input_and_leaves_nothing(tmp_path: Path, submission: Path) -> None:

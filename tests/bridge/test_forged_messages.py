@@ -69,7 +69,7 @@ def test_what_the_host_did_not_foresee_is_told_as_its_own_fault(
         def broken(*_: object) -> None:
             raise KeyError("unheard of")
 
-        monkeypatch.setattr("c4s.engine.headless.host.jobs._object", broken)
+        monkeypatch.setattr("c4s.engine.host.jobs._object", broken)
         for _ in range(2):
             with pytest.raises(Unforeseen, match="KeyError: 'unheard of'"):
                 engine.execute("print(1)", 30.0)

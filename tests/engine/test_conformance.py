@@ -5,21 +5,24 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from contextlib import ExitStack
+from pathlib import Path
 
 import pytest
 
 from c4s.engine import engine_kinds
-from c4s.engine.conformance import Result, all_checks, run
+from c4s.engine.conformance import Report, all_checks, run
 from c4s.engine.conformance.check import Failed, need_facts
 from c4s.engine.conformance.departures import DEPARTURES
 from c4s.errors import BadInput, MachineryFault
+from tests.standin import stand_in
 
 FACTS = {"flag": True, "place": [1, 2.5, None], "parts": {"name": "A"}}
 
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "c4s.cli", "engine", "conformance", *arguments],
+        [sys.executable, "-m", "c4s.cli", "engine", "conform", *arguments],
         text=True,
         capture_output=True,
         timeout=300,
@@ -28,19 +31,30 @@ def command(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.fixture(scope="module", params=engine_kinds())
-def results(request: pytest.FixtureRequest) -> list[Result]:
-    """The results of an engine; one that this machine lacks is skipped with the reason."""
-    try:
-        return run(request.param)
-    except MachineryFault as fault:
-        if request.param == "headless":
-            raise
-        pytest.skip(f"{request.param}: {fault.line()}")
+def report(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Report:
+    """What came of an engine; one that this machine lacks is skipped with the reason."""
+    with ExitStack() as stack:
+        if request.param == "unreal-standin":
+            stack.enter_context(stand_in(tmp_path_factory.mktemp("editor")))
+        try:
+            return run(request.param)
+        except MachineryFault as fault:
+            if request.param != "unreal":
+                raise
+            pytest.skip(f"{request.param}: {fault.line()}")
 
 
-def test_an_engine_conforms(results: list[Result]) -> None:
-    assert [result for result in results if result.status == "failed"] == []
-    assert len(results) == len(all_checks()) >= 25
+def test_an_engine_conforms(report: Report) -> None:
+    assert [result for result in report.checks if result.status == "failed"] == []
+    assert len(report.checks) == len(all_checks()) >= 25
+
+
+def test_open_questions_are_put_on_record(report: Report) -> None:
+    answers = {result.name: result for result in report.checks if result.group == "questions"}
+    assert {result.status for result in answers.values()} == {"recorded"} and len(answers) >= 9
+    assert json.loads(answers["how-large-a-new-navigation-volume-is"].detail)["extent"] == [100, 100, 100]
+    opened = answers["whether-a-level-opens-from-a-tick"].detail
+    assert ("Slate tick" in opened) if report.engine == "unreal-standin" else (json.loads(opened) == {"opened": True})
 
 
 def test_names_are_unique_and_departures_are_of_checks() -> None:
@@ -72,7 +86,7 @@ def test_a_wrong_fact_fails(found: dict[str, object]) -> None:
 
 def test_a_departure_that_has_ended_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(DEPARTURES, "headless", {"scripts-share-a-namespace": "said so"})
-    (result,) = run("headless", ["scripts-share-a-namespace"])
+    (result,) = run("headless", ["scripts-share-a-namespace"]).checks
     assert result.status == "failed" and "is none" in result.detail
 
 
@@ -85,8 +99,12 @@ def test_what_there_is_not_is_bad_input() -> None:
     assert done.returncode == 2 and done.stderr.count("\n") == 1 and "headless" in done.stderr
 
 
-def test_the_command_tells_what_came_of_a_check() -> None:
-    done = command("--only", "vectors-calculate", "--json")
+def test_the_command_tells_what_came_of_a_check_and_writes_it_down(tmp_path: Path) -> None:
+    done = command("--only", "vectors-calculate", "--json", "--out", str(tmp_path / "table.json"))
     told = json.loads(done.stdout)
     assert done.returncode == 0 and told["engine"] == "headless" and told["failed"] == 0
     assert [(check["name"], check["status"]) for check in told["checks"]] == [("vectors-calculate", "passed")]
+    assert json.loads((tmp_path / "table.json").read_text()) == told
+    assert told["version"] == told["host"]["engine_version"] and "gpus" in told["host"]
+    again = command("--only", "vectors-calculate", "--out", str(tmp_path / "table.json"))
+    assert again.returncode == 2 and "--replace" in again.stderr

@@ -17,6 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FACTS = ROOT.parent / "shared" / "facts" / "unreal.md"
 SOURCES = (
     "c4s/editor",
+    "c4s/engine/unreal/boot",
     "c4s/toolbox",
     "c4s/agents",
     "c4s/planner",

@@ -15,7 +15,7 @@ from c4s.semantics.inventory import inventory
 from c4s.semantics.kinds import KindIndex
 from c4s.semantics.looks import is_made_of, material_index
 from c4s.toolbox.client import CallRefused
-from reports.site import _environment
+from reports.site import environment as pages
 
 SPEECH = (
     "</td></script><script>alert(1)</script><img src=x onerror=alert(2)>{{ 7 * 7 }} "
@@ -86,7 +86,7 @@ print("made", made.static_mesh_component.static_mesh.get_path_name())
 
 
 def test_pages_write_names_as_text(prey: Prey) -> None:
-    environment = _environment()
+    environment = pages()
     shown = environment.from_string('<td title="{{ name }}">{{ name }}</td>').render(name=SPEECH)
     assert "<script" not in shown and "<img" not in shown and "{{ 7 * 7 }}" in shown
     for template in environment.list_templates():
@@ -98,7 +98,10 @@ def test_pages_write_names_as_text(prey: Prey) -> None:
 def test_a_scene_with_hostile_names_is_saved_and_read_as_any(prey: Prey) -> None:
     saved = prey.client.call("save_scene_as", name="named").data
     level = json.loads((prey.root / "content/Game/SavedScenes/named.level.json").read_text())
-    assert len(level["actors"]) == saved["actors"] and last_saved(prey.root / "content") == "/Game/SavedScenes/named"
+    assert (
+        len(level["actors"]) == saved["actors"]
+        and last_saved(prey.root / "content", ".level.json") == "/Game/SavedScenes/named"
+    )
 
 
 def test_the_start_level_packs_and_other_places_cannot_be_written(prey: Prey) -> None:
@@ -158,11 +161,11 @@ def test_forged_lines_of_saves_are_passed_over(tmp_path: Path, line: str) -> Non
     (tmp_path / "content/saves.jsonl").write_text(
         '{"package": "/Game/SavedScenes/real"}\n' + line + "\n", encoding="utf-8"
     )
-    assert last_saved(tmp_path / "content") == "/Game/SavedScenes/real"
+    assert last_saved(tmp_path / "content", ".level.json") == "/Game/SavedScenes/real"
 
 
 def test_a_saves_file_that_is_a_link_is_no_record(tmp_path: Path) -> None:
     (tmp_path / "content").mkdir()
     (tmp_path / "elsewhere.jsonl").write_text('{"package": "/Game/A"}\n')
     (tmp_path / "content/saves.jsonl").symlink_to(tmp_path / "elsewhere.jsonl")
-    assert last_saved(tmp_path / "content") is None
+    assert last_saved(tmp_path / "content", ".level.json") is None

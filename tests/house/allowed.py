@@ -20,6 +20,7 @@ VERIFIERS: dict[str, set[str]] = {
     "c4s/records/policy.py": {"overview"},
     "c4s/run/drive.py": {"integrity"},
     "c4s/run/limits.py": {"integrity"},
+    "c4s/run/part.py": {"integrity"},
     "c4s/run/repeats.py": {"integrity"},
     "c4s/run/trial.py": {"integrity"},
     "c4s/score/batch.py": {"detailed", "overview", "physics"},

@@ -32,7 +32,7 @@ ACTOR = (
     "'static_meshes': []}"
 )
 RAW = (
-    "from c4s.engine.headless import channel\nreal = channel.send\n"
+    "from c4s.engine import channel\nreal = channel.send\n"
     "def send(connection, payload, descriptor=None):\n    real(connection, FORGE(payload), descriptor)\n"
     "channel.send = send\n"
 )

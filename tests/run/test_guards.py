@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+import os
+import signal
 import time
 from collections import Counter
 from collections.abc import Callable
@@ -21,10 +23,11 @@ from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.run.bounds import moment, seconds_of
 from c4s.run.drive import Pending, refuse_pending, run_trials
-from c4s.run.guards import RunStopped, Watchman, ask, set_guards
+from c4s.run.guards import StoppedByGuard, Watchman, ask, set_guards
 from c4s.run.limits import Stage
 from c4s.run.overseer import Overseer
 from c4s.run.plan import Trial
+from c4s.run.signals import ending_in_order
 from tests.run.test_orchestration import DummyPool, finished, planned
 
 Act = Callable[[Stage, Trial, Overseer, Counter[str]], object]
@@ -73,8 +76,8 @@ def work(
     return pending, seen, overseer
 
 
-def stopped(pending: list[Pending], total: int) -> RunStopped:
-    with pytest.raises(RunStopped) as told:
+def stopped(pending: list[Pending], total: int) -> StoppedByGuard:
+    with pytest.raises(StoppedByGuard) as told:
         refuse_pending(pending, total)
     return told.value
 
@@ -119,7 +122,7 @@ def test_no_second_attempt_starts_in_a_run_that_is_stopped(tmp_path: Path) -> No
             return await run_trials(made, plan, pool, run, overseer=overseer)
 
     pending = finished(all_of_it())
-    assert [type(one.error) for one in pending] == [RunStopped]
+    assert [type(one.error) for one in pending] == [StoppedByGuard]
     assert not made[0].folder.faults.exists() and not made[0].folder.score.exists()
 
 
@@ -268,3 +271,40 @@ def test_what_is_no_deadline(text: str) -> None:
 
 def test_a_duration() -> None:
     assert seconds_of("1d2h3m4s", "--older") == 93784
+
+
+def endless(tmp_path: Path, numbers: tuple[signal.Signals, ...], term_s: float) -> tuple[list[str], Counter[str]]:
+    """Run trials whose attempts do not end, get the signals while the first is in work, and be ended at once."""
+    plan, made = planned(tmp_path, 4)
+    set_guards(RunFolder(tmp_path))
+    lines: list[str] = []
+    seen: Counter[str] = Counter()
+    overseer = Overseer(tmp_path, tell=lines.append)
+
+    async def run(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> Any:
+        seen[stage] += 1
+        loop = asyncio.get_running_loop()
+        for count, number in enumerate(numbers):
+            loop.call_later(0.05 * count, os.kill, os.getpid(), number)
+        await asyncio.Event().wait()
+
+    async def all_of_it() -> list[Pending]:
+        async with DummyPool(1, processors=1) as pool:
+            with ending_in_order(overseer, term_s):
+                return await run_trials(made, plan, pool, run, overseer=overseer)
+
+    before = signal.getsignal(signal.SIGTERM)
+    with pytest.raises(KeyboardInterrupt):
+        finished(all_of_it())
+    assert signal.getsignal(signal.SIGTERM) is before and overseer.stopped is not None
+    return lines, seen
+
+
+def test_the_second_ctrl_c_ends_a_run_at_once(tmp_path: Path) -> None:
+    lines, seen = endless(tmp_path, (signal.SIGINT, signal.SIGINT), 60.0)
+    assert len(lines) == 1 and "Ctrl-C asked it to end" in lines[0] and seen == {"attempt": 1}
+
+
+def test_a_run_that_does_not_end_in_time_after_sigterm_is_ended(tmp_path: Path) -> None:
+    lines, seen = endless(tmp_path, (signal.SIGTERM,), 0.1)
+    assert len(lines) == 1 and "SIGTERM asked it to end" in lines[0] and seen == {"attempt": 1}

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from c4s.engine import engine_kinds
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import digest, read_json, write_json
 from c4s.judge.names import DEFAULT_JUDGE
@@ -25,11 +26,11 @@ from tests.run.conftest import apart, command_in, trial_in
 
 TEXT, REPAIR = "text-flat-family", "indoor-flat-01-mirrored-bath"
 RUN = ("run", "small", "-a", "planner", "-c", TEXT, "--run-id", "labels")
-WRONG = {"engine": "unreal", "judge": "gpt-9-vlm", "policy": "my-weights"}
+WRONG = {"engine": "unity", "judge": "gpt-9-vlm", "policy": "my-weights"}
 
 
 def choices(label: str) -> list[str]:
-    return {"engine": ["headless"], "judge": list(JUDGES), "policy": list(POLICIES)}[label]
+    return {"engine": list(engine_kinds()), "judge": list(JUDGES), "policy": list(POLICIES)}[label]
 
 
 @pytest.fixture(scope="module")

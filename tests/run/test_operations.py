@@ -83,7 +83,8 @@ def test_logs_are_json_lines_with_trial_ids(ran: Ran) -> None:
 
 def test_with_json_logs_standard_error_holds_nothing_else(ran: Ran) -> None:
     lines = logged(ran.done.stderr)
-    assert "over" in [line.get("event") for line in lines] and "2 of 2 trials done" in lines[-1]["message"]
+    assert "over" in [line.get("event") for line in lines]
+    assert [line["message"].strip() for line in lines if "of 2 trials" in line["message"]][-1] == "2 of 2 trials done"
     assert len(lines) >= 20 and json.loads(ran.done.stdout)["ran"] == 2
 
 

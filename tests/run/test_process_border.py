@@ -17,7 +17,12 @@ from c4s.errors import C4SError
 from c4s.run.limits import Limit
 from c4s.run.pool import Pool
 
-INSIDE_ENGINES = ("c4s.editor.", "c4s.engine.headless.process.", "c4s.engine.headless.unreal.")
+INSIDE_ENGINES = (
+    "c4s.editor.",
+    "c4s.engine.headless.process.",
+    "c4s.engine.headless.unreal.",
+    "c4s.engine.unreal.boot.",
+)
 """Modules that are only ever imported where a module ``unreal`` is."""
 
 

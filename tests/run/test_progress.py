@@ -11,9 +11,10 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
+import pytest
 from rich.console import Console
 
-from c4s.cli.run_view import line_of, view
+from c4s.cli.run_view import drawn, line_of, view
 from c4s.engine import EngineDied
 from c4s.records.folder import RunFolder
 from c4s.records.journal import Event
@@ -102,6 +103,26 @@ def test_what_a_killed_process_had_in_work_is_in_work_no_more(tmp_path: Path) ->
         assert (now.state, now.running, now.waiting, now.slots) == ("idle", [], 4, [])
 
 
+def test_a_trial_that_is_done_again_counts_once_and_one_between_stages_waits_when_nobody_works(tmp_path: Path) -> None:
+    grown(tmp_path, 2, agents=("noop",))
+    journal = Journal(RunFolder(tmp_path))
+    journal(Event(time=time.time(), event="begun", owner=journal.owner, slots={"engine": 1}))
+    for score_then in (0.2, 0.8):
+        told: dict[str, Any] = {"trial": "noop/case-0/r1", "stage": "score", "kind": "processor"}
+        journal(Event(time=time.time(), event="started", **told))
+        journal(Event(time=time.time(), event="ended", seconds=0.1, **told))
+        journal(Event(time=time.time(), event="done", trial="noop/case-0/r1", score=score_then))
+    told = {"trial": "noop/case-1/r1", "stage": "attempt", "attempt": 1, "kind": "engine"}
+    journal(Event(time=time.time(), event="started", **told))
+    journal(Event(time=time.time(), event="ended", seconds=1.0, **told))
+    journal.close()
+    progress = Progress(tmp_path)
+    with holding(tmp_path):
+        now = progress.read()
+        assert (now.done, now.waiting, now.standings[0].mean_score) == (1, 0, 0.8)
+    assert progress.read().waiting == 1
+
+
 def test_trials_of_a_run_without_a_journal_are_found_once(tmp_path: Path) -> None:
     plan = grown(tmp_path, 4)
     made = list(trials(tmp_path, tmp_path, plan))
@@ -168,3 +189,17 @@ def test_the_estimate_is_the_work_that_is_left_over_the_slots(tmp_path: Path) ->
 def test_a_snapshot_is_plain_json(tmp_path: Path) -> None:
     grown(tmp_path, 2)
     assert json.loads(json.dumps(Progress(tmp_path).read().plain()))["planned"] == 4
+
+
+def test_a_terminal_is_drawn_on_and_anything_else_gets_lines(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plan = grown(tmp_path, 3)
+    work(list(trials(tmp_path, tmp_path, plan)), plan)
+    screen = io.StringIO()
+    with drawn(Progress(tmp_path), Console(file=screen, force_terminal=True, width=100, height=30)):
+        pass
+    assert "6/6 trials" in screen.getvalue() and "score so far" in screen.getvalue()
+    with drawn(Progress(tmp_path), Console(file=screen, force_terminal=False)):
+        pass
+    assert capsys.readouterr().err == "  6 of 6 trials done\n"

@@ -1,3 +1,3 @@
 """Processes in a sandbox: bubblewrap or Landlock, system calls, limits, the watch."""
 
-__all__ = ["confinement", "leftovers", "sandbox", "seccomp", "watch"]
+__all__ = ["confinement", "landlock", "leftovers", "sandbox", "seccomp", "watch"]

@@ -30,10 +30,16 @@ def abi() -> int:
     return max(0, int(ctypes.CDLL(None, use_errno=True).syscall(_CREATE, None, 0, 1)))
 
 
-def restrict(read_only: Iterable[Path], read_write: Iterable[Path]) -> None:
+def restrict(
+    read_only: Iterable[Path],
+    read_write: Iterable[Path],
+    *,
+    programs: Iterable[Path] = (),
+    devices: Iterable[Path] = (),
+) -> None:
     """Restrict this thread, and all that it starts, to these paths. Needs ``no_new_privs``. ``OSError`` on refusal.
 
-    A path that does not exist grants nothing.
+    What lies in ``programs`` may be executed too, in ``devices`` driven. A path that does not exist grants nothing.
     """
     version = abi()
     handled = (1 << 13) - 1
@@ -45,6 +51,8 @@ def restrict(read_only: Iterable[Path], read_write: Iterable[Path]) -> None:
     writable = handled & ~(_EXECUTE | _MAKE_CHAR | _MAKE_SOCK | _MAKE_FIFO | _MAKE_BLOCK | _IOCTL_DEV)
     rules = [(path, _READ_FILE | _READ_DIR) for path in read_only] + [(path, writable) for path in read_write]
     rules += [(Path(device), _READ_FILE | _WRITE_FILE) for device in DEVICES]
+    rules += [(path, _READ_FILE | _READ_DIR | _EXECUTE) for path in programs]
+    rules += [(path, _READ_FILE | _READ_DIR | _WRITE_FILE | _IOCTL_DEV) for path in devices]
     for path, rights in rules:
         if path.exists():
             _allow(ruleset, path, rights & handled)

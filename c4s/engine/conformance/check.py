@@ -25,7 +25,8 @@ class Check:
     group: str
     says: str
     """What holds when the check passes, as a sentence."""
-    run: Callable[[Ground], None]
+    run: Callable[[Ground], str | None]
+    """What is to be put on record of a question; None of a check that passed."""
 
 
 class Group:

@@ -2,4 +2,8 @@
 
 from __future__ import annotations
 
-DEPARTURES: dict[str, dict[str, str]] = {}
+_EDITOR = {
+    "a-saved-level-opens-again": "opening a level from a tick ends an editor, so its start script refuses it; "
+    "a clean engine opens the level"
+}
+DEPARTURES: dict[str, dict[str, str]] = {"unreal": _EDITOR, "unreal-standin": _EDITOR}

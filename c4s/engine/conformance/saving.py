@@ -11,8 +11,6 @@ from c4s.errors import BadInput
 check = Group("saving")
 CHECKS = check.checks
 _BUILD = """
-unreal.EditorLoadingAndSavingUtils.new_blank_map(False)
-clear()
 box = place("Cube", 100, 200, 50)
 box.set_actor_rotation(unreal.Rotator(roll=0, pitch=0, yaw=30), False)
 box.set_actor_scale3d(unreal.Vector(1, 2, 3))
@@ -153,6 +151,6 @@ def dependencies_are_told(ground: Ground) -> None:
 
 @check("A level that was never saved is itself missing among its dependencies")
 def an_unsaved_level_is_missing(ground: Ground) -> None:
-    ground.facts("unreal.EditorLoadingAndSavingUtils.new_blank_map(False)", clear=False)
+    ground.close()
     told = ground.engine.call("dependencies.export_dependencies")
     need(told["unresolved"] == [told["root"]], f"unresolved is {told['unresolved']}")

@@ -13,11 +13,27 @@ from typing import TYPE_CHECKING, Any
 from c4s.engine.headless.version import ENGINE_VERSION
 
 if TYPE_CHECKING:
+    from c4s.engine.finding import EngineFinding
     from c4s.engine.headless.host.session import EngineSession
 
-__all__ = ["asset_paths", "export_glb", "open_session", "version"]
+__all__ = [
+    "asset_paths",
+    "editor",
+    "export_glb",
+    "findings",
+    "host",
+    "level_suffix",
+    "log",
+    "open_session",
+    "pictures",
+    "unreal",
+    "version",
+    "warm",
+    "world",
+]
 
 version = ENGINE_VERSION
+level_suffix = ".level.json"
 
 
 def open_session(
@@ -42,6 +58,18 @@ def open_session(
         content_read_only=content_read_only,
         offered=offered,
     )
+
+
+def findings() -> tuple[EngineFinding, ...]:
+    """Nothing beside the default install and a sandbox."""
+    return ()
+
+
+def warm(packs: Sequence[Path]) -> Path:
+    """Compile the kernels of the renderer; packs need nothing."""
+    from c4s.engine.headless.host.kernels import compiled
+
+    return compiled()
 
 
 def asset_paths(level: Path) -> list[str]:

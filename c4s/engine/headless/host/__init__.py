@@ -1,3 +1,3 @@
 """The trusted side: it starts engine processes and talks to them."""
 
-__all__ = ["session"]
+__all__ = ["kernels", "session"]

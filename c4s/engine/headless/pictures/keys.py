@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Any
 
 import c4s
 from c4s.engine.headless.pictures.lights import grade_at, lights_of
-from c4s.engine.headless.pictures.take import camera_of, drawn, look_of
+from c4s.engine.headless.pictures.take import drawn, look_of
 from c4s.files import digest, digest_file
+from c4s.render.masks import camera_of
 
 if TYPE_CHECKING:
     from c4s.engine.headless.world.world import World

@@ -16,14 +16,14 @@ from c4s.engine.headless.pictures.lights import grade_at, lights_of
 from c4s.packs.meshes import Mesh
 from c4s.packs.pictures import open_picture
 from c4s.packs.store import PackStore
-from c4s.render import Camera, Instance, Lights, LocalLight, Picture, Renderer, SurfaceMaterial
+from c4s.render import Camera, Instance, Lights, LocalLight, Renderer, SurfaceMaterial
+from c4s.render.masks import LEAST_VOLUME, camera_of, mask_name, visible, write_mask
 
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.assets import MaterialInterface
     from c4s.engine.headless.unreal.components import StaticMeshComponent
     from c4s.engine.headless.world.world import Drawable, LightSource, World
 
-_MIN_VOLUME = 1e-9
 _PNG_LEVEL = 4
 """Half the time of the default, a few per cent more bytes."""
 
@@ -37,10 +37,6 @@ class DrawnScene:
     labels: tuple[str, ...]
     sources: tuple[LightSource, ...]
     """Lights, fog and post-process volumes."""
-
-
-MOST_LABEL = 200
-"""Characters of a label in a mask: its table takes the longest for each actor."""
 
 
 def take(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool) -> list[dict[str, Any]]:
@@ -58,35 +54,10 @@ def take(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, 
         path = Path(name)
         Image.fromarray(picture.rgb).save(path, format="PNG", compress_level=_PNG_LEVEL)
         if masks:
-            write_mask(path.with_suffix(".actors.npz"), picture, scene)
-        records.append({"visible": visible(picture, scene)})
+            write_mask(path.with_name(mask_name(path.stem)), picture, scene.names, scene.labels)
+        records.append({"visible": visible(picture, scene.names)})
     scene.renderer.close()
     return records
-
-
-def camera_of(view: Mapping[str, Any]) -> Camera:
-    """A camera from ``location_cm``, ``rotation_deg`` ([pitch, yaw, roll]), ``fov_deg`` (horizontal), and its size."""
-    x, y, z = (float(value) for value in view["location_cm"])
-    pitch, yaw, roll = (float(value) for value in view["rotation_deg"])
-    return Camera((x, y, z), (pitch, yaw, roll), float(view["fov_deg"]), int(view["width"]), int(view["height"]))
-
-
-def write_mask(path: Path, picture: Picture, scene: DrawnScene) -> None:
-    """Write the actor mask and depth of a picture with the table of its actors."""
-    with path.open("wb") as file:
-        np.savez_compressed(
-            file,
-            actor=picture.actor,
-            depth_cm=picture.depth_cm.astype(np.float32),
-            names=np.array(scene.names, dtype=np.str_),
-            labels=np.array([label[:MOST_LABEL] for label in scene.labels], dtype=np.str_),
-        )
-
-
-def visible(picture: Picture, scene: DrawnScene) -> dict[str, int]:
-    """Pixels of each actor that the picture shows, by object name."""
-    indices, counts = np.unique(picture.actor[picture.actor >= 0], return_counts=True)
-    return {scene.names[index]: int(count) for index, count in zip(indices, counts, strict=True)}
 
 
 def open_level() -> DrawnScene:
@@ -115,7 +86,7 @@ def open_level() -> DrawnScene:
 
 def drawn(level: World) -> Iterator[Drawable]:
     """The level's meshes that have a volume."""
-    return (shown for shown in level.drawables() if abs(_volume(shown.matrix)) >= _MIN_VOLUME)
+    return (shown for shown in level.drawables() if abs(_volume(shown.matrix)) >= LEAST_VOLUME)
 
 
 def look_of(store: PackStore, material: MaterialInterface | None) -> tuple[Any, ...] | None:

@@ -29,7 +29,7 @@ def main() -> None:
 
 def serve(connection: socket.socket, settings: dict[str, Any]) -> None:
     """Build the world of ``settings`` and run jobs; bad input is told to the host."""
-    from c4s.engine.headless import channel
+    from c4s.engine import channel
     from c4s.engine.headless.process.boot import boot
     from c4s.engine.headless.process.worker import Worker
     from c4s.engine.headless.unreal.libraries import tick

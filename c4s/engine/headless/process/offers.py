@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 from c4s.editor.facts import Reader
@@ -29,7 +30,10 @@ class HeadlessPictures:
 class HeadlessHost:
     """The offer of this process: of whatever world it has at the time."""
 
+    kind = "headless"
     pictures = HeadlessPictures()
+    mesh_facts: Mapping[str, Any] = MappingProxyType({})
+    """None: its ``unreal`` tells them of every mesh."""
 
     def reader(self) -> Reader:
         """Reads the engine's own state."""

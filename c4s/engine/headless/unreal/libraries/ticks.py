@@ -33,5 +33,6 @@ def ticking() -> bool:
 
 def tick(delta_seconds: float) -> None:
     """Call the tick functions once (the server does so between requests)."""
-    for callback in list(_ticks.values()):
-        callback(delta_seconds)
+    for number in list(_ticks):
+        if number in _ticks:  # an earlier one may have taken it back
+            _ticks[number](delta_seconds)

@@ -25,13 +25,14 @@ from typing import Any
 import orjson
 
 from c4s.bounds import BOUNDS
+from c4s.engine import channel
 from c4s.engine.bridge import OVER_TIME
-from c4s.engine.headless import channel
-from c4s.engine.headless.host.job import EngineJob
-from c4s.engine.headless.host.joblog import JobLog
+from c4s.engine.host.job import EngineJob
+from c4s.engine.host.joblog import JobLog
 from c4s.errors import MachineShort, Unforeseen, shortage
 from c4s.files import parse_bounded
 
+ENGINE_LOG = "engine.log"
 KEPT_JOBS = 512
 KEPT_VALUES = 16
 """Jobs whose value can still be read; the values of older ones are dropped."""
@@ -61,11 +62,19 @@ class JobBoard:
         folder: where the logs lie; no engine sees it.
         end: waits for the process (no longer than a moment, not at all when told True), kills it if it still runs,
             and says how it ended.
+        log: the engine's own, where it has begun already.
     """
 
-    def __init__(self, connection: socket.socket, output: int, folder: Path, end: Callable[[bool], str]) -> None:
+    def __init__(
+        self,
+        connection: socket.socket,
+        output: int,
+        folder: Path,
+        end: Callable[[bool], str],
+        log: JobLog | None = None,
+    ) -> None:
         self._connection, self._output, self._folder, self._end = connection, output, folder, end
-        self.log = JobLog(folder / "engine.log")
+        self.log = log or JobLog(folder / ENGINE_LOG)
         """What the engine prints outside of jobs."""
         self.ready = threading.Event()
         """Set when the engine serves, refuses, or has ended."""

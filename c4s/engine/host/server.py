@@ -1,4 +1,4 @@
-"""The bridge of a headless engine, served by the host: one request a connection, work handed to the engine's queue.
+"""The bridge of an engine, served by the host: one request a connection, work handed to the engine's queue.
 
 The engine process itself cannot be reached: requests are read, checked and bounded here, and the state of the engine
 and of its jobs is answered here whatever the engine is doing.
@@ -19,8 +19,8 @@ from typing import Any
 import orjson
 
 from c4s.engine.bridge import MAX_REQUEST_BYTES, decode, read_line
-from c4s.engine.headless.host.job import EngineJob
-from c4s.engine.headless.host.jobs import JobBoard
+from c4s.engine.host.job import EngineJob
+from c4s.engine.host.jobs import JobBoard
 
 DEFAULT_WAIT_S = 20.0
 MAX_SHOTS = 16
@@ -39,8 +39,10 @@ class BadRequest(Exception):
 class BridgeServer:
     """Answers bridge requests. Work on the scene is queued (``JobBoard``); the rest is answered at once."""
 
-    def __init__(self, listener: socket.socket, board: JobBoard, scratch: Path, read_s: float = _READ_S) -> None:
-        self._listener, self._board, self._scratch, self._read_s = listener, board, scratch, read_s
+    def __init__(
+        self, listener: socket.socket, board: JobBoard, scratch: Path, kind: str, read_s: float = _READ_S
+    ) -> None:
+        self._listener, self._board, self._scratch, self._kind, self._read_s = listener, board, scratch, kind, read_s
         self._scripts, self._closed = 0, False
         self._lock = threading.Lock()
         self._places = threading.BoundedSemaphore(_MAX_CONNECTIONS)
@@ -151,7 +153,7 @@ class BridgeServer:
         return {"status": "ok"}
 
     def _status(self, _: Params) -> dict[str, Any]:
-        return {"status": "ok", "engine": "headless", **self._board.status()}
+        return {"status": "ok", "engine": self._kind, **self._board.status()}
 
     def _screenshot(self, params: Params) -> dict[str, Any]:
         limit = {"limit_s": params["limit_s"]} if "limit_s" in params else {}

@@ -8,7 +8,7 @@ from typing import Any
 
 import orjson
 
-from c4s.engine.headless.host.joblog import JobLog
+from c4s.engine.host.joblog import JobLog
 
 
 class EngineJob:
