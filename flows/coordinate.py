@@ -32,9 +32,10 @@ from prefect.states import Cancelled, Crashed
 
 from c4s.agents.base import ModelClient, agent_of
 from c4s.errors import BadInput, MachineryFault
-from c4s.records.folder import HANDOVER
+from c4s.records.folder import HANDOVER, is_result
 from c4s.records.handover import Handover, WorkPool
 from c4s.records.plan import Plan
+from c4s.records.score import TrialScore
 from c4s.run.drive import Pending
 from c4s.run.guards import StoppedByGuard
 from c4s.run.lease import Held, in_force
@@ -102,7 +103,7 @@ class Coordinator:
                     self._queue[_first_pool(trial)].append((trial, False))
             while self._sent or any(self._queue.values()):
                 await self.held.check_beside()
-                self.overseer.look()
+                await self.overseer.look_beside()
                 if self.overseer.stopped is not None:
                     self._leave(self.overseer.stopped)
                 if not self.overseer.paused:
@@ -206,8 +207,9 @@ class Coordinator:
         return time.monotonic() - sent.silent_since > SILENT_S
 
     def _ended(self, sent: _Sent, how: str) -> None:
+        store = open_store()
         for trial in sent.trials:
-            open_store().pull(trial.folder.root, lambda name: name == HANDOVER)
+            store.pull(trial.folder.root, lambda name: name == HANDOVER or is_result(name))
             handover = _handover(trial)
             if handover is None or handover.part != sent.part:
                 self._lose(trial, sent.pool, how)
@@ -215,7 +217,12 @@ class Coordinator:
                 self._queue[handover.pool].append((trial, handover.whole))
             elif handover.ended == "pending":
                 kind = BadInput if handover.bad_input else MachineryFault
-                self._pending[trial.name] = Pending(trial, self.overseer.stopped or kind(handover.line))
+                error = self.overseer.stopped or kind(handover.line)
+                self._pending[trial.name] = Pending(trial, error)
+                if store.apart:
+                    self.overseer.pending(trial, error)
+            elif store.apart:
+                self.overseer.done(trial, TrialScore.read(trial.folder.score))
 
     def _lose(self, trial: Trial, pool: WorkPool, how: str) -> None:
         """Ask again for what was lost, unless it was lost too often. It is the machinery's, and counts no attempt."""

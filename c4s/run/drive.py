@@ -168,7 +168,7 @@ async def _watch(pool: Pool, held: Held | None, overseer: Overseer | None) -> No
         if held is not None:
             await held.check_beside()
         if overseer is not None:
-            overseer.look()
+            await overseer.look_beside()
 
 
 async def _run_trials(

@@ -20,6 +20,7 @@ from c4s.meter.spending import Ledger, SpendingLimitReached
 from c4s.records.folder import RunFolder
 from c4s.records.guards import Guards, Instruction, Word
 from c4s.run.journal import Tail
+from c4s.run.store import open_store
 
 Guard = Literal["deadline", "spending", "faults", "drain", "signal"]
 MOST_IN_A_ROW: Final = 20
@@ -58,7 +59,15 @@ def ask(run: RunFolder, word: Word) -> Instruction:
     """Put on record what is asked of a run."""
     asked = Instruction(word=word, time=time.time(), by=f"{getpass.getuser()} on {platform.node()}")
     asked.write(run.asked)
+    open_store().push_files(run.asked)
     return asked
+
+
+def fetch_guards(run: RunFolder) -> None:
+    """The bounds and the last instruction, as the store has them where machines share one."""
+    store = open_store()
+    store.pull_files(run.guards)
+    store.pull_files(run.asked)
 
 
 def asked_of(run: RunFolder) -> Instruction | None:
@@ -72,6 +81,7 @@ def set_guards(
     """Give a run its bounds from now on. What was asked of it before no longer holds."""
     guards = Guards(since=time.time(), deadline=deadline, spend_usd=spend_usd, most_faults=most_faults)
     guards.write(run.guards)
+    open_store().push_files(run.guards)
     run.asked.unlink(missing_ok=True)
     return guards
 

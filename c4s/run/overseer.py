@@ -9,7 +9,7 @@ import asyncio
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -18,13 +18,16 @@ from c4s.records.folder import RunFolder
 from c4s.records.journal import Event, What
 from c4s.records.score import TrialScore
 from c4s.run.faults import whose
-from c4s.run.guards import StoppedByGuard, Watchman, cause_of, reason_of, spent_up, stop
+from c4s.run.guards import StoppedByGuard, Watchman, cause_of, fetch_guards, reason_of, spent_up, stop
 from c4s.run.headroom import LOOK_S, print_line
 from c4s.run.journal import Journal, now
 from c4s.run.limits import Kind, Stage
 from c4s.run.plan import Trial
 from c4s.run.slots import Slots
+from c4s.run.store import StoreFault, open_store
 
+FETCH_S = 10.0
+"""How often another machine's instructions are fetched from a store."""
 Listener = Callable[[Event], None]
 """Is given every event of this process, on the thread that works on the run: it returns at once and raises nothing."""
 
@@ -50,6 +53,7 @@ class Overseer:
         self._tell = tell
         self._watchman = Watchman(self._run)
         self._deaf = False
+        self._fetch_at = 0.0
         self.paused = False
         self.stopped: StoppedByGuard | None = None
 
@@ -80,6 +84,15 @@ class Overseer:
             self.paused = paused
             self._note("paused" if paused else "going")
             self._tell("paused, as asked: no stage starts (`c4s runs go-on` ends that)" if paused else "going on")
+
+    async def look_beside(self) -> None:
+        """``look``, now and then with what other machines asked, where they share a store. One that does not answer
+        for a while is asked again: what hangs on it is the lease."""
+        if open_store().apart and time.monotonic() >= self._fetch_at:
+            self._fetch_at = time.monotonic() + FETCH_S
+            with suppress(StoreFault):
+                await asyncio.to_thread(fetch_guards, self._run)
+        self.look()
 
     def stop(self, stopped: StoppedByGuard) -> None:
         """No attempt starts from now on."""

@@ -4,5 +4,6 @@ from c4s.run.store.base import STORE, Store
 from c4s.run.store.content import share_suite, shared_plan
 from c4s.run.store.leases import FolderLeases, LeasePlace
 from c4s.run.store.opening import open_store
+from c4s.run.store.reach import StoreFault
 
-__all__ = ["STORE", "FolderLeases", "LeasePlace", "Store", "open_store", "share_suite", "shared_plan"]
+__all__ = ["STORE", "FolderLeases", "LeasePlace", "Store", "StoreFault", "open_store", "share_suite", "shared_plan"]
