@@ -19,7 +19,7 @@ from c4s.records.suite import SuiteFolder
 from c4s.run.bounds import amount, moment
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
-from c4s.run.drive import Pending, refuse_pending, run_trials
+from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all
 from c4s.run.guards import MOST_IN_A_ROW
 from c4s.run.headroom import print_line
 from c4s.run.lease import Held, holding
@@ -116,6 +116,9 @@ async def evaluate(
         store.pull_files(RunFolder(run).plan)
         plan = open_run(run, plan)
         store.push_files(RunFolder(run).plan)
+        ready, refused = settle_all(missing, plan, print_line)
+        if not ready:
+            refuse_pending(refused, len(missing))
         ingest_schedule(run, folder, plan, warehouse)
         page, pool = site_root() / "index.html", Pool(1 if workers == "pools" else slots)
         progress = Progress(run, folder)
@@ -127,18 +130,18 @@ async def evaluate(
         ):
             async with shown(progress, run, page):
                 with ending_in_order(overseer):
-                    pending = await (
-                        Coordinator(plan, held, overseer, print_line).run(missing)
+                    refused += await (
+                        Coordinator(plan, held, overseer, print_line).run(ready)
                         if workers == "pools"
-                        else _here(missing, plan, pool, held, overseer)
+                        else _here(ready, plan, pool, held, overseer)
                     )
                 store.pull_files(warehouse)
                 publish(warehouse, site_root())
                 store.push_files(site_root())
-            refuse_pending(pending, len(missing))
+            refuse_pending(refused, len(missing))
     return page.as_uri()
 
 
-async def _here(missing: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:
+async def _here(ready: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:
     async with pool:
-        return await run_trials(missing, plan, pool, as_tasks(warehouse_root()), held, overseer)
+        return await run_trials(ready, plan, pool, as_tasks(warehouse_root()), held, overseer)

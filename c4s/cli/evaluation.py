@@ -22,7 +22,7 @@ from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
-from c4s.run.drive import Pending, refuse_pending, run_trials, stage_functions
+from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all, stage_functions
 from c4s.run.headroom import print_line
 from c4s.run.inputs import inputs
 from c4s.run.lease import Held, holding
@@ -112,8 +112,10 @@ def evaluate_here(
             check_ready(plan.configurations)
         plan = open_run(run, plan)
         store.push_files(RunFolder(run).plan)
-        refused: list[Pending] = []
-        if missing or not page.is_file() or not is_current(warehouse):
+        ready, refused = settle_all(missing, plan, print_line)
+        if not ready:
+            refuse_pending(refused, len(missing))
+        if ready or not page.is_file() or not is_current(warehouse):
             ingest_schedule(run, folder, plan, warehouse)
             elsewhere = Counter(
                 trial.configuration.name
@@ -126,7 +128,7 @@ def evaluate_here(
                 overseen(run, folder, plan, pool, bounds, elsewhere) as overseer,
             ):
                 with drawn(progress):
-                    refused += asyncio.run(_run(missing, plan, pool, held, overseer))
+                    refused += asyncio.run(_run(ready, plan, pool, held, overseer))
                     rebuild(warehouse)
                     build_site(warehouse, site_root())
                     store.push_files(site_root())
@@ -136,8 +138,8 @@ def evaluate_here(
     return Evaluation(page.as_uri(), run.name, len(missing), dict(reused), time.perf_counter() - started)
 
 
-async def _run(missing: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:
+async def _run(ready: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:
     persist = partial(ingest_trial, warehouse=warehouse_root())
     async with pool:
         with ending_in_order(overseer):
-            return await run_trials(missing, plan, pool, stage_functions(persist), held, overseer)
+            return await run_trials(ready, plan, pool, stage_functions(persist), held, overseer)

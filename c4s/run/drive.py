@@ -23,7 +23,7 @@ from c4s.run.plan import Trial
 from c4s.run.pool import Pool, work
 from c4s.run.torn import settle
 from c4s.run.trial import Do, HandedOver, run_trial
-from c4s.run.trial_work import holding_trial, in_order
+from c4s.run.trial_work import holding_trial, in_order, settle_free
 
 Run = Callable[..., Awaitable[Any]]
 """Runs a stage by its name, with trial, plan, and what else it takes."""
@@ -214,10 +214,10 @@ async def _in_work(
 ) -> Exception | None:
     """Hold a trial and run it, or a part of it; what left it pending."""
     try:
-        async with holding_trial(trial) as (own, store):
+        async with holding_trial(trial) as (own, store, waited):
             ended: Exception | None = None
             try:
-                for line in await in_order(settle, trial, plan):
+                for line in await in_order(settle, trial, plan) if waited or part is not None else []:
                     print_line(line)
                 do = in_slots(pool, run, trial, plan, rank, [own] if held is None else [held, own], overseer)
                 do = store.sending(do)
@@ -236,6 +236,22 @@ async def _in_work(
         if overseer is not None:
             overseer.pending(trial, error)
         return error
+
+
+def settle_all(trials: Sequence[Trial], plan: Plan, tell: Callable[[str], None]) -> tuple[list[Trial], list[Pending]]:
+    """The trials that can be run, and those that can not for what they have on record; what was set aside is told.
+
+    One that somebody works on is left to them: it is settled when they are done.
+    """
+    ready, refused = [], []
+    for trial in trials:
+        try:
+            for line in settle_free(trial, plan):
+                tell(line)
+            ready.append(trial)
+        except BadInput as error:
+            refused.append(Pending(trial, error))
+    return ready, refused
 
 
 def refuse_pending(pending: Sequence[Pending], total: int) -> None:

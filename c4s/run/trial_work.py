@@ -10,10 +10,12 @@ from contextlib import asynccontextmanager
 from functools import cache, partial
 from typing import Any, TypeVar, TypeVarTuple
 
+from c4s.records.plan import Plan
 from c4s.run.lease import WAIT_S, Held, take
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
-from c4s.run.store import Store, open_store
+from c4s.run.store import FolderLeases, Store, open_store
+from c4s.run.torn import settle
 from c4s.run.trial import Do
 
 Args = TypeVarTuple("Args")
@@ -58,15 +60,32 @@ async def in_order(function: Callable[[*Args], R], *arguments: *Args) -> R:
 
 
 @asynccontextmanager
-async def holding_trial(trial: Trial) -> AsyncIterator[tuple[Held, Sending]]:
-    """Hold the lease of a trial for the block, once nobody else does, with its folder as the store has it."""
-    store = open_store()
+async def holding_trial(trial: Trial) -> AsyncIterator[tuple[Held, Sending, bool]]:
+    """Hold the lease of a trial for the block, once nobody else does, with its folder as the store has it.
+
+    Gives the lease, what sends the folder, and whether somebody else was waited for.
+    """
+    store, waited = open_store(), False
     place = store.leases(trial.folder.leases)
     while not isinstance(held := await in_order(take, place, "trial"), Held):
+        waited = True
         await asyncio.sleep(WAIT_S)
     try:
         if store.apart:
             await asyncio.to_thread(store.pull, trial.folder.root)
-        yield held, Sending(trial, store)
+        yield held, Sending(trial, store), waited or store.apart
     finally:
         await in_order(held.give_back)
+
+
+def settle_free(trial: Trial, plan: Plan) -> list[str]:
+    """Settle a trial that nobody works on; what was set aside, a line each. ``BadInput`` as ``settle``."""
+    if open_store().apart or not trial.folder.root.is_dir():
+        return []
+    held = take(FolderLeases(trial.folder.leases), "trial")
+    if not isinstance(held, Held):
+        return []
+    try:
+        return settle(trial, plan)
+    finally:
+        held.give_back()
