@@ -53,6 +53,8 @@ BATCH: Final[dict[WorkPool, int]] = {"engines": 8, "verifiers": 16, "judges": 4}
 """Most trials of one flow run. A trial whose agent is a program with a model has a flow run of its own."""
 AHEAD: Final[dict[WorkPool, int]] = {"engines": 4, "verifiers": 1, "judges": 1}
 """Flow runs that wait for a worker, beside as many as run. Where few wait, they carry more trials each."""
+PAGE: Final = 200
+"""Flow runs of one answer: the server's most."""
 _OVER: Final = frozenset({StateType.COMPLETED, StateType.FAILED, StateType.CRASHED, StateType.CANCELLED})
 _WAITING: Final = [StateType.SCHEDULED, StateType.PENDING]
 
@@ -100,7 +102,8 @@ class Coordinator:
             given = await self._adopt(client, {trial.name: trial for trial in trials})
             for trial in trials:
                 if trial.name not in given:
-                    self._queue[_first_pool(trial)].append((trial, False))
+                    pool, whole = _first_pool(trial)
+                    self._queue[pool].append((trial, whole))
             while self._sent or any(self._queue.values()):
                 await self.held.check_beside()
                 await self.overseer.look_beside()
@@ -114,15 +117,8 @@ class Coordinator:
 
     async def _adopt(self, client: PrefectClient, trials: dict[str, Trial]) -> set[str]:
         """Go on with what an earlier coordinator of the run left in work; take back what no worker has begun."""
-        left = await client.read_flow_runs(
-            flow_filter=FlowFilter(name=FlowFilterName(any_=["trial"])),
-            flow_run_filter=FlowRunFilter(
-                tags=FlowRunFilterTags(all_=[self._tag]),
-                state=FlowRunFilterState(type=FlowRunFilterStateType(any_=[*_WAITING, StateType.RUNNING])),
-            ),
-        )
         given: set[str] = set()
-        for run in left:
+        for run in await self._left(client):
             names = [name for name in run.parameters.get("trials", ()) if name in trials]
             if run.state_type in _WAITING or not names:
                 await client.set_flow_run_state(run.id, Cancelled(message="another coordinator took over"), force=True)
@@ -131,6 +127,23 @@ class Coordinator:
             self._sent[run.id] = sent
             given |= set(names)
         return given
+
+    async def _left(self, client: PrefectClient) -> list[FlowRun]:
+        """The flow runs of this run that are not over."""
+        found: list[FlowRun] = []
+        while True:
+            page = await client.read_flow_runs(
+                flow_filter=FlowFilter(name=FlowFilterName(any_=["trial"])),
+                flow_run_filter=FlowRunFilter(
+                    tags=FlowRunFilterTags(all_=[self._tag]),
+                    state=FlowRunFilterState(type=FlowRunFilterStateType(any_=[*_WAITING, StateType.RUNNING])),
+                ),
+                limit=PAGE,
+                offset=len(found),
+            )
+            found += page
+            if len(page) < PAGE:
+                return found
 
     async def _send(self, client: PrefectClient) -> None:
         """Give work to the pools, as long as there is some and not much waits already."""
@@ -184,10 +197,10 @@ class Coordinator:
     async def _look(self, client: PrefectClient) -> None:
         """See which flow runs have ended, and what became of their trials."""
         ids = list(self._sent)
-        if not ids:
-            return
-        found = await client.read_flow_runs(flow_run_filter=FlowRunFilter(id=FlowRunFilterId(any_=ids)), limit=200)
-        by_id = {run.id: run for run in found}
+        by_id: dict[Any, FlowRun] = {}
+        for first in range(0, len(ids), PAGE):
+            asked = FlowRunFilter(id=FlowRunFilterId(any_=ids[first : first + PAGE]))
+            by_id |= {run.id: run for run in await client.read_flow_runs(flow_run_filter=asked, limit=PAGE)}
         for id_ in ids:
             run = by_id.get(id_)
             if run is None or run.state_type in _OVER:
@@ -241,10 +254,10 @@ class Coordinator:
         return f"run:{self.plan.run_id}"
 
 
-def _first_pool(trial: Trial) -> WorkPool:
-    """Where a trial goes on: in the pool that it was handed over to, else with an engine."""
+def _first_pool(trial: Trial) -> tuple[WorkPool, bool]:
+    """Where a trial goes on, and whether it is finished there: where it was handed over to, else with an engine."""
     handover = _handover(trial)
-    return handover.pool if handover is not None and handover.pool is not None else "engines"
+    return ("engines", False) if handover is None or handover.pool is None else (handover.pool, handover.whole)
 
 
 def _handover(trial: Trial) -> Handover | None:

@@ -50,6 +50,6 @@ def test_each_case_is_worked_on_by_the_client_that_it_names(c4s: Command, home: 
 )
 def test_what_cannot_be_obeyed_is_one_line(c4s: Command, home: Path, tmp_path: Path, change: str, words: str) -> None:
     (tmp_path / "mixed.yaml").write_text(f"name: other\nclient: noop\nper_case:\n  {change}\n")
-    done = c4s("run", "small", "-a", str(tmp_path / "mixed.yaml"), "--run-id", "other")
+    done = c4s("run", "small", "-a", str(tmp_path / "mixed.yaml"), "--run-id", "not-obeyed")
     assert (done.returncode, done.stderr.count("\n")) == (2, 1) and words in done.stderr
-    assert not (home / "runs/other").exists()
+    assert not (home / "runs/not-obeyed").exists()
