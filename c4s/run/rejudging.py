@@ -7,16 +7,13 @@ from pathlib import Path
 
 from c4s.errors import MachineryFault
 from c4s.judge.registry import make_judgements
-from c4s.protocol.rules import DEFAULT_POLICY, GATE
+from c4s.protocol.rules import GATE
 from c4s.records.plan import Plan
 from c4s.records.verdict import Verdict
 from c4s.run.check import judged_digests
 from c4s.run.inputs import evidence_in, inputs
 from c4s.run.plan import Trial
-from c4s.run.stages import evidence, retained
-from c4s.score.case import case_score
-from c4s.score.policies import policy_named
-from c4s.score.rescore import rescored
+from c4s.run.stages import evidence, retained, scored
 from c4s.verify.registry import make_verdict, verifiers_of
 
 
@@ -39,20 +36,7 @@ def judged_anew(trial: Trial, plan: Plan) -> float:
             verdicts[verifier.name] = (
                 make_verdict(verifier.name, shown) if fresh else Verdict.read(trial.folder.verdict(verifier.name))
             )
-    made = case_score(
-        case_id=trial.case.case_id,
-        setting=trial.case.setting,
-        repeat=trial.repeat,
-        configuration=trial.configuration.name,
-        policy=plan.policy,
-        judge=plan.judge,
-        engine=plan.engine,
-        retained_attempt=kept,
-        submitted=True,
-        verdicts=verdicts,
-    )
-    if plan.policy != DEFAULT_POLICY:
-        made = rescored(made, verdicts, policy_named(plan.policy))
+    made = scored(trial, plan, kept, True, verdicts)
     if made.status == "pending" or made.score is None:
         raise MachineryFault(made.reason or "the repeat has no score", where=trial.name)
     return made.score

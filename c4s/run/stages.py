@@ -232,9 +232,6 @@ def control(trial: Trial, plan: Plan, stage: Stage, *arguments: Any) -> None:
 def score(trial: Trial, plan: Plan) -> TrialScore:
     """The trial's score from its verdicts; zero with its reason where no attempt left a valid submission."""
     from c4s.run.labels import check_agreement
-    from c4s.score.case import case_score
-    from c4s.score.policies import policy_named
-    from c4s.score.rescore import rescored
 
     check_agreement(trial, plan)
     path = trial.folder.score
@@ -246,23 +243,40 @@ def score(trial: Trial, plan: Plan) -> TrialScore:
         if kept is not None:
             names = [verifier.name for verifier in verifiers_of(trial.case.setting)]
             verdicts |= {name: Verdict.read(trial.folder.verdict(name)) for name in names}
-        made = case_score(
-            case_id=trial.case.case_id,
-            setting=trial.case.setting,
-            repeat=trial.repeat,
-            configuration=trial.configuration.name,
-            policy=plan.policy,
-            judge=plan.judge,
-            engine=plan.engine,
-            retained_attempt=kept,
-            submitted=any(AttemptOutcome.read(folder.outcome).submission for folder in attempts),
-            verdicts=verdicts,
-        )
-        if plan.policy != DEFAULT_POLICY:
-            made = rescored(made, verdicts, policy_named(plan.policy))
+        submitted = any(AttemptOutcome.read(folder.outcome).submission for folder in attempts)
+        made = scored(trial, plan, kept, submitted, verdicts)
         if made.status == "pending":
             raise MachineryFault(made.reason, where=trial.name, todo="run the same command again")
         read = {name: digest_file(verdict) for name, verdict in trial.folder.verdicts.items()}
         made = made.model_copy(update={"verdicts": read})
         made.write(path)
     return made
+
+
+def scored(trial: Trial, plan: Plan, kept: int | None, submitted: bool, verdicts: dict[str, Verdict]) -> TrialScore:
+    """The score that verdicts give under the plan's policy; nothing is read or written.
+
+    Args:
+        trial: the trial.
+        plan: the run's plan.
+        kept: number of the retained attempt, if any.
+        submitted: whether any attempt saved a submission.
+        verdicts: by verifier.
+    """
+    from c4s.score.case import case_score
+    from c4s.score.policies import policy_named
+    from c4s.score.rescore import rescored
+
+    made = case_score(
+        case_id=trial.case.case_id,
+        setting=trial.case.setting,
+        repeat=trial.repeat,
+        configuration=trial.configuration.name,
+        policy=plan.policy,
+        judge=plan.judge,
+        engine=plan.engine,
+        retained_attempt=kept,
+        submitted=submitted,
+        verdicts=verdicts,
+    )
+    return made if plan.policy == DEFAULT_POLICY else rescored(made, verdicts, policy_named(plan.policy))
