@@ -18,7 +18,9 @@ from c4s.run.drive import refuse_pending, run_trials
 from c4s.run.lease import holding
 from c4s.run.plan import trials as scheduled
 from c4s.run.pool import Pool
+from c4s.run.stages import retained
 from c4s.run.store import open_store, share_suite, shared_plan
+from c4s.run.trial_work import holding_trial
 from flows.family import die_with_the_worker
 from flows.server import tie
 from flows.trial import as_tasks
@@ -60,11 +62,12 @@ async def _again(run_id: str, agents: Sequence[str], again: Again, slots: int | 
         if store.apart:
             for trial in chosen:
                 store.pull(trial.folder.root)
-        done = [trial for trial in chosen if trial.folder.score.is_file()]
+        done = [trial for trial in chosen if trial.folder.score.is_file() or retained(trial) is not None]
         before = {trial.name: stored_score(trial) for trial in done}
         for trial in done:
-            set_back(trial, plan, again)
-            store.push(trial.folder.root)
+            async with holding_trial(trial):
+                set_back(trial, plan, again)
+                store.push(trial.folder.root)
         async with Pool(slots, processors=slots) as pool:
             pending = await run_trials(done, plan, pool, as_tasks(warehouse_root()), held)
         publish(warehouse_root(), site_root())

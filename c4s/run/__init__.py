@@ -33,5 +33,6 @@ __all__ = [
     "store",
     "torn",
     "trial",
+    "trial_work",
     "worker",
 ]

@@ -1,0 +1,46 @@
+"""Stored evidence once more: the flows rejudge, repeatability and curate on a run of the suite ``small``."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from tests.run.conftest import Command, apart, environment, trial_in
+from tests.run.test_evaluate import OFFLINE
+from warehouse.database import rows
+
+CASE = "text-flat-family"
+FLOWS = """
+import asyncio, json
+from flows.again import rejudge
+from flows.curate import curate
+from flows.repeatability import repeatability
+repeated = asyncio.run(repeatability("small", repeats=2))
+print(json.dumps([repeated, asyncio.run(rejudge("small")), curate("small")]))
+"""
+
+
+def test_evidence_is_judged_anew_without_an_engine(home: Path, tmp_path: Path, c4s: Command) -> None:
+    own = apart(tmp_path / "home", home)
+    assert c4s("run", "small", "-a", "oracle", "-a", "noop", "-c", CASE, home=own).returncode == 0
+    question = "SELECT configuration, score FROM outcomes ORDER BY configuration"
+    before = rows(own / "warehouse", question)
+    trial = trial_in(own, "small", "oracle", CASE)
+    kept = trial.verdict("detailed").read_bytes()
+    told = subprocess.run(
+        [sys.executable, "-c", FLOWS],
+        env=environment(own) | OFFLINE | {"PREFECT_HOME": str(tmp_path / "prefect")},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert told.returncode == 0, told.stderr[-3000:]
+    (repeated,), changed, curated = json.loads(told.stdout.splitlines()[-1])
+    score = next(row["score"] for row in before if row["configuration"] == "oracle")
+    assert repeated == {"configuration": "oracle", "trials": 1, "means": [score, score], "sd": 0.0}
+    assert changed == [] and rows(own / "warehouse", question) == before
+    aside = list(trial.verdict("detailed").parent.glob("detailed.json.outdated-*"))
+    assert [path.read_bytes() for path in aside] == [kept]
+    assert curated["suite"] == "small" and curated["repairs"] == 2 and curated["files"] > 10
