@@ -13,6 +13,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from bench.waiting import until
 from c4s.errors import C4SError
 from c4s.folders import remove_tree
 from c4s.protocol.rules import GATE
@@ -123,8 +124,7 @@ def below(process: int) -> dict[int, str]:
 
 def wait_for(process: subprocess.Popen[str], path: Path) -> bool:
     """Wait until a file is there, or the run has ended."""
-    while not path.exists() and process.poll() is None:
-        os.sched_yield()
+    until(lambda: process.poll() is not None or path.exists())
     return process.poll() is None
 
 
@@ -214,8 +214,7 @@ def _full_disk(scene: Scene) -> int:
     process = scene.start()
     if wait_for(process, scene.trial.attempt(1).manifest):
         _fill(disk)
-    while process.poll() is None and any(WHO["engine"] in line for line in below(process.pid).values()):
-        os.sched_yield()
+    until(lambda: process.poll() is not None or not any(WHO["engine"] in line for line in below(process.pid).values()))
     (disk / "filler").unlink()
     code = _ended(process)
     kept = scene.home / "kept"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import socket
 import sys
@@ -13,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from bench.waiting import until
 from c4s.agents.clients import confined, inside
 from c4s.agents.clients.limits import ClientLimits
 from c4s.engine.confine import leftovers
@@ -98,8 +98,7 @@ def test_a_client_that_passes_a_limit_is_ended_with_all_it_started(tmp_path: Pat
     memory = SMALL.memory if "memory" in reason else 4 << 30  # what forks share counts for each
     with pytest.raises(AgentFault, match=f"the client was ended: .*{reason}"):
         run(tmp_path, f"'{mark}'\n{script}", replace(SMALL, memory=memory))
-    while marked(mark):
-        os.sched_yield()
+    until(lambda: not marked(mark))
 
 
 @pytest.mark.parametrize(

@@ -9,13 +9,13 @@ import socket
 import subprocess
 import sys
 import threading
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from bench.waiting import until
 from c4s.engine import EngineCallError, EngineDied
 from c4s.engine.faults import EngineOverLimit
 from c4s.engine.headless.host.session import EngineSession
@@ -156,12 +156,6 @@ def processes_of(folder: Path) -> list[int]:
     return found
 
 
-def await_(condition: Callable[[], object]) -> None:
-    """Look again and again until a condition holds; the test's own time limit ends a wait for what never comes."""
-    while not condition():
-        os.sched_yield()
-
-
 @pytest.mark.parametrize("clinging", ["", "import ctypes; ctypes.CDLL(None).prctl(1, 0, 0, 0, 0)\n"])
 def test_the_engine_dies_with_its_host(tmp_path: Path, backend: str, clinging: str) -> None:
     host = subprocess.Popen(
@@ -184,7 +178,7 @@ def test_the_engine_dies_with_its_host(tmp_path: Path, backend: str, clinging: s
     assert processes_of(tmp_path / "s")
     host.kill()
     host.wait()
-    await_(lambda: not processes_of(tmp_path / "s"))
+    until(lambda: not processes_of(tmp_path / "s"))
 
 
 def test_an_engine_outlives_the_thread_that_started_it(tmp_path: Path, backend: str) -> None:

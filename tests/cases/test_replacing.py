@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 import trimesh
 
+from bench.waiting import until
 from c4s.cli.suites import built_suite
 from c4s.errors import BadInput
 from c4s.folders import put_folder
@@ -129,9 +130,7 @@ def test_a_killed_build_leaves_a_whole_suite(
     before = suite.suite()
     moment = moment.replace("{alias}", "*")
     process = subprocess.Popen(command, start_new_session=True, stderr=subprocess.DEVNULL)
-    while not any((tmp_path / "suites").glob(f".small.*/{moment}")):
-        assert process.poll() is None, "the build ended before it could be killed"
-        os.sched_yield()
+    until(lambda: any((tmp_path / "suites").glob(f".small.*/{moment}")), process)
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
     assert suite.suite() == before or (moment == "suite/build.json" and suite.suite().title == "Other")

@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 
+from bench.waiting import until
 from c4s.files import digest_file
 from c4s.home import runs_root
 from c4s.judge.rule.judging import rule_version
@@ -308,9 +309,7 @@ def test_a_killed_run_goes_on_and_equals_an_undisturbed_one(ran: Path, tmp_path:
         command, env=environment(home), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True
     )
     first = home / "runs/small/noop"
-    while not any(first.rglob("outcome.json")):
-        assert process.poll() is None, "the run ended before it could be killed"
-        os.sched_yield()
+    until(lambda: any(first.rglob("outcome.json")), process)
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
     done = subprocess.run(command, env=environment(home), capture_output=True, text=True, timeout=280, check=False)

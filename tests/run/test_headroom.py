@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from bench.fault_table import below
+from bench.waiting import until
 from c4s.run.headroom import Floors, Headroom, places, shortages
 from tests.run.conftest import apart, environment, trial_in
 from warehouse.database import rows
@@ -65,13 +66,10 @@ def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
     assert not attempt.root.exists(), "nothing was started"
     filler.unlink()
     assert "there is room again: going on" in next(told)
-    while not attempt.manifest.exists():
-        assert run.poll() is None
-        os.sched_yield()
+    until(attempt.manifest.exists, run)
     filler = filled(disk, DISK_MIB)
     assert "paused: " in next(told)
-    while any("c4s.engine" in command for command in below(run.pid).values()):
-        os.sched_yield()
+    until(lambda: not any("c4s.engine" in command for command in below(run.pid).values()))
     filler.unlink()
     rest = run.stderr.read()
     assert run.wait() == 0, rest

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 
+from bench.waiting import until
 from tests.run.conftest import apart, environment, trial_in
 from tests.run.test_evaluate import CASES, OFFLINE
 from warehouse.database import rows
@@ -55,9 +56,7 @@ def test_a_killed_flow_leaves_nothing(home: Path, tmp_path: Path, temporary: Pat
     settings = environment(own) | {"PREFECT_HOME": str(tmp_path / "prefect"), "TMPDIR": str(temporary), **OFFLINE}
     attempt = trial_in(own, "small", "noop", CASES[0]).attempt(1)
     flow = subprocess.Popen([sys.executable, "-c", FLOW], env=settings, stderr=subprocess.DEVNULL)
-    while not attempt.scratch.exists():
-        assert flow.poll() is None
-        os.sched_yield()
+    until(attempt.scratch.exists, flow)
     below = family(flow.pid)
     assert any("uvicorn" in command for command in below.values()) and len(below) >= 3, below
     handles = [os.pidfd_open(process) for process in below]

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from pytest import MonkeyPatch
 
+from bench.waiting import until
 from c4s.records.folder import RunFolder
 from c4s.records.lease import Lease
 from c4s.run import lease
@@ -206,9 +207,7 @@ def test_two_operators_of_one_plan(home: Path, tmp_path: Path, c4s: Command) -> 
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
         )
-        while not reached(process.pid):
-            assert process.poll() is None
-            os.sched_yield()
+        until(lambda: reached(process.pid), process)
         return process
 
     attempts = trial_in(own, "small", "noop", "text-flat-family").root

@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 
+from bench.waiting import until
 from c4s.errors import BadInput, MachineryFault, OverLimit
 from c4s.run.faults import SceneFault
 from c4s.run.limits import LIMITS, Limit
@@ -56,8 +57,7 @@ def gone(process: int) -> bool:
 
 def wait_until_gone(processes: list[int]) -> None:
     """A process that never ends is ended by the test's own limit."""
-    while not all(map(gone, processes)):
-        os.sched_yield()
+    until(lambda: all(map(gone, processes)))
 
 
 def test_a_worker_that_dies_costs_its_own_job_only(tmp_path: Path) -> None:
@@ -195,11 +195,9 @@ def test_a_run_that_is_killed_leaves_no_process(home: Path, tmp_path: Path) -> N
     process = subprocess.Popen(
         command, env=environment(here), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
     )
-    while not any((here / "runs").rglob("trajectory.jsonl")):
-        assert process.poll() is None, "the run ended before it could be killed"
-        os.sched_yield()
-    while len(family := _family(process.pid)) < 4:
-        assert process.poll() is None, "the run ended before an engine was seen"
+    until(lambda: any((here / "runs").rglob("trajectory.jsonl")), process)
+    family = until(lambda: found if len(found := _family(process.pid)) >= 4 else None, process)
+    assert family
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
     wait_until_gone(family[1:])

@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +16,7 @@ import httpx
 import pytest
 
 from bench.faults import MARK, contents, orphans
+from bench.waiting import until
 from c4s.records.lease import Lease
 from c4s.records.plan import Plan
 from c4s.run.lease import in_force
@@ -57,16 +57,18 @@ class Service:
 
     def ended(self, flow_run: str) -> str:
         """The state in which a flow run ends."""
-        while True:
+
+        def over() -> str:
             (run,) = self.api("flow_runs/filter", flow_runs={"id": {"any_": [flow_run]}})
-            if run["state_type"] in ("COMPLETED", "FAILED", "CRASHED", "CANCELLED"):
-                return f"{run['state_type']} {run['state']['message'] or ''}"
-            time.sleep(0.2)
+            ended = run["state_type"] in ("COMPLETED", "FAILED", "CRASHED", "CANCELLED")
+            return f"{run['state_type']} {run['state']['message'] or ''}" if ended else ""
+
+        return until(over)
 
     def holder(self, leases: Path) -> Lease:
         """Who holds a lease, as soon as somebody does."""
-        while (found := in_force(FolderLeases(leases))) is None:
-            os.sched_yield()
+        found = until(lambda: in_force(FolderLeases(leases)))
+        assert found
         return found
 
 
@@ -122,8 +124,7 @@ def test_whoever_is_killed_the_run_ends_as_an_undisturbed_one(service: Service, 
     os.kill(engine.owner.pid, signal.SIGKILL)
     coordinator = service.holder(run / "lease")
     scored = trial_in(own, "small", "oracle", CASES[0]).score
-    while not scored.is_file():
-        time.sleep(0.05)
+    until(scored.is_file)
     os.kill(coordinator.owner.pid, signal.SIGKILL)
     assert service.ended(first).startswith("CRASHED")
     second = service.start("evaluate/pools", **parameters)
@@ -157,8 +158,7 @@ def test_the_server_has_pools_deployments_and_a_nightly_run(service: Service) ->
     shown = found["evaluate/pools"]["parameter_openapi_schema"]["properties"]
     assert shown["workers"]["enum"] == ["here", "pools"] and "headless" in str(shown["engine"])
     nightly = found["leaderboard/nightly"]["id"]
-    while not service.api("flow_runs/filter", deployments={"id": {"any_": [nightly]}}):
-        time.sleep(0.5)
+    until(lambda: service.api("flow_runs/filter", deployments={"id": {"any_": [nightly]}}))
 
 
 def test_stored_evidence_is_verified_and_judged_anew(service: Service) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +11,7 @@ import httpx2
 import pytest
 from made_case import make_case
 
+from bench.waiting import until
 from c4s.errors import MachineryFault
 from c4s.toolbox.client import CallRefused, GatewayClient, RunStopped
 from c4s.toolbox.gateway import Endpoint
@@ -144,8 +144,7 @@ def test_a_run_is_killed_from_the_server_side(open_run: Callable) -> None:
 
     thread = threading.Thread(target=work)
     thread.start()
-    while opened.run.calls == 0:
-        os.sched_yield()
+    until(lambda: opened.run.calls)
     opened.run.end("killed", "the operator ended it")
     thread.join()
     assert "the operator ended it" in str(caught[0])

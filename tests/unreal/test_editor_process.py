@@ -8,7 +8,6 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
@@ -17,6 +16,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from bench.waiting import until
 from c4s.cli.main import app
 from c4s.engine import EngineDied, open_engine
 from c4s.engine.confine.sandbox import faults
@@ -60,9 +60,7 @@ def marked() -> list[int]:
 
 
 def none_left() -> bool:
-    while marked():
-        time.sleep(0.05)
-    return True
+    return until(lambda: not marked())
 
 
 @pytest.fixture(autouse=True)
