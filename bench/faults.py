@@ -28,6 +28,8 @@ from warehouse.database import rows as stored_rows
 TABLES = ("outcomes", "attempts", "verdicts", "components", "findings", "schedule")
 CLOCKED = {"planned_at", "evaluation_s", "orchestration_s", "attempt_wall_s", "wall_s"}
 MARK = "C4S_FAULT"
+MISSED = "missed"
+"""The first of a row's ends where the run was over before there was anybody to kill."""
 MOST_RUNS = 3
 COLUMNS = ("fault", "rows lost or changed", "attempts repeated", "orphans", "left", "ends", "holds")
 
@@ -44,7 +46,7 @@ class FaultResult:
     left: int
     """Entries of the temporary folder."""
     ends: str
-    """Exit codes of the command, in order."""
+    """Exit codes of the command, in order; before them ``MISSED`` where the fault was not done."""
 
     @property
     def holds(self) -> bool:
@@ -188,7 +190,8 @@ def print_table(found: Sequence[FaultResult]) -> None:
     print(
         f"\n{len(found)} faults, {sum(one.holds for one in found)} hold; {sum(one.changed for one in found)} rows lost "
         f"or changed, {sum(one.repeated for one in found)} attempts repeated, {sum(one.orphans for one in found)} "
-        f"processes and {sum(one.left for one in found)} temporary folders left"
+        f"processes and {sum(one.left for one in found)} temporary folders left; "
+        f"{sum(one.ends.startswith(MISSED) for one in found)} came too late to kill anybody"
     )
 
 

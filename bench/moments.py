@@ -20,7 +20,8 @@ from pathlib import Path
 from typing import Final
 
 from bench.fault_table import CASE, WHO, Fault, Scene, below
-from bench.faults import FaultResult, contents, print_table, scene, small_suite, tried
+from bench.faults import MISSED, FaultResult, contents, print_table, scene, small_suite, tried
+from bench.waiting import until
 
 COMMAND: Final = (
     sys.executable,
@@ -48,7 +49,7 @@ class LongerScene(Scene):
 
 
 def _chosen(process: int, victim: str, draw: random.Random) -> list[int]:
-    """Whom to kill; nobody where there is none of the kind at the moment."""
+    """Whom to kill; nobody where there is none of the kind."""
     family = below(process)
     if victim == "the command":
         return [process]
@@ -68,15 +69,18 @@ def moments(count: int, seed: int, lasts_s: float) -> Iterator[Fault]:
 
 
 def _kill_at(seconds: float, victim: str, draw: random.Random) -> Callable[[Scene], object]:
-    def do(made: Scene) -> int:
+    """Kills at a moment, or as soon after it as there is one to kill."""
+
+    def do(made: Scene) -> str:
         process = made.start()
         with suppress(subprocess.TimeoutExpired):
             process.wait(seconds)
-        for one in _chosen(process.pid, victim, draw) if process.poll() is None else []:
+        killed = until(lambda: [] if process.poll() is not None else _chosen(process.pid, victim, draw) or None)
+        for one in killed:
             with suppress(ProcessLookupError):
                 os.kill(one, signal.SIGKILL)
         process.communicate()
-        return process.returncode
+        return f"{process.returncode}" if killed else f"{MISSED} {process.returncode}"
 
     return do
 

@@ -25,7 +25,8 @@ from typing import Any, Final
 import httpx
 
 from bench.fault_table import CASE, Scene
-from bench.faults import FaultResult, contents, orphans, print_table, scene, small_suite
+from bench.faults import MISSED, FaultResult, contents, orphans, print_table, scene, small_suite
+from bench.waiting import until
 from c4s.files import read_json
 from c4s.run.lease import in_force
 from c4s.run.store import FolderLeases
@@ -36,6 +37,7 @@ CUT_S: Final = 20.0
 MOST_RUNS: Final = 4
 LIMIT_S: Final = 900.0
 _PARAMETERS: Final = {"suite": "small", "agents": AGENTS, "cases": [CASE], "workers": "pools"}
+OVER: Final = "over"
 _OVER: Final = ("COMPLETED", "FAILED", "CRASHED", "CANCELLED")
 
 
@@ -81,15 +83,15 @@ class Pools:
             time.sleep(1.0)
         return state
 
-    def hit(self, victim: str) -> None:
-        """Kill it, or cut it off; nobody where it is not there at the moment."""
+    def hit(self, victim: str) -> bool:
+        """Kill it, or cut it off; False where it is not there at the moment."""
         record: dict[str, Any] = read_json(self._made.home / "service.json")
         if victim == "the network":
             pid = int(record["server"]["pid"])
             os.kill(pid, signal.SIGSTOP)
             time.sleep(CUT_S)
             os.kill(pid, signal.SIGCONT)
-            return
+            return True
         if victim == "the server":
             found = [int(record["server"]["pid"])]
         elif victim == "the engines' workers":
@@ -102,6 +104,7 @@ class Pools:
         for pid in found:
             with suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
+        return bool(found)
 
     def _run(self, *command: str) -> str:
         done = subprocess.run(
@@ -128,9 +131,9 @@ def _one(
         try:
             flow_run = pools.start()
             if victim is not None:
-                while time.monotonic() - started < seconds:
-                    time.sleep(0.1)
-                pools.hit(victim)
+                time.sleep(max(0.0, seconds - (time.monotonic() - started)))
+                if until(lambda: OVER if pools.state(flow_run) in _OVER else pools.hit(victim)) == OVER:
+                    ends.append(MISSED)
                 pools.up()
             ends.append(pools.ended(flow_run))
             while ends[-1] != "COMPLETED" and len(ends) < MOST_RUNS:

@@ -35,7 +35,6 @@ from c4s.errors import BadInput, MachineryFault
 from c4s.records.folder import HANDOVER, is_result
 from c4s.records.handover import Handover, WorkPool
 from c4s.records.plan import Plan
-from c4s.records.score import TrialScore
 from c4s.run.drive import Pending
 from c4s.run.guards import StoppedByGuard
 from c4s.run.lease import Held, in_force
@@ -232,10 +231,6 @@ class Coordinator:
                 kind = BadInput if handover.bad_input else MachineryFault
                 error = self.overseer.stopped or kind(handover.line)
                 self._pending[trial.name] = Pending(trial, error)
-                if store.apart:
-                    self.overseer.pending(trial, error)
-            elif store.apart:
-                self.overseer.done(trial, TrialScore.read(trial.folder.score))
 
     def _lose(self, trial: Trial, pool: WorkPool, how: str) -> None:
         """Ask again for what was lost, unless it was lost too often. It is the machinery's, and counts no attempt."""

@@ -91,7 +91,7 @@ def open_model(
     ``side_models``, further models that the client may use. ``BadInput`` for what is missing.
     """
     name, endpoint, models = check_model(configuration, default_endpoint, wire)
-    books = Ledger(ledger, _limit(ledger)) if ledger is not None else None
+    books = _books(RunFolder(ledger.parent)) if ledger is not None else None
     run = MeterRun(
         configuration.name,
         endpoint,
@@ -106,7 +106,7 @@ def open_model(
         yield ModelAccess(meter.open_run(run), models[0], run)
 
 
-def _limit(ledger: Path) -> float | None:
-    """US dollars that the run of a ledger may spend: as its guards have it, so on every machine alike."""
-    guards = RunFolder(ledger.parent).guards
-    return Guards.read(guards).spend_usd if guards.is_file() else spending_limit()
+def _books(run: RunFolder) -> Ledger:
+    """What a run spent, with its limit as its guards have it, so on every machine alike."""
+    limit = Guards.read(run.guards).spend_usd if run.guards.is_file() else spending_limit()
+    return Ledger(run.spending, limit, run.elsewhere)

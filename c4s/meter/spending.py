@@ -3,7 +3,8 @@
 A request is entered before it is sent, with an estimate (a hold), and settled when its cost is known. A request whose
 cost stays unknown, and one whose process died, keep their hold as their cost: the limit errs towards stopping early.
 A run is stopped when settled costs and open holds reach the limit, so it can pass the limit by one request of each
-process that was admitted below it. The file is part of the run folder: a resumed run goes on from what was spent.
+process that was admitted below it, and by what other machines spent since their files were fetched, where machines
+share an object store. The file is part of the run folder: a resumed run goes on from what was spent.
 """
 
 from __future__ import annotations
@@ -38,14 +39,60 @@ class Spent:
         return self.settled_usd + self.held_usd
 
 
-class Ledger:
-    """The spending file of a run. Safe for threads and processes."""
+class _Book:
+    """The sums over one spending file, read as it grows."""
 
-    def __init__(self, path: Path, limit_usd: float | None) -> None:
-        self.path, self.limit_usd = path, limit_usd
+    def __init__(self) -> None:
         self._offset = 0
         self._held: dict[str, float] = {}
         self._settled, self._unknown = 0.0, 0
+
+    def sums(self) -> Spent:
+        """What was read so far adds up to."""
+        return Spent(self._settled, sum(self._held.values()), self._unknown)
+
+    def read(self, lines: BinaryIO) -> None:
+        """Take in the whole lines that were added."""
+        lines.seek(self._offset)
+        added = lines.read()
+        whole = added[: added.rfind(b"\n") + 1]
+        self._offset += len(whole)
+        for line in whole.splitlines():
+            self._take(line)
+
+    def _take(self, line: bytes) -> None:
+        """One entry. A line that a crash cut short says nothing; what it would have settled stays held."""
+        try:
+            entry = json.loads(line)
+        except ValueError:
+            return
+        if "hold" in entry:
+            self._held[entry["hold"]] = entry["usd"] or 0.0
+        elif entry["usd"] is None:
+            self._unknown += 1
+        else:
+            self._settled += entry["usd"]
+            self._held.pop(entry["settle"], None)
+
+
+class Ledger:
+    """The spending file of a run. Safe for threads and processes.
+
+    Args:
+        path: the file of this machine, or of all that share its folder.
+        limit_usd: what the run may spend; None for no limit.
+        elsewhere: folder with a folder for each machine that has a spending file of its own, as it was last fetched.
+    """
+
+    def __init__(self, path: Path, limit_usd: float | None, elsewhere: Path | None = None) -> None:
+        self.path, self.limit_usd, self._elsewhere = path, limit_usd, elsewhere
+        self._own = _Book()
+        self._others: dict[Path, _Book] = {}
+
+    @property
+    def begun(self) -> bool:
+        """Whether any machine has spent on models."""
+        return self.path.is_file() or any(self._files_elsewhere())
 
     def hold(self, estimate_usd: float | None) -> str | None:
         """Enter a request: its entry, or None when the limit is reached or the estimate is unknown under a limit."""
@@ -62,40 +109,34 @@ class Ledger:
             _append(lines, {"settle": entry, "usd": cost_usd})
 
     def spent(self) -> Spent:
-        """The sums over the file."""
+        """The sums over the files."""
+        if not self.begun:
+            return Spent(0.0, 0.0, 0)
         with self._opened():
             return self._sums()
 
     def _sums(self) -> Spent:
-        return Spent(self._settled, sum(self._held.values()), self._unknown)
+        for path in self._files_elsewhere():
+            with path.open("rb") as lines:
+                self._others.setdefault(path, _Book()).read(lines)
+        books = [self._own.sums(), *(book.sums() for book in self._others.values())]
+        return Spent(
+            sum(book.settled_usd for book in books),
+            sum(book.held_usd for book in books),
+            sum(book.unknown for book in books),
+        )
+
+    def _files_elsewhere(self) -> list[Path]:
+        return [] if self._elsewhere is None else sorted(self._elsewhere.glob(f"*/{self.path.name}"))
 
     @contextmanager
     def _opened(self) -> Iterator[BinaryIO]:
-        """The file under its lock, with the sums up to date."""
+        """The file under its lock, read to its end."""
         self.path.parent.mkdir(parents=True, exist_ok=True)
         with self.path.open("ab+") as lines:
             fcntl.flock(lines, fcntl.LOCK_EX)
-            lines.seek(self._offset)
-            added = lines.read()
-            whole = added[: added.rfind(b"\n") + 1]
-            self._offset += len(whole)
-            for line in whole.splitlines():
-                self._take(line)
+            self._own.read(lines)
             yield lines
-
-    def _take(self, line: bytes) -> None:
-        """One entry. A line that a crash cut short says nothing; what it would have settled stays held."""
-        try:
-            entry = json.loads(line)
-        except ValueError:
-            return
-        if "hold" in entry:
-            self._held[entry["hold"]] = entry["usd"] or 0.0
-        elif entry["usd"] is None:
-            self._unknown += 1
-        else:
-            self._settled += entry["usd"]
-            self._held.pop(entry["settle"], None)
 
 
 def _append(lines: BinaryIO, value: dict[str, object]) -> None:

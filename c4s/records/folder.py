@@ -223,6 +223,15 @@ class RunFolder:
         return self.root / "spending.jsonl"
 
     @property
+    def elsewhere(self) -> Path:
+        """What other machines sent of the run: a folder each, laid out as this one."""
+        return self.root / "elsewhere"
+
+    def of_machine(self, name: str) -> Path:
+        """What one of the other machines sent."""
+        return self.elsewhere / name
+
+    @property
     def guards(self) -> Path:
         """What may stop the whole run."""
         return self.root / "guards.json"
@@ -252,7 +261,8 @@ class RunFolder:
         """What directly below a run is no folder of a configuration."""
         run = cls(Path())
         files = (run.plan, run.spending, run.guards, run.asked, run.status_page)
-        return frozenset(path.parts[0] for path in (*files, run.earlier_plan(""), run.leases, run.journals, run.logs))
+        folders = (run.earlier_plan(""), run.leases, run.journals, run.logs, run.elsewhere)
+        return frozenset(path.parts[0] for path in (*files, *folders))
 
     @classmethod
     def planned(cls, runs: Path) -> list[RunFolder]:

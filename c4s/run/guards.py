@@ -100,7 +100,7 @@ class Watchman:
         self._in_a_row: Counter[str] = Counter()
         self._last: dict[str, tuple[str, str]] = {}
         """Trial and reason of the last failure, by cause."""
-        self._ledger = Ledger(run.spending, None)
+        self._ledger = Ledger(run.spending, None, run.elsewhere)
 
     def look(self) -> tuple[bool, StoppedByGuard | None]:
         """Whether the run is to pause, and what stops it, if anything does."""
@@ -129,7 +129,7 @@ class Watchman:
         return stop("deadline", f"its deadline, {told}, has come", "run the same command again with a later --deadline")
 
     def _spending(self, guards: Guards) -> StoppedByGuard | None:
-        if guards.spend_usd is None or not self._run.spending.is_file():
+        if guards.spend_usd is None:
             return None
         spent = self._ledger.spent().total_usd
         if spent < guards.spend_usd:

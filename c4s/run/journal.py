@@ -33,8 +33,8 @@ class Journal:
     def __init__(self, run: RunFolder) -> None:
         run.journals.mkdir(parents=True, exist_ok=True)
         self.owner = this_process()
-        path = run.journals / f"{process_name(self.owner)}.jsonl"
-        self._file = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o644)
+        self.path = run.journals / f"{process_name(self.owner)}.jsonl"
+        self._file = os.open(self.path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o644)
 
     def __call__(self, event: Event) -> None:
         """Append a line."""
@@ -46,10 +46,10 @@ class Journal:
 
 
 class Tail:
-    """Reads the whole lines that were appended to a run's journals since the last time."""
+    """Reads the whole lines that were appended to a run's journals, of all machines, since the last time."""
 
     def __init__(self, run: RunFolder) -> None:
-        self._folder = run.journals
+        self._run = run
         self._offsets: dict[Path, int] = {}
 
     def read(self) -> Iterator[tuple[Path, dict[str, Any]]]:
@@ -57,7 +57,8 @@ class Tail:
 
         Nobody but c4s writes here; what a full disk cut off is worth no answer.
         """
-        for path in sorted(self._folder.glob("*.jsonl")):
+        others = self._run.elsewhere.glob(f"*/{self._run.journals.name}/*.jsonl")
+        for path in sorted((*self._run.journals.glob("*.jsonl"), *others)):
             offset = self._offsets.get(path, 0)
             if path.stat().st_size <= offset:
                 continue

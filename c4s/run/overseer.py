@@ -23,11 +23,10 @@ from c4s.run.headroom import LOOK_S, print_line
 from c4s.run.journal import Journal, now
 from c4s.run.limits import Kind, Stage
 from c4s.run.plan import Trial
+from c4s.run.sharing import FETCH_S, Sharing
 from c4s.run.slots import Slots
 from c4s.run.store import StoreFault, open_store
 
-FETCH_S = 10.0
-"""How often another machine's instructions are fetched from a store."""
 Listener = Callable[[Event], None]
 """Is given every event of this process, on the thread that works on the run: it returns at once and raises nothing."""
 
@@ -49,6 +48,7 @@ class Overseer:
     def __init__(self, run: Path, listeners: Sequence[Listener] = (), tell: Callable[[str], None] = print_line) -> None:
         self._run = RunFolder(run)
         self._journal = Journal(self._run)
+        self._sharing = Sharing(self._run, self._journal.path)
         self._listeners = (*listeners,)
         self._tell = tell
         self._watchman = Watchman(self._run)
@@ -72,6 +72,8 @@ class Overseer:
         """This process's work on the run is over."""
         self._note("over")
         self._journal.close()
+        with suppress(StoreFault):
+            self._sharing.send()
 
     def look(self) -> None:
         """Look at the guards. What stopped the run once stops it for good."""
@@ -86,13 +88,17 @@ class Overseer:
             self._tell("paused, as asked: no stage starts (`c4s runs go-on` ends that)" if paused else "going on")
 
     async def look_beside(self) -> None:
-        """``look``, now and then with what other machines asked, where they share a store. One that does not answer
-        for a while is asked again: what hangs on it is the lease."""
+        """``look``, now and then with what other machines asked, did and spent, where they share a store. One that does
+        not answer for a while is asked again: what hangs on it is the lease."""
         if open_store().apart and time.monotonic() >= self._fetch_at:
             self._fetch_at = time.monotonic() + FETCH_S
             with suppress(StoreFault):
-                await asyncio.to_thread(fetch_guards, self._run)
+                await asyncio.to_thread(self._exchange)
         self.look()
+
+    def _exchange(self) -> None:
+        fetch_guards(self._run)
+        self._sharing.exchange()
 
     def stop(self, stopped: StoppedByGuard) -> None:
         """No attempt starts from now on."""

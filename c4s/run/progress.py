@@ -27,6 +27,8 @@ from c4s.run.guards import asked_of, guards_of
 from c4s.run.journal import Tail
 from c4s.run.lease import holder
 from c4s.run.owner import is_gone, is_near
+from c4s.run.sharing import FETCH_S, fetch_elsewhere
+from c4s.run.store import open_store
 
 _TAIL_BYTES = 64 << 10
 
@@ -66,7 +68,9 @@ class Progress:
         self._run, self._suite = RunFolder(run), suite
         self._one_at_a_time = threading.Lock()
         self._tail = Tail(self._run)
-        self._ledger = Ledger(self._run.spending, None)
+        self._ledger = Ledger(self._run.spending, None, self._run.elsewhere)
+        self._fetch_at = 0.0
+        self._held: Lease | None = None
         self._plan: Plan | None = None
         self._plan_time = 0
         self._cases: dict[str, str] = {}
@@ -90,6 +94,12 @@ class Progress:
             return self._read()
 
     def _read(self) -> Snapshot:
+        if not open_store().apart:
+            self._held = holder(self._run)
+        elif time.monotonic() >= self._fetch_at:
+            self._fetch_at = time.monotonic() + FETCH_S
+            fetch_elsewhere(self._run)
+            self._held = holder(self._run)
         grown = self._read_plan()
         for journal, event in self._tail.read():
             self._take(journal, event)
@@ -208,7 +218,7 @@ class Progress:
             self._begun.pop(self._work.pop(key).trial, None)
 
     def _snapshot(self, plan: Plan) -> Snapshot:
-        held = holder(self._run)
+        held = self._held
         if held is not None and held.owner in self._over:
             held = None
         if held is None:
@@ -239,7 +249,7 @@ class Progress:
             slots=self._busy(),
             standings=standings,
             troubles=self._troubles(),
-            spent_usd=round(self._ledger.spent().total_usd, 6) if self._run.spending.is_file() else None,
+            spent_usd=round(self._ledger.spent().total_usd, 6) if self._ledger.begun else None,
             **_bounds(guards),
             left_s=self._left(standings) if state in ("running", "paused") else None,
         )

@@ -11,17 +11,24 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import httpx
 
 
+def free_ports(count: int) -> list[int]:
+    """Ports that nobody listens on, each another."""
+    with ExitStack() as opened:
+        probes = [opened.enter_context(socket.socket()) for _ in range(count)]
+        for probe in probes:
+            probe.bind(("127.0.0.1", 0))
+        return [int(probe.getsockname()[1]) for probe in probes]
+
+
 def free_port() -> int:
     """A port that nobody listens on."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
+    return free_ports(1)[0]
 
 
 @contextmanager
@@ -31,13 +38,15 @@ def object_store() -> Iterator[dict[str, str]]:
     keys = {"accessKey": "key", "secretKey": "secret"}
     identity = {"name": "c4s", "credentials": [keys], "actions": ["Admin", "Read", "Write", "List"]}
     (folder / "s3.json").write_text(json.dumps({"identities": [identity]}))
-    ports = {name: free_port() for name in ("master", "volume", "filer", "s3")}
+    names = ("master", "volume", "filer", "s3")
+    taken = free_ports(2 * len(names))
+    ports, own = dict(zip(names, taken, strict=False)), dict(zip(names, taken[len(names) :], strict=True))
     weed = Path(sys.executable).with_name("weed")
     server = subprocess.Popen(
         [
             *(weed, "server", "-s3", f"-s3.config={folder / 's3.json'}", f"-dir={folder}", "-ip=127.0.0.1"),
             *(f"-{name}.port={port}" for name, port in ports.items()),
-            *(f"-{name}.port.grpc={free_port()}" for name in ports),
+            *(f"-{name}.port.grpc={own[name]}" for name in names),
             *("-master.volumeSizeLimitMB=64", "-volume.max=32"),
         ],
         stdout=subprocess.DEVNULL,

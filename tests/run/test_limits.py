@@ -197,7 +197,6 @@ def test_a_run_that_is_killed_leaves_no_process(home: Path, tmp_path: Path) -> N
     )
     until(lambda: any((here / "runs").rglob("trajectory.jsonl")), process)
     family = until(lambda: found if len(found := _family(process.pid)) >= 4 else None, process)
-    assert family
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
     wait_until_gone(family[1:])

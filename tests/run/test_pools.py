@@ -28,7 +28,49 @@ from warehouse.database import rows
 
 CASES = ["indoor-flat-01-mirrored-bath", "indoor-flat-02-living-room"]
 AGENTS = ["noop", "random", "oracle"]
+SILENT = """
+import asyncio, json
+from prefect.client.orchestration import get_client
+from prefect.client.schemas.filters import FlowRunFilter, FlowRunFilterTags
+from prefect.states import Running
+from c4s.home import runs_root
+from c4s.records.handover import Handover
+from c4s.records.suite import SuiteFolder
+from c4s.run.configurations import configuration
+from c4s.run.lease import holding
+from c4s.run.overseer import Overseer
+from c4s.run.plan import make_plan, open_run, trials
+from c4s.run.store import share_suite
+from flows import coordinate
 
+coordinate.SILENT_S, coordinate.LOOK_S = 0.5, 0.05
+suite, run, told = share_suite("small"), runs_root() / "silent", []
+
+async def begun(count):
+    \"""A worker that takes flow runs and is never heard of again: the pool has no other.\"""
+    asked = FlowRunFilter(tags=FlowRunFilterTags(all_=["run:silent"]))
+    async with get_client() as client:
+        while True:
+            for found in await client.read_flow_runs(flow_run_filter=asked):
+                if found.state_name in ("Scheduled", "Late"):
+                    await client.set_flow_run_state(found.id, Running(), force=True)
+            await asyncio.sleep(0.05)
+
+async def work():
+    plan = make_plan(SuiteFolder(suite), [configuration("noop")], run_id="silent", cases=["text-flat-family"])
+    with holding(run) as held:
+        open_run(run, plan)
+        (trial,) = trials(run, suite, plan)
+        trial.folder.root.mkdir(parents=True)
+        Handover(part="earlier", ended="handed_over", pool="judges").write(trial.folder.handover)
+        worker = asyncio.create_task(begun(4))
+        pending = await coordinate.Coordinator(plan, held, Overseer(run), told.append).run([trial])
+        worker.cancel()
+    faults = [json.loads(line)["error"] for line in trial.folder.faults.read_text().splitlines()]
+    print(json.dumps([[one.error.line() for one in pending], told, faults]))
+
+asyncio.run(work())
+"""
 
 pytestmark = pytest.mark.skipif(postgres_programs() is None, reason="no PostgreSQL server is installed here")
 
@@ -58,18 +100,16 @@ class Service:
     def ended(self, flow_run: str) -> str:
         """The state in which a flow run ends."""
 
-        def over() -> str:
+        def over() -> str | None:
             (run,) = self.api("flow_runs/filter", flow_runs={"id": {"any_": [flow_run]}})
             ended = run["state_type"] in ("COMPLETED", "FAILED", "CRASHED", "CANCELLED")
-            return f"{run['state_type']} {run['state']['message'] or ''}" if ended else ""
+            return f"{run['state_type']} {run['state']['message'] or ''}" if ended else None
 
         return until(over)
 
     def holder(self, leases: Path) -> Lease:
         """Who holds a lease, as soon as somebody does."""
-        found = until(lambda: in_force(FolderLeases(leases)))
-        assert found
-        return found
+        return until(lambda: in_force(FolderLeases(leases)))
 
 
 @pytest.fixture(scope="module")
@@ -158,7 +198,7 @@ def test_the_server_has_pools_deployments_and_a_nightly_run(service: Service) ->
     shown = found["evaluate/pools"]["parameter_openapi_schema"]["properties"]
     assert shown["workers"]["enum"] == ["here", "pools"] and "headless" in str(shown["engine"])
     nightly = found["leaderboard/nightly"]["id"]
-    until(lambda: service.api("flow_runs/filter", deployments={"id": {"any_": [nightly]}}))
+    until(lambda: service.api("flow_runs/filter", deployments={"id": {"any_": [nightly]}}) or None)
 
 
 def test_stored_evidence_is_verified_and_judged_anew(service: Service) -> None:
@@ -183,3 +223,31 @@ def test_up_again_starts_nothing_and_doctor_sees_all_of_it(service: Service) -> 
     found = {row["what"]: row for row in json.loads(told.stdout)}
     assert found["Prefect server"]["found"] and found["Prefect deployments"]["found"]
     assert "2 workers" in found["pool engines"]["text"] and found["pool judges"]["found"] is False
+
+
+def test_work_that_gives_no_sign_of_life_is_asked_for_again_and_at_last_left_pending(service: Service) -> None:
+    command = [sys.executable, "-c", SILENT]
+    ended = subprocess.run(command, env=service.settings | OFFLINE, capture_output=True, text=True, check=False)
+    assert ended.returncode == 0, ended.stderr[-3000:]
+    (pending,), told, faults = json.loads(ended.stdout.splitlines()[-1])
+    lost = "a worker of the pool 'judges' was lost at work (no sign of life)"
+    assert lost in pending and len(told) == 3 and all(lost in line and "asked for again" in line for line in told)
+    assert faults == ["WorkerLost"] * 4
+    runs = service.api("flow_runs/filter", flow_runs={"tags": {"all_": ["run:silent"]}})
+    assert [run["state_type"] for run in runs] == ["CRASHED"] * 4
+
+
+def test_a_run_on_pools_pauses_drains_and_goes_on(service: Service) -> None:
+    given = {"suite": "small", "run_id": "drained", "agents": AGENTS, "cases": CASES, "repeats": 2, "workers": "pools"}
+    question = "SELECT * FROM outcomes WHERE run_id = 'drained'"
+    first = service.start("evaluate/pools", **given)
+    until((service.home / "runs/drained/guards.json").is_file)
+    assert service.c4s("runs", "pause", "drained").returncode == 0
+    until(lambda: '"paused"' in service.c4s("runs", "list", "--json").stdout)
+    assert service.c4s("runs", "go-on", "drained").returncode == 0
+    assert service.c4s("runs", "drain", "drained").returncode == 0
+    ended = service.ended(first)
+    assert ended.startswith("FAILED") and "asked it to drain" in ended and "trials left" in ended, ended
+    assert len(rows(service.home / "warehouse", question)) < len(AGENTS) * len(CASES)
+    assert service.ended(service.start("evaluate/pools", **given)).startswith("COMPLETED")
+    assert len(rows(service.home / "warehouse", question)) == len(AGENTS) * len(CASES)

@@ -13,7 +13,11 @@ import pytest
 from pytest import MonkeyPatch
 
 from c4s.errors import BadInput, MachineryFault
+from c4s.meter.spending import Ledger
+from c4s.records.folder import RunFolder
+from c4s.run.guards import Watchman, set_guards
 from c4s.run.lease import Held, LeaseLost, take
+from c4s.run.sharing import Sharing
 from c4s.run.store import Store, open_store
 from c4s.run.store.opening import _object_store
 from tests.run.conftest import Command, command_in, environment, trial_in
@@ -25,6 +29,9 @@ TAKE = """
 import sys
 from pathlib import Path
 from c4s.home import home
+from c4s.meter.spending import Ledger
+from c4s.records.folder import RunFolder
+from c4s.run.guards import Watchman, set_guards
 from c4s.run.lease import Held, take
 from c4s.run.store import open_store
 place = open_store().leases(home() / "runs/raced/lease")
@@ -170,9 +177,49 @@ def test_two_machines_share_a_run_through_the_store(
     assert three.returncode == 0 and json.loads(three.stdout)["ran"] == 0, three.stderr
     question = "SELECT configuration, score, run_id FROM outcomes ORDER BY configuration"
     assert rows(first / "warehouse", question) == rows(second / "warehouse", question)
+    seen = run("watch", "small", "--json", home=tmp_path / "third")
+    assert seen.returncode == 0, seen.stderr
+    told = json.loads(seen.stdout)
+    assert (told["state"], told["planned"], told["done"]) == ("done", 2, 2)
     scored = trial_in(second, "small", "oracle", CASE)
     assert not trial_in(first, "small", "oracle", CASE).attempt(1).submission.exists()
     assert scored.score.read_bytes() == trial_in(first, "small", "oracle", CASE).score.read_bytes()
+
+
+def test_what_other_machines_spend_counts_against_the_limit_of_all(
+    machine: Callable[[str], Store], tmp_path: Path
+) -> None:
+    def at(name: str) -> tuple[RunFolder, Sharing, Ledger]:
+        machine(name)
+        run = RunFolder(tmp_path / name / "runs/spent")
+        return run, Sharing(run, run.journals / "none.jsonl"), Ledger(run.spending, 1.0, run.elsewhere)
+
+    def spend(ledger: Ledger, usd: float) -> None:
+        entry = ledger.hold(usd)
+        assert entry is not None
+        ledger.settle(entry, usd)
+
+    for name, usd in (("one", 0.5), ("two", 0.3)):
+        _, sharing, ledger = at(name)
+        spend(ledger, usd)
+        sharing.exchange()
+    run, sharing, ledger = at("one")
+    assert ledger.spent().total_usd == pytest.approx(0.5)
+    sharing.exchange()
+    assert ledger.spent().total_usd == pytest.approx(0.8)
+    set_guards(run, spend_usd=1.0)
+    assert Watchman(run).look() == (False, None)
+    two, sharing, ledger = at("two")
+    spend(ledger, 0.2)
+    sharing.exchange()
+    assert ledger.hold(0.01) is None
+    _, sharing, ledger = at("one")
+    sharing.exchange()
+    assert ledger.hold(0.01) is None
+    paused, stopped = Watchman(run).look()
+    assert not paused and stopped is not None and stopped.guard == "spending" and "1.0000 of 1.0000" in stopped.what
+    (mine,) = two.elsewhere.iterdir()
+    assert [path.name for path in mine.iterdir()] == ["spending.jsonl"] and not (run.elsewhere / mine.name).exists()
 
 
 def test_a_store_that_is_gone_ends_a_command_in_one_line(home: Path, tmp_path: Path) -> None:

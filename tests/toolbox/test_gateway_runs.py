@@ -144,7 +144,7 @@ def test_a_run_is_killed_from_the_server_side(open_run: Callable) -> None:
 
     thread = threading.Thread(target=work)
     thread.start()
-    until(lambda: opened.run.calls)
+    until(lambda: opened.run.calls > 0)
     opened.run.end("killed", "the operator ended it")
     thread.join()
     assert "the operator ended it" in str(caught[0])

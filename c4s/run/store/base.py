@@ -44,12 +44,19 @@ class Store(Protocol):
         """Put a folder as it is in place of its last push: all of it at once, or nothing."""
         ...
 
-    def pull_files(self, place: Path) -> list[Path]:
-        """Fetch a file, or all files below a folder, that were pushed since; those that were fetched."""
+    def pull_files(self, place: Path, only: Only | None = None) -> list[Path]:
+        """Fetch a file, or all files below a folder, that were pushed since; those that were fetched.
+
+        ``only``: of a folder, no other file than those whose relative names it takes.
+        """
         ...
 
     def push_files(self, place: Path) -> None:
         """Put a file, or each file below a folder, under its own name, where it differs from what was put there."""
+        ...
+
+    def put(self, path: Path, place: Path) -> None:
+        """Put a file as it is under the name of another place."""
         ...
 
 
@@ -68,8 +75,11 @@ class SharedFolder:
     def push(self, folder: Path) -> None:
         return
 
-    def pull_files(self, place: Path) -> list[Path]:
+    def pull_files(self, place: Path, only: Only | None = None) -> list[Path]:
         return []
 
     def push_files(self, place: Path) -> None:
+        return
+
+    def put(self, path: Path, place: Path) -> None:
         return

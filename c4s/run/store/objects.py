@@ -89,11 +89,13 @@ class ObjectStore:
         with reached(self.name):
             self._fs.pipe_file(self._index_key(folder), json.dumps(made, sort_keys=True).encode())
 
-    def pull_files(self, place: Path) -> list[Path]:
+    def pull_files(self, place: Path, only: Only | None = None) -> list[Path]:
         with reached(self.name):
             found = self._fs.find(self._key(place), detail=True)
-        known = self._known(place)
-        tags = {str(key): _tag(info) for key, info in found.items()}
+        known, below = self._known(place), f"{self._key(place)}/"
+        tags = {
+            str(key): _tag(info) for key, info in found.items() if only is None or only(str(key).removeprefix(below))
+        }
         stale = [
             (self._path(key), key)
             for key, tag in tags.items()
@@ -119,6 +121,10 @@ class ObjectStore:
         self._each(changed, send)
         if changed and not place.is_file():
             self._know(place, known | {"=" + key: sums[key] for _, key in changed})
+
+    def put(self, path: Path, place: Path) -> None:
+        with reached(self.name):
+            self._fs.pipe_file(self._key(place), path.read_bytes())
 
     def _fetch(self, path: Path, sha256: str) -> None:
         data = self._read(self._blob(sha256))

@@ -1,0 +1,29 @@
+"""Waiting for what another process does, and says nothing of."""
+
+from __future__ import annotations
+
+import subprocess
+import time
+from collections.abc import Callable
+from typing import Any, Final, TypeVar
+
+PAUSE_S: Final = 0.005
+T = TypeVar("T")
+
+
+def until(happens: Callable[[], T | None], process: subprocess.Popen[Any] | None = None) -> T:
+    """What a question answers, as soon as it does: None and False are no answer. It is asked without end: its caller
+    has a time limit.
+
+    Args:
+        happens: the question.
+        process: who is expected to bring it about: ``RuntimeError`` where it has ended before.
+    """
+    while True:
+        over = process is not None and process.poll() is not None
+        answer = happens()
+        if answer is not None and answer is not False:
+            return answer
+        if over:
+            raise RuntimeError(f"the process ended before it happened: {getattr(process, 'args', '')}")
+        time.sleep(PAUSE_S)
