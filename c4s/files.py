@@ -12,6 +12,7 @@ import stat
 import sys
 import tempfile
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -244,6 +245,16 @@ def whole_characters(value: Any) -> Any:
     ``ValueError`` for NaN and infinities, ``RecursionError`` for what is nested too deep.
     """
     return json.loads(json.dumps(value, ensure_ascii=False, allow_nan=False).encode(errors="replace"))
+
+
+@contextmanager
+def opened_folder(folder: Path) -> Iterator[Path]:
+    """The folder under a path of this process that stays its own, even when another folder takes its name."""
+    number = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        yield Path(f"/proc/self/fd/{number}")
+    finally:
+        os.close(number)
 
 
 def append_json_line(path: Path, value: Any) -> None:

@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from itertools import islice, takewhile
 from typing import Any, Final
 
+from prefect import runtime
 from prefect.client.orchestration import PrefectClient, get_client
 from prefect.client.schemas.filters import (
     FlowFilter,
@@ -98,6 +99,7 @@ class Coordinator:
     async def run(self, trials: Sequence[Trial]) -> list[Pending]:
         """Run trials, best first; those that are pending at the end, in their order."""
         async with get_client() as client:
+            await self._end_earlier(client)
             given = await self._adopt(client, {trial.name: trial for trial in trials})
             for trial in trials:
                 if trial.name not in given:
@@ -126,6 +128,20 @@ class Coordinator:
             self._sent[run.id] = sent
             given |= set(names)
         return given
+
+    async def _end_earlier(self, client: PrefectClient) -> None:
+        """Earlier flow runs that led this run have ended, as its lease is here: where the server does not know it, a
+        process was killed with whoever would have told."""
+        leading = await client.read_flow_runs(
+            flow_filter=FlowFilter(name=FlowFilterName(any_=["evaluate"])),
+            flow_run_filter=FlowRunFilter(
+                state=FlowRunFilterState(type=FlowRunFilterStateType(any_=[StateType.RUNNING]))
+            ),
+        )
+        for run in leading:
+            led = run.parameters.get("run_id") or run.parameters.get("suite")
+            if led == self.plan.run_id and str(run.id) != runtime.flow_run.id:
+                await client.set_flow_run_state(run.id, Crashed(message="another coordinator took over"), force=True)
 
     async def _left(self, client: PrefectClient) -> list[FlowRun]:
         """The flow runs of this run that are not over."""
@@ -227,10 +243,15 @@ class Coordinator:
                 self._lose(trial, sent.pool, how)
             elif handover.ended == "handed_over" and handover.pool is not None:
                 self._queue[handover.pool].append((trial, handover.whole))
+            elif handover.ended == "stopped":
+                self.overseer.look()
+                if self.overseer.stopped is None:
+                    self._lose(trial, sent.pool, handover.line)
+                else:
+                    self._pending[trial.name] = Pending(trial, self.overseer.stopped)
             elif handover.ended == "pending":
                 kind = BadInput if handover.bad_input else MachineryFault
-                error = self.overseer.stopped or kind(handover.line)
-                self._pending[trial.name] = Pending(trial, error)
+                self._pending[trial.name] = Pending(trial, self.overseer.stopped or kind(handover.line))
 
     def _lose(self, trial: Trial, pool: WorkPool, how: str) -> None:
         """Ask again for what was lost, unless it was lost too often. It is the machinery's, and counts no attempt."""

@@ -38,7 +38,7 @@ from flows.trial import as_tasks
 from reports.site import check_place
 from reports.status import REFRESH_S, write_status
 from tasks.publish import publish
-from warehouse.done import held_by
+from warehouse.done import look_up
 from warehouse.ingest import ingest_schedule
 
 tie()
@@ -110,15 +110,16 @@ async def evaluate(
     check_place(site_root())
     with holding(run) as held:
         store.pull_files(warehouse)
-        missing = [trial for trial in trials(run, folder, plan) if held_by(trial, plan, warehouse) is None]
-        if missing:
+        scheduled = list(trials(run, folder, plan))
+        found = look_up(scheduled, plan, warehouse)
+        if found.missing:
             check_ready(plan.configurations)
         store.pull_files(RunFolder(run).plan)
         plan = open_run(run, plan)
         store.push_files(RunFolder(run).plan)
-        ready, refused = settle_all(missing, plan, print_line)
+        ready, refused = settle_all(found.missing, plan, print_line)
         if not ready:
-            refuse_pending(refused, len(missing))
+            refuse_pending(refused, len(scheduled))
         ingest_schedule(run, folder, plan, warehouse)
         page, pool = site_root() / "index.html", Pool(1 if workers == "pools" else slots)
         progress = Progress(run, folder)
@@ -126,7 +127,7 @@ async def evaluate(
             every(
                 REFRESH_S, lambda: write_status(progress.read(), RunFolder(run).status_page, page), "the status page"
             ),
-            overseen(run, folder, plan, pool, bounds) as overseer,
+            overseen(run, folder, plan, pool, bounds, found.elsewhere) as overseer,
         ):
             async with shown(progress, run, page):
                 with ending_in_order(overseer):
@@ -138,7 +139,7 @@ async def evaluate(
                 store.pull_files(warehouse)
                 publish(warehouse, site_root())
                 store.push_files(site_root())
-            refuse_pending(refused, len(missing))
+            refuse_pending(refused, len(scheduled))
     return page.as_uri()
 
 

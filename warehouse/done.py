@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 
 import pyarrow as pa
@@ -15,6 +18,30 @@ from c4s.run.store import open_store
 from c4s.run.torn import is_scored
 from warehouse.ingest import TRIAL_TABLES
 from warehouse.parquet import is_whole, part_path
+
+
+@dataclass(frozen=True)
+class Done:
+    """What of a schedule is done: trials by the run that holds them."""
+
+    missing: list[Trial]
+    holders: Counter[str]
+    elsewhere: Counter[str]
+    """Trials that another run holds, by configuration."""
+
+
+def look_up(scheduled: Iterable[Trial], plan: Plan, warehouse: Path) -> Done:
+    """Look up all trials of a plan."""
+    found = Done([], Counter(), Counter())
+    for trial in scheduled:
+        holder = held_by(trial, plan, warehouse)
+        if holder is None:
+            found.missing.append(trial)
+            continue
+        found.holders[holder] += 1
+        if holder != trial.run.name:
+            found.elsewhere[trial.configuration.name] += 1
+    return found
 
 
 def held_by(trial: Trial, plan: Plan, warehouse: Path) -> str | None:

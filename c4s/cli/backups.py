@@ -69,4 +69,4 @@ def _tell(done: Copied, what: str, json_output: bool) -> None:
     if done.left_out:
         say(f"left out, as somebody works on them: {', '.join(done.left_out)}")
     if done.links:
-        say(f"{done.links} links were not copied")
+        say(f"{done.links} links were not copied: none of them is part of a result")

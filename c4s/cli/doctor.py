@@ -19,6 +19,7 @@ from c4s.engine.confine.sandbox import CHOICE, backend, faults
 from c4s.errors import BadInput, MachineryFault
 from c4s.home import home, suites_root
 from c4s.records.plan import Configuration
+from c4s.run.store import STORE, open_store
 
 LEAST_FREE_GB = 2.0
 
@@ -45,6 +46,7 @@ def _findings() -> Iterator[Diagnosis]:
         False,
         "built" if (suites_root() / "starter/suite.json").is_file() else "build it: c4s suite build starter",
     )
+    yield from _store()
     yield from _prefect()
     for what, there, text in backend_of("unreal").findings():
         yield Diagnosis(what, there, False, text)
@@ -95,6 +97,16 @@ def _clients() -> Iterator[Diagnosis]:
         )
 
 
+def _store() -> Iterator[Diagnosis]:
+    """The store that machines share, where one is named."""
+    if not os.environ.get(STORE):
+        return
+    try:
+        yield Diagnosis("store", True, True, f"{open_store().name} answers")
+    except (BadInput, MachineryFault) as fault:
+        yield Diagnosis("store", False, True, fault.line())
+
+
 def _prefect() -> Iterator[Diagnosis]:
     """The Prefect server of ``PREFECT_API_URL`` or of `c4s up`; without one, flows run in the command's process."""
     from flows.service import Service
@@ -108,7 +120,8 @@ def _prefect() -> Iterator[Diagnosis]:
     from flows.service.health import deployments, health, workers
 
     if fault := health(url):
-        raise BadInput(f"the Prefect server: {fault}", where=url, todo="start it, or unset PREFECT_API_URL")
+        yield Diagnosis("Prefect server", False, False, f"{url}: {fault} (start it, or unset PREFECT_API_URL)")
+        return
     yield Diagnosis("Prefect server", True, False, f"{url} answers")
     missing = deployments(url)
     text = f"not deployed: {', '.join(missing)} (`c4s up` deploys them)" if missing else "all flows are deployed"

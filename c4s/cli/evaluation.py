@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -36,7 +35,7 @@ from c4s.run.store import open_store
 from reports.site import build_site, check_place
 from reports.status import REFRESH_S, write_status
 from warehouse.database import is_current, rebuild
-from warehouse.done import held_by
+from warehouse.done import look_up
 from warehouse.ingest import ingest_schedule, ingest_trial
 
 
@@ -106,36 +105,30 @@ def evaluate_here(
     with holding(run, wait=print_line if wait else None) as held:
         store.pull_files(warehouse)
         store.pull_files(RunFolder(run).plan)
-        holders = [held_by(trial, plan, warehouse) for trial in scheduled]
-        missing = [trial for trial, holder in zip(scheduled, holders, strict=True) if holder is None]
-        if missing:
+        found = look_up(scheduled, plan, warehouse)
+        if found.missing:
             check_ready(plan.configurations)
         plan = open_run(run, plan)
         store.push_files(RunFolder(run).plan)
-        ready, refused = settle_all(missing, plan, print_line)
+        ready, refused = settle_all(found.missing, plan, print_line)
         if not ready:
-            refuse_pending(refused, len(missing))
-        if ready or not page.is_file() or not is_current(warehouse):
+            refuse_pending(refused, len(scheduled))
+        if ready or found.elsewhere or not page.is_file() or not is_current(warehouse):
             ingest_schedule(run, folder, plan, warehouse)
-            elsewhere = Counter(
-                trial.configuration.name
-                for trial, holder in zip(scheduled, holders, strict=True)
-                if holder not in (None, run.name)
-            )
             progress, pool, status = Progress(run, folder), Pool(slots), RunFolder(run).status_page
             with (
                 every(REFRESH_S, lambda: write_status(progress.read(), status, page), "the status page"),
-                overseen(run, folder, plan, pool, bounds, elsewhere) as overseer,
+                overseen(run, folder, plan, pool, bounds, found.elsewhere) as overseer,
             ):
                 with drawn(progress):
                     refused += asyncio.run(_run(ready, plan, pool, held, overseer))
                     rebuild(warehouse)
                     build_site(warehouse, site_root())
                     store.push_files(site_root())
-                refuse_pending(refused, len(missing))
-        refuse_pending(refused, len(missing))
-    reused = Counter(holder for holder in holders if holder is not None)
-    return Evaluation(page.as_uri(), run.name, len(missing), dict(reused), time.perf_counter() - started)
+                refuse_pending(refused, len(scheduled))
+        refuse_pending(refused, len(scheduled))
+    ran, seconds = len(found.missing), time.perf_counter() - started
+    return Evaluation(page.as_uri(), run.name, ran, dict(found.holders), seconds)
 
 
 async def _run(ready: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:

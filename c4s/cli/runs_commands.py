@@ -21,7 +21,7 @@ from c4s.records.plan import Plan
 from c4s.run.bounds import seconds_of
 from c4s.run.droppable import MEANS, PARTS, Found, drop, droppable, size_of
 from c4s.run.guards import ask
-from c4s.run.lease import holder, holding
+from c4s.run.lease import RunHeld, at_work, holding
 from c4s.run.progress import Progress
 
 app = typer.Typer(no_args_is_help=True, help="The runs that are here: list, pause, drain, go on, prune.")
@@ -136,10 +136,10 @@ def size_text(size: int) -> str:
 
 def _ask(run: str, word: Word, told: str) -> None:
     folder = RunFolder(run_folder(run))
-    if holder(folder) is None:
-        raise BadInput("nobody works on this run", where=run, todo="start it with `c4s run`")
+    if Progress(folder.root).read().state == "done":
+        raise BadInput("this run is done", where=run, todo="ask a run that is at work (`c4s runs list`)")
     ask(folder, word)
-    say(f"{run}: {told}")
+    say(f"{run}: {told}" if at_work(folder) else f"{run}: {told}; nobody works on it now, and a new start clears this")
 
 
 def _touched(run: RunFolder) -> float:
@@ -162,9 +162,10 @@ def _chosen(named: list[str] | tuple[()], age_s: float | None, keep: int) -> lis
 
 def _look(run: RunFolder, wanted: list[str]) -> list[dict[str, object]]:
     """What could be dropped of a run: of the parts that are wanted, or of all."""
-    found = [] if holder(run) is not None else list(droppable(run))
+    busy = bool(at_work(run))
+    found = [] if busy else list(droppable(run))
     rows = [row for row in _rows(run, found) if not wanted or row["part"] in wanted]
-    if holder(run) is None and (not wanted or WHOLE in wanted):
+    if not busy and (not wanted or WHOLE in wanted):
         rows.append(_whole(run))
     return rows
 
@@ -172,6 +173,8 @@ def _look(run: RunFolder, wanted: list[str]) -> list[dict[str, object]]:
 def _drop(run: RunFolder, wanted: list[str]) -> list[dict[str, object]]:
     """Drop parts of a run, as its holder; what was dropped."""
     with holding(run.root):
+        if who := at_work(run, holders=False):
+            raise RunHeld(f"{who} works on this run", where=str(run.root), todo="wait until its work has ended")
         found = [one for one in droppable(run) if one.part in wanted]
         for one in found:
             drop(one, run)

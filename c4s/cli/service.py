@@ -24,9 +24,10 @@ def up(
     ] = None,
     judges: Annotated[int, typer.Option(min=0, max=MOST_SLOTS, help="slots for requests to a model judge")] = 1,
     host: Annotated[
-        str, typer.Option(help="address the server listens on; 0.0.0.0 lets other machines in")
-    ] = "127.0.0.1",
-    port: Annotated[int, typer.Option(min=1, max=65535, help="port of the server")] = 4200,
+        str | None,
+        typer.Option(help="address the server listens on (default: 127.0.0.1); 0.0.0.0 lets other machines in"),
+    ] = None,
+    port: Annotated[int | None, typer.Option(min=1, max=65535, help="port of the server (default: 4200)")] = None,
     database: Annotated[
         str | None, typer.Option(help="PostgreSQL URL for the server (default: an SQLite file)")
     ] = None,

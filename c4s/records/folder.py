@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 SAVES = "saves.jsonl"
@@ -268,6 +269,10 @@ class RunFolder:
     def planned(cls, runs: Path) -> list[RunFolder]:
         """The runs of a folder that have a plan, by name."""
         return [folder for path in sorted(runs.glob("*")) if (folder := cls(path)).plan.is_file()]
+
+    def trials(self) -> Iterator[TrialFolder]:
+        """The trials that have a folder, by name."""
+        return (TrialFolder(path) for path in sorted(self.root.glob("*/*/r[0-9]*")) if path.name[1:].isdigit())
 
     def trial_named(self, name: str) -> TrialFolder:
         """Folder of a trial by its path below the run's, ``configuration/alias/r<k>`` (``c4s.records.journal``)."""

@@ -31,6 +31,8 @@ class Instruction(Record):
 
     schema_version: Literal["c4s.asked.v1"] = "c4s.asked.v1"
     word: Word
+    of: float
+    """The bounds that it was asked under, by their ``since``: it says nothing of a later start."""
     time: float
     """Unix time, seconds."""
     by: str

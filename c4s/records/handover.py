@@ -16,7 +16,8 @@ class Handover(Record):
     schema_version: Literal["c4s.handover.v1"] = "c4s.handover.v1"
     part: str
     """Id of the part of the work, given by who asked for it."""
-    ended: Literal["done", "handed_over", "pending"]
+    ended: Literal["done", "handed_over", "pending", "stopped"]
+    """``stopped``: a guard kept it from its next attempt."""
     pool: WorkPool | None = None
     """Which pool has the next stage, where it was handed over."""
     whole: bool = False

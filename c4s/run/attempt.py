@@ -21,7 +21,7 @@ from c4s.agents.model import ModelAccess, open_model
 from c4s.engine import DEFAULT_ENGINE, Engine, backend, open_engine
 from c4s.engine.content import content_fault
 from c4s.errors import BadInput, C4SError, Place, shortage
-from c4s.files import append_json_line, json_lines, write_json
+from c4s.files import append_json_line, json_lines, opened_folder, write_json
 from c4s.meter.record import sums
 from c4s.meter.spending import SpendingLimitReached
 from c4s.protocol.baselines import ORACLE
@@ -72,7 +72,8 @@ def run_attempt(
         engine: kind of the engine.
 
     What the agent does wrong is an outcome (``c4s.run.faults`` tells what that is). All else passes through and leaves
-    no outcome: the trial stays pending.
+    no outcome: the trial stays pending. Records go into the folder that was made here: where another holder of the
+    trial has moved it away and works anew, what that one records is not touched.
     """
     paths = AttemptFolder(folder)
     if paths.done:
@@ -84,58 +85,62 @@ def run_attempt(
         agent.ready(configuration)
     set_aside(folder)
     paths.agent.mkdir(parents=True)
-    catalog = CaseCatalog.load(case, packs)
-    paths.usage.touch()
-    paths.trajectory.touch()
-    levels, truth_package = [agent_folder / "start.level.json"], None
-    if withheld is not None:
-        truth_package = f"/Game/Oracle/{re.sub('[^A-Za-z0-9_-]', '_', case.alias)}"
-        levels.append(_readable_truth(withheld, folder / "oracle", truth_package))
-    content, scratch = paths.submission, paths.scratch
-    stopping = _Stopping()
-    with (
-        _model(agent, configuration, paths.usage, ledger, stopping) as model,
-        Gateway(port=agent.port_of(configuration) if isinstance(agent, Reached) else 0) as gateway,
-        open_engine(
-            engine,
-            packs=packs,
-            content=content,
-            scratch=scratch,
-            levels=levels,
-            start_map=case.start_map,
-            offered=offered(case, agent_folder),
-        ) as session,
-    ):
-        write_json(paths.manifest, _manifest(session, packs, agent))
-        bench = Workbench(case, agent_folder, catalog, session, scratch)
-        run = Run(f"{case.alias}-{attempt}", bench, case.budget, paths.trajectory)
-        context = AgentContext(
-            case,
-            agent_folder,
-            gateway.open_run(run),
-            configuration,
-            attempt,
-            paths.agent,
-            truth_package,
-            model,
-            lambda seconds: run.ended.wait(seconds) or run.over_calls,
+    with opened_folder(folder) as opened:
+        own = AttemptFolder(opened)
+        catalog = CaseCatalog.load(case, packs)
+        own.usage.touch()
+        own.trajectory.touch()
+        levels, truth_package = [agent_folder / "start.level.json"], None
+        if withheld is not None:
+            truth_package = f"/Game/Oracle/{re.sub('[^A-Za-z0-9_-]', '_', case.alias)}"
+            levels.append(_readable_truth(withheld, folder / "oracle", truth_package))
+        content, scratch = paths.submission, paths.scratch
+        stopping = _Stopping()
+        with (
+            _model(agent, configuration, own.usage, ledger, stopping) as model,
+            Gateway(port=agent.port_of(configuration) if isinstance(agent, Reached) else 0) as gateway,
+            open_engine(
+                engine,
+                packs=packs,
+                content=content,
+                scratch=scratch,
+                levels=levels,
+                start_map=case.start_map,
+                offered=offered(case, agent_folder),
+            ) as session,
+        ):
+            write_json(own.manifest, _manifest(session, packs, agent))
+            bench = Workbench(case, agent_folder, catalog, session, scratch)
+            run = Run(f"{case.alias}-{attempt}", bench, case.budget, own.trajectory)
+            context = AgentContext(
+                case,
+                agent_folder,
+                gateway.open_run(run),
+                configuration,
+                attempt,
+                paths.agent,
+                truth_package,
+                model,
+                lambda seconds: run.ended.wait(seconds) or run.over_calls,
+            )
+            stopping.run = run
+            report, error = _work(agent, context, run)
+            check_room()
+            engine_version, sandbox = session.version, session.sandbox
+            gateway.close_run(run)
+        if model is not None and model.run.limit_message:
+            raise SpendingLimitReached(
+                model.run.limit_message,
+                where=f"{configuration.name}/{case.alias}",
+                todo="raise the limit and run the same command again",
+            )
+        for record in report.usage:
+            append_json_line(own.usage, record)
+        outcome = _outcome(
+            run, report, error, own.submission, context, engine_version, sandbox, backend(engine).level_suffix
         )
-        stopping.run = run
-        report, error = _work(agent, context, run)
-        check_room()
-        engine_version, sandbox = session.version, session.sandbox
-        gateway.close_run(run)
-    if model is not None and model.run.limit_message:
-        raise SpendingLimitReached(
-            model.run.limit_message,
-            where=f"{configuration.name}/{case.alias}",
-            todo="raise the limit and run the same command again",
-        )
-    for record in report.usage:
-        append_json_line(paths.usage, record)
-    outcome = _outcome(run, report, error, content, context, engine_version, sandbox, backend(engine).level_suffix)
-    outcome.write(paths.outcome)
-    return outcome
+        outcome.write(own.outcome)
+        return outcome
 
 
 def _manifest(engine: Engine, packs: Sequence[Path], agent: Agent) -> dict[str, Any]:

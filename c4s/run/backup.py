@@ -22,7 +22,7 @@ from c4s.home import home
 from c4s.names import file_in
 from c4s.records.backup import Backup, KeptFile
 from c4s.records.folder import RunFolder
-from c4s.run.lease import holder
+from c4s.run.lease import at_work
 
 Part = Literal["runs", "suites", "packs", "warehouse"]
 PARTS: Final[tuple[Part, ...]] = get_args(Part)
@@ -54,7 +54,7 @@ def back_up(to: Path, parts: Iterable[Part]) -> Copied:
     root = home().resolve()
     _check_place(to, root)
     (to / _BYTES).mkdir(parents=True, exist_ok=True)
-    left_out = [run.root.name for run in RunFolder.planned(root / "runs") if holder(run) is not None]
+    left_out = [run.root.name for run in RunFolder.planned(root / "runs") if at_work(run)]
     parts = list(parts)
     (to / MANIFEST).unlink(missing_ok=True)
     kept, copied, links = [], 0, 0

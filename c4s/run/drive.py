@@ -23,7 +23,7 @@ from c4s.run.plan import Trial
 from c4s.run.pool import Pool, work
 from c4s.run.torn import settle
 from c4s.run.trial import Do, HandedOver, run_trial
-from c4s.run.trial_work import holding_trial, in_order, settle_free
+from c4s.run.trial_work import holding_trial, in_order, settle_free, while_held
 
 Run = Callable[..., Awaitable[Any]]
 """Runs a stage by its name, with trial, plan, and what else it takes."""
@@ -55,21 +55,25 @@ def in_slots(
     """A trial's ``do``: each stage waits for its slot, and is then run. Earlier ranks go first.
 
     Stages are given the plan without other trials, so that what crosses to a worker does not grow with the plan.
-    No stage is started without room to work, where a lease was lost, or while the run is paused.
+    No stage is started without room to work, where a lease was lost, or while the run is paused. Where one fails after
+    a lease was lost, that is why: ``LeaseLost``.
     """
     own = plan.model_copy(update={"cases": [trial.case], "configurations": [trial.configuration]})
+
+    async def check_held() -> None:
+        for lease in held:
+            await lease.check_beside()
 
     async def once(stage: Stage, *arguments: Any) -> Any:
         while True:
             await pool.headroom.room()
             if overseer is not None:
-                await overseer.may_start(stage)
+                await overseer.may_start(stage, trial, arguments)
             async with pool.turn(stage, trial, own, rank):
-                for lease in held:
-                    await lease.check_beside()
+                await check_held()
                 if overseer is None:
                     return await run(stage, trial, own, *arguments)
-                if overseer.holds(stage):
+                if overseer.holds(stage, trial, arguments):
                     continue
                 with overseer.stage(stage, trial, arguments, pool.limit(stage, trial, own).kind) as returned:
                     made = await run(stage, trial, own, *arguments)
@@ -82,6 +86,7 @@ def in_slots(
             try:
                 made = await once(stage, *arguments)
             except Exception as error:
+                await check_held()
                 pool.headroom.look()
                 if not left or (pool.headroom.times_short == before and not isinstance(error, NoRoom)):
                     raise
@@ -194,7 +199,7 @@ async def _run_trials(
     async with asyncio.TaskGroup() as group:
         for rank, trial in enumerate(trials):
             await gate.acquire()
-            if overseer is not None and overseer.stopped is not None and not trial.folder.attempts():
+            if part is None and overseer is not None and overseer.stopped is not None and not trial.folder.attempts():
                 pending[rank] = Pending(trial, overseer.stopped)
                 gate.release()
                 continue
@@ -221,12 +226,14 @@ async def _in_work(
                     print_line(line)
                 do = in_slots(pool, run, trial, plan, rank, [own] if held is None else [held, own], overseer)
                 do = store.sending(do)
-                score = await run_trial(trial, plan, do if part is None else part.limited(do, pool, trial, plan))
+                do = do if part is None else part.limited(do, pool, trial, plan)
+                async with while_held(own):
+                    score = await run_trial(trial, plan, do)
                 if overseer is not None:
                     overseer.done(trial, score)
             except Exception as error:
                 ended = error
-                if overseer is not None and not isinstance(error, HandedOver):
+                if overseer is not None and not isinstance(error, HandedOver | LeaseLost):
                     overseer.pending(trial, error)
             if part is not None and not isinstance(ended, LeaseLost):
                 part.note(trial, ended)

@@ -56,8 +56,13 @@ def cause_of(error: BaseException) -> str:
 
 
 def ask(run: RunFolder, word: Word) -> Instruction:
-    """Put on record what is asked of a run."""
-    asked = Instruction(word=word, time=time.time(), by=f"{getpass.getuser()} on {platform.node()}")
+    """Put on record what is asked of a run. ``BadInput`` for one that was never begun."""
+    fetch_guards(run)
+    guards = guards_of(run)
+    if guards is None:
+        raise BadInput("nobody has begun this run", where=str(run.root), todo="start it with `c4s run`")
+    by = f"{getpass.getuser()} on {platform.node()}"
+    asked = Instruction(word=word, of=guards.since, time=time.time(), by=by)
     asked.write(run.asked)
     open_store().push_files(run.asked)
     return asked
@@ -70,9 +75,13 @@ def fetch_guards(run: RunFolder) -> None:
     store.pull_files(run.asked)
 
 
-def asked_of(run: RunFolder) -> Instruction | None:
-    """What was asked of a run, if anything was."""
-    return Instruction.read(run.asked) if run.asked.is_file() else None
+def asked_of(run: RunFolder, guards: Guards | None) -> Instruction | None:
+    """What was asked of a run under the bounds in force. A file that is no such record asks nothing: it is left."""
+    try:
+        asked = Instruction.read(run.asked) if run.asked.is_file() else None
+    except BadInput:
+        return None
+    return asked if asked is not None and guards is not None and asked.of == guards.since else None
 
 
 def set_guards(
@@ -108,19 +117,11 @@ class Watchman:
         if guards is None:
             return False, None
         self._count(guards.since)
-        asked = self._asked(guards)
+        asked = asked_of(self._run, guards)
         if asked is not None and asked.word == "drain":
             return False, stop("drain", f"{asked.by} asked it to drain")
         found = self._deadline(guards) or self._spending(guards) or self._faults(guards)
         return asked is not None and asked.word == "pause", found
-
-    def _asked(self, guards: Guards) -> Instruction | None:
-        """What was asked since the bounds were set. A file that is no such record asks nothing: it is left alone."""
-        try:
-            asked = asked_of(self._run)
-        except BadInput:
-            return None
-        return asked if asked is not None and asked.time >= guards.since else None
 
     def _deadline(self, guards: Guards) -> StoppedByGuard | None:
         if guards.deadline is None or time.time() < guards.deadline:

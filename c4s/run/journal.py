@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import heapq
 import os
 import re
 import time
@@ -53,24 +54,27 @@ class Tail:
         self._offsets: dict[Path, int] = {}
 
     def read(self) -> Iterator[tuple[Path, dict[str, Any]]]:
-        """New lines as plain data, each with the journal that it stands in. A line that is no JSON object is skipped.
+        """New lines as plain data, each with the journal that it stands in, in the order of their times.
 
-        Nobody but c4s writes here; what a full disk cut off is worth no answer.
+        A line that is no event is skipped: nobody but c4s writes here, and what a full disk cut off is worth no answer.
         """
         others = self._run.elsewhere.glob(f"*/{self._run.journals.name}/*.jsonl")
-        for path in sorted((*self._run.journals.glob("*.jsonl"), *others)):
-            offset = self._offsets.get(path, 0)
-            if path.stat().st_size <= offset:
+        files = [self._grown(path) for path in sorted((*self._run.journals.glob("*.jsonl"), *others))]
+        return heapq.merge(*files, key=lambda found: found[1]["time"])
+
+    def _grown(self, path: Path) -> Iterator[tuple[Path, dict[str, Any]]]:
+        offset = self._offsets.get(path, 0)
+        if path.stat().st_size <= offset:
+            return
+        with path.open("rb") as source:
+            source.seek(offset)
+            data = source.read()
+        end = data.rfind(b"\n") + 1
+        self._offsets[path] = offset + end
+        for line in data[:end].splitlines():
+            try:
+                event = orjson.loads(line)
+            except ValueError:
                 continue
-            with path.open("rb") as source:
-                source.seek(offset)
-                data = source.read()
-            end = data.rfind(b"\n") + 1
-            self._offsets[path] = offset + end
-            for line in data[:end].splitlines():
-                try:
-                    event = orjson.loads(line)
-                except ValueError:
-                    continue
-                if isinstance(event, dict):
-                    yield path, event
+            if isinstance(event, dict) and isinstance(event.get("time"), float | int):
+                yield path, event

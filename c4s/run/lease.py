@@ -3,9 +3,9 @@
 The lease in force is the one of the highest number at its place (``c4s.run.store``). Whoever takes the lease puts a new
 one under the next number, which succeeds for one taker alone, on a shared file system and in an object store too; a
 lower number is never in force again, so the highest stays when a lease is given back. A holder on this machine that has
-ended is replaced at once. Of a holder elsewhere only signs of life tell: a lease is renewed while its holder lives. One
-that was not, and is not while it is watched for some beats more (clocks jump), is taken over. A holder that finds
-another lease in force, or its own gone, stops before it writes more.
+ended is replaced at once. Of any other only signs of life tell: a lease is renewed while its holder lives. One that was
+not, and is not while it is watched for some beats more (clocks jump), is taken over, be its holder cut off or stopped.
+A holder that finds another lease in force, or its own gone, stops before it writes more.
 """
 
 from __future__ import annotations
@@ -147,10 +147,21 @@ def holding(run: Path, *, wait: Callable[[str], None] | None = None) -> Iterator
 
 
 def holder(run: RunFolder) -> Lease | None:
-    """The lease that somebody holds of a run; None where nobody does. A holder elsewhere is not watched for it."""
-    place = open_store().leases(run.leases)
-    newest = place.newest()
-    return None if newest is None else _in_force(place, newest, watch=False)
+    """The lease that somebody holds of a run; None where nobody does. It is not watched for it."""
+    return in_force(open_store().leases(run.leases), watch=False)
+
+
+def at_work(run: RunFolder, *, holders: bool = True) -> str:
+    """Who works on a run, for people, be it on a trial alone; empty where nobody does.
+
+    ``holders``: whoever holds the run counts too, not only those that have a trial.
+    """
+    if holders and (held := holder(run)) is not None:
+        return told(held)
+    for folder in run.trials():
+        if not folder.score.is_file() and (held := in_force(open_store().leases(folder.leases), watch=False)):
+            return f"{told(held)}, on the trial {folder.root.relative_to(run.root)}"
+    return ""
 
 
 def take(place: LeasePlace, what: str) -> Held | Lease:
@@ -172,10 +183,10 @@ def take(place: LeasePlace, what: str) -> Held | Lease:
         place.remove(number)
 
 
-def in_force(place: LeasePlace) -> Lease | None:
-    """The lease that somebody holds; None where nobody does."""
+def in_force(place: LeasePlace, *, watch: bool = True) -> Lease | None:
+    """The lease that somebody holds; None where nobody does. Without ``watch`` a clock that jumped may hide one."""
     newest = place.newest()
-    return None if newest is None else _in_force(place, newest)
+    return None if newest is None else _in_force(place, newest, watch=watch)
 
 
 def _in_force(place: LeasePlace, number: int, *, watch: bool = True) -> Lease | None:
@@ -183,8 +194,8 @@ def _in_force(place: LeasePlace, number: int, *, watch: bool = True) -> Lease | 
     lease = place.read(number)
     if lease is None or lease.given_back:
         return None
-    if is_near(lease.owner):
-        return None if is_gone(lease.owner) else lease
+    if is_near(lease.owner) and is_gone(lease.owner):
+        return None
     sign = place.sign(number)
     if sign is None:
         return None

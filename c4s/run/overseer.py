@@ -107,16 +107,18 @@ class Overseer:
             self._note("stopped", error=stopped.guard, line=stopped.what)
             self._tell(f"stopping: {stopped.what}; attempts in work end and are scored, none is started")
 
-    def holds(self, stage: Stage) -> bool:
-        """Whether the stage may not start now: the run is paused, or stopped before the stage's attempt."""
-        return self.paused or (stage == "attempt" and self.stopped is not None)
+    def holds(self, stage: Stage, trial: Trial, arguments: tuple[Any, ...]) -> bool:
+        """Whether the stage may not start now: the run is paused, or stopped and the stage is a new attempt."""
+        return self.paused or (
+            stage == "attempt" and self.stopped is not None and not trial.folder.attempt(*arguments).done
+        )
 
-    async def may_start(self, stage: Stage) -> None:
-        """Wait while the run is paused. ``StoppedByGuard`` for an attempt of a run that is stopped."""
+    async def may_start(self, stage: Stage, trial: Trial, arguments: tuple[Any, ...]) -> None:
+        """Wait while the run is paused. ``StoppedByGuard`` for a new attempt of a run that is stopped."""
         while self.paused:
             await asyncio.sleep(LOOK_S)
             self.look()
-        if self.stopped is not None and self.holds(stage):
+        if self.stopped is not None and self.holds(stage, trial, arguments):
             raise self.stopped
 
     @contextmanager

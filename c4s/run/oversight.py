@@ -17,7 +17,7 @@ from c4s.errors import C4SError
 from c4s.meter.endpoints import spending_limit
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
-from c4s.run.guards import MOST_IN_A_ROW, reason_of, set_guards
+from c4s.run.guards import MOST_IN_A_ROW, fetch_guards, reason_of, set_guards
 from c4s.run.headroom import print_line
 from c4s.run.logs import logging_to
 from c4s.run.notify import at_a_guard, notifier
@@ -70,6 +70,8 @@ def overseen(
         spend = spending_limit() if bounds.spend_usd is None else bounds.spend_usd
         set_guards(folder, deadline=bounds.deadline, spend_usd=spend, most_faults=bounds.most_faults)
         to = notifier(bounds.notify, print_line)
+    else:
+        fetch_guards(folder)
     ids, progress = ids_of(run, suite, plan), Progress(run, suite)
     started = time.monotonic()
 

@@ -13,6 +13,7 @@ from c4s.errors import BadInput, C4SError
 from c4s.records.evidence_digests import SEEN
 from c4s.records.handover import Handover, WorkPool
 from c4s.records.plan import Plan
+from c4s.run.guards import StoppedByGuard
 from c4s.run.limits import Kind, Stage
 from c4s.run.plan import Trial
 from c4s.run.pool import Pool
@@ -50,6 +51,8 @@ class Part:
         made = Handover(part=self.part, ended="done")
         if isinstance(ended, HandedOver):
             made = Handover(part=self.part, ended="handed_over", pool=ended.pool, whole=ended.whole)
+        elif isinstance(ended, StoppedByGuard):
+            made = Handover(part=self.part, ended="stopped", line=ended.line())
         elif ended is not None:
             line = ended.line() if isinstance(ended, C4SError) else f"{type(ended).__name__}: {ended}"
             made = Handover(part=self.part, ended="pending", line=line, bad_input=isinstance(ended, BadInput))

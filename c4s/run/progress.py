@@ -258,10 +258,12 @@ class Progress:
         if held is None:
             if all_done:
                 return "done", ""
+            if self._work:
+                return "running", "whoever led it has ended; what was sent to the work pools goes on"
             return ("stopped", self._why) if self._word == "stopping" else ("idle", "")
-        asked = asked_of(self._run)
-        if self._word == "running" and asked is not None and asked.word == "drain":
-            return "stopping", f"{asked.by} asked it to drain"
+        asked = asked_of(self._run, guards_of(self._run))
+        if self._word == "running" and asked is not None and asked.word != "go":
+            return "paused" if asked.word == "pause" else "stopping", f"{asked.by} asked it to {asked.word}"
         return self._word, self._why
 
     def _standing(self, configuration: str, planned: int) -> Standing:

@@ -16,6 +16,7 @@ from c4s.records.score import TrialScore
 from c4s.run import overrun, repeats
 from c4s.run.faults import SceneFault
 from c4s.run.guards import StoppedByGuard
+from c4s.run.lease import LeaseLost
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from c4s.run.stages import ATTEMPTS
@@ -68,7 +69,7 @@ def _recording(trial: Trial, do: Do) -> Do:
     async def recorded(stage: Stage, *arguments: Any) -> Any:
         try:
             return await do(stage, *arguments)
-        except (SceneFault, HandedOver, StoppedByGuard):
+        except (SceneFault, HandedOver, StoppedByGuard, LeaseLost):
             raise
         except Exception as error:
             repeats.note(trial, stage, arguments, error)
@@ -81,7 +82,7 @@ async def _attempt(trial: Trial, number: int, do: Do) -> None:
     """An attempt. One that has spent its repeats ends without a submission, unless the machinery fails by itself."""
     try:
         await do("attempt", number)
-    except (HandedOver, StoppedByGuard):
+    except (HandedOver, StoppedByGuard, LeaseLost):
         raise
     except Exception:
         if not repeats.spent(trial, number):

@@ -6,15 +6,15 @@ import asyncio
 import os
 from collections.abc import AsyncIterator, Callable
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from functools import cache, partial
 from typing import Any, TypeVar, TypeVarTuple
 
 from c4s.records.plan import Plan
-from c4s.run.lease import WAIT_S, Held, take
+from c4s.run.lease import BEAT_S, WAIT_S, Held, LeaseLost, take
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
-from c4s.run.store import FolderLeases, Store, open_store
+from c4s.run.store import FolderLeases, Store, StoreFault, open_store
 from c4s.run.torn import settle
 from c4s.run.trial import Do
 
@@ -25,8 +25,8 @@ R = TypeVar("R")
 class Sending:
     """Puts a trial's folder in the store after each stage, so that a machine that is lost costs the stage in work."""
 
-    def __init__(self, trial: Trial, store: Store) -> None:
-        self._trial, self._store = trial, store
+    def __init__(self, trial: Trial, store: Store, held: Held) -> None:
+        self._trial, self._store, self._held = trial, store, held
         self._one_at_a_time = asyncio.Lock()
 
     def sending(self, do: Do) -> Do:
@@ -42,10 +42,10 @@ class Sending:
         return sent
 
     async def send(self) -> None:
-        """Send the folder as it is."""
+        """Send the folder as it is. ``LeaseLost`` where it is another's by now: what that one sent stays."""
         if self._store.apart:
             async with self._one_at_a_time:
-                await asyncio.to_thread(self._store.push, self._trial.folder.root)
+                await asyncio.to_thread(self._store.push, self._trial.folder.root, self._held.check)
 
 
 @cache
@@ -57,6 +57,33 @@ def _desk(process: int) -> ThreadPoolExecutor:
 async def in_order(function: Callable[[*Args], R], *arguments: *Args) -> R:
     """Run a short function beside the event loop, after those that were asked for before."""
     return await asyncio.get_running_loop().run_in_executor(_desk(os.getpid()), partial(function, *arguments))
+
+
+@asynccontextmanager
+async def while_held(held: Held) -> AsyncIterator[None]:
+    """The block is ended as soon as the lease is lost, with ``LeaseLost``."""
+    working, lost = asyncio.current_task(), list[LeaseLost]()
+
+    async def watch() -> None:
+        while not lost:
+            await asyncio.sleep(BEAT_S)
+            try:
+                with suppress(StoreFault):
+                    await held.check_beside()
+            except LeaseLost as error:
+                lost.append(error)
+                if working is not None:
+                    working.cancel()
+
+    watching = asyncio.ensure_future(watch())
+    try:
+        yield
+    except asyncio.CancelledError:
+        if lost and working is not None and working.uncancel() == 0:
+            raise lost[0] from None
+        raise
+    finally:
+        watching.cancel()
 
 
 @asynccontextmanager
@@ -73,7 +100,7 @@ async def holding_trial(trial: Trial) -> AsyncIterator[tuple[Held, Sending, bool
     try:
         if store.apart:
             await asyncio.to_thread(store.pull, trial.folder.root)
-        yield held, Sending(trial, store), waited or store.apart
+        yield held, Sending(trial, store, held), waited or store.apart
     finally:
         await in_order(held.give_back)
 

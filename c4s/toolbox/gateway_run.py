@@ -328,7 +328,7 @@ class Run:
         except OSError as error:
             self.fault = self.fault or MachineryFault(
                 f"the trajectory cannot be written: {error.strerror}",
-                where=str(self.trajectory),
+                where=str(self.trajectory.resolve()),
                 todo="is the disk full?",
             )
             self._end("fault", "the trajectory cannot be written")

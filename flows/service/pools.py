@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
+import flows
 from c4s.errors import BadInput, MachineryFault
+from c4s.files import digest_bytes, digest_file
 from flows.service.health import prefect_yaml
 from flows.service.names import POOLS
 from flows.service.settings import environment
@@ -27,6 +30,12 @@ def make_pools(url: str) -> list[str]:
                 continue
             made.append(name)
     return made
+
+
+def declared_digest() -> str:
+    """Digest of all that a deployment is made of: the declarations, and the flows with their parameters."""
+    places = [prefect_yaml(), *sorted(Path(flows.__file__).parent.rglob("*.py"))]
+    return digest_bytes("".join(digest_file(path) for path in places if path.is_file()).encode())
 
 
 def deploy(url: str) -> None:

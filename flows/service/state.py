@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
@@ -24,6 +28,8 @@ class Service:
     server: Owner | None = None
     workers: dict[str, Owner] = field(default_factory=dict)
     """By pool."""
+    deployed: str = ""
+    """Digest of what the server was last told of the flows."""
 
     @property
     def ui(self) -> str:
@@ -50,6 +56,7 @@ class Service:
                 str(found["database"]),
                 Owner.parse(server, where=str(_path())) if server else None,
                 {str(name): Owner.parse(owner, where=str(_path())) for name, owner in found["workers"].items()},
+                str(found.get("deployed", "")),
             )
         except (KeyError, TypeError, AttributeError):
             raise BadInput(
@@ -60,6 +67,21 @@ class Service:
     def forget() -> None:
         """Take the record away."""
         _path().unlink(missing_ok=True)
+
+
+@contextmanager
+def alone(tell: Callable[[str], None]) -> Iterator[None]:
+    """The block changes what runs here, while no other process does."""
+    lock = os.open(next(place for place in (home(), *home().parents) if place.is_dir()), os.O_RDONLY)
+    try:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            tell("waiting for another `c4s up` or `c4s down` of this home")
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(lock)
 
 
 def runs(owner: Owner | None) -> bool:

@@ -13,17 +13,21 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
+from urllib.parse import urlsplit
 
 from c4s.errors import BadInput, MachineryFault
 from c4s.home import home
 from c4s.records.lease import Owner
 from c4s.run.owner import owner_of
-from flows.service.health import health
-from flows.service.pools import deploy, make_pools
+from flows.service.health import deployments, health
+from flows.service.pools import declared_digest, deploy, make_pools
 from flows.service.settings import environment, prefect_home
-from flows.service.state import Service, runs
+from flows.service.state import Service, alone, runs
 
+DEFAULT_HOST: Final = "127.0.0.1"
 DEFAULT_PORT: Final = 4200
+POSTGRES_PORT: Final = 5432
+_ANSWER_S: Final = 5.0
 _START_S: Final = 180.0
 _END_S: Final = 30.0
 _LOOK_S: Final = 0.25
@@ -35,60 +39,90 @@ class ServiceAsked:
 
     Args:
         slots: how many slots each pool has here; a pool without slots gets no worker.
-        host: address that the server listens on; 127.0.0.1 lets no other machine in.
-        port: its port.
+        host: address that the server listens on (default: as before, else 127.0.0.1, which lets no other machine in).
+        port: its port (default: as before, else 4200).
         database: URL of a PostgreSQL database for the server; none: an SQLite file under ``C4S_HOME``.
         url: address of a server that runs elsewhere; none is started then.
     """
 
     slots: Mapping[str, int]
-    host: str = "127.0.0.1"
-    port: int = DEFAULT_PORT
+    host: str | None = None
+    port: int | None = None
     database: str | None = None
     url: str | None = None
 
 
 def up(asked: ServiceAsked, tell: Callable[[str], None]) -> Service:
-    """Start what is missing: server, pools, deployments, workers. What runs stays as it is."""
-    found = Service.read()
-    if found is not None and asked.url and found.url != asked.url:
-        raise BadInput(f"the server of {found.url} is used here", where="--url", todo="end it first with `c4s down`")
-    service = found or Service(asked.url or f"http://{asked.host}:{asked.port}/api", _kind(asked.database))
-    if asked.url is None and not runs(service.server):
-        _check_port(asked)
-        tell(f"starting the server at {service.ui}")
-        service.server = _start_server(asked, service)
-        service.write()
-    _wait_for(service)
-    for name in make_pools(service.url):
-        tell(f"made the work pool {name!r}")
-    tell("deploying the flows")
-    deploy(service.url)
-    for pool, slots in asked.slots.items():
-        if slots and not runs(service.workers.get(pool)):
-            service.workers[pool] = _start_worker(pool, slots, service.url)
+    """Start what is missing: server, pools, workers, deployments. What runs stays as it is.
+
+    ``BadInput`` where what was started here before is not what is asked for: one home has one service.
+    """
+    with alone(tell):
+        found = Service.read()
+        if found is not None:
+            _check_same(asked, found)
+        default = f"http://{asked.host or DEFAULT_HOST}:{asked.port or DEFAULT_PORT}/api"
+        service = found or Service(asked.url or default, _kind(asked.database))
+        own = asked.url is None and (found is None or found.server is not None)
+        missing = own and not runs(service.server)
+        if missing:
+            _check_port(service.url)
+            _check_database(asked.database)
+            tell(f"starting the server at {service.ui}")
+            service.server = _start_server(asked.database, service)
             service.write()
-            tell(f"started {slots} slot{'s' if slots > 1 else ''} of the pool {pool!r}")
-    service.write()
-    return service
+        _wait_for(service)
+        for name in make_pools(service.url):
+            tell(f"made the work pool {name!r}")
+        for pool, slots in asked.slots.items():
+            if slots and not runs(service.workers.get(pool)):
+                service.workers[pool] = _start_worker(pool, slots, service.url)
+                service.write()
+                tell(f"started {slots} slot{'s' if slots > 1 else ''} of the pool {pool!r}")
+                missing = True
+        if service.deployed != (wanted := declared_digest()) or deployments(service.url):
+            tell("deploying the flows")
+            deploy(service.url)
+            service.deployed = wanted
+        elif not missing:
+            tell("nothing was missing")
+        service.write()
+        return service
+
+
+def _check_same(asked: ServiceAsked, found: Service) -> None:
+    """``BadInput`` for a request that the service on record does not meet. What is not named is as before."""
+    end, at = "end it first with `c4s down`", urlsplit(found.url)
+    url = asked.url or f"http://{asked.host or at.hostname}:{asked.port or at.port}/api"
+    if (asked.url or asked.host or asked.port) and url != found.url:
+        raise BadInput(f"the server of {found.url} is used here", where="--url", todo=end)
+    if asked.database is not None and _kind(asked.database) != found.database:
+        raise BadInput(f"the server of this home keeps its records in {found.database}", where="--database", todo=end)
+    if found.database != "sqlite" and asked.database is None and found.server is not None and not runs(found.server):
+        raise BadInput(
+            "the server that ran here kept its records in PostgreSQL, at an address that is not on record",
+            where="--database",
+            todo="give --database again, or begin anew after `c4s down`",
+        )
 
 
 def down(tell: Callable[[str], None]) -> int:
     """End what ``up`` started here; how many processes that were. What is done is kept: run folders remember."""
-    service = Service.read()
-    if service is None:
-        return 0
-    owners = {f"the workers of {name!r}": owner for name, owner in service.workers.items()}
-    if service.server is not None:
-        owners["the server"] = service.server
-    ended = 0
-    for what, owner in owners.items():
-        if runs(owner):
-            tell(f"ending {what}")
-            _end(owner, what)
-            ended += 1
-    Service.forget()
-    return ended
+    with alone(tell):
+        service = Service.read()
+        if service is None:
+            return 0
+        owners = {f"the workers of {name!r}": owner for name, owner in service.workers.items()}
+        if service.server is not None:
+            owners["the server"] = service.server
+        ended = 0
+        for what, owner in owners.items():
+            if runs(owner):
+                tell(f"ending {what}")
+                _end(owner, what)
+                ended += 1
+        Service.forget()
+        return ended
 
 
 def _kind(database: str | None) -> str:
@@ -99,25 +133,42 @@ def _kind(database: str | None) -> str:
     return "postgresql"
 
 
-def _check_port(asked: ServiceAsked) -> None:
+def _check_database(database: str | None) -> None:
+    """``BadInput`` where nothing listens at the database's address."""
+    if database is None:
+        return
+    at = urlsplit(database)
+    host, port = at.hostname or "127.0.0.1", at.port or POSTGRES_PORT
+    try:
+        socket.create_connection((host, port), timeout=_ANSWER_S).close()
+    except OSError as error:
+        raise BadInput(
+            f"no database answers at {host}:{port}: {error.strerror or error}",
+            where="--database",
+            todo="start PostgreSQL there, or leave --database out for an SQLite file",
+        ) from None
+
+
+def _check_port(url: str) -> None:
+    at = urlsplit(url)
     with socket.socket() as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
-            probe.bind((asked.host, asked.port))
+            probe.bind((at.hostname, at.port))
         except OSError as error:
             raise BadInput(
-                f"the server cannot listen on {asked.host}:{asked.port}: {error.strerror}",
+                f"the server cannot listen on {at.hostname}:{at.port}: {error.strerror}",
                 where="--port",
                 todo="choose another --port, or end what listens there",
             ) from None
 
 
-def _start_server(asked: ServiceAsked, service: Service) -> Owner:
-    made = environment(service.url)
-    if asked.database is not None:
-        _, _, rest = asked.database.partition("://")
+def _start_server(database: str | None, service: Service) -> Owner:
+    made, at = environment(service.url), urlsplit(service.url)
+    if database is not None:
+        _, _, rest = database.partition("://")
         made["PREFECT_SERVER_DATABASE_CONNECTION_URL"] = f"postgresql+asyncpg://{rest}"
-    command = [sys.executable, "-m", "prefect", "server", "start", "--host", asked.host, "--port", str(asked.port)]
+    command = [sys.executable, "-m", "prefect", "server", "start", "--host", str(at.hostname), "--port", str(at.port)]
     return _start(command, made, "server")
 
 

@@ -213,6 +213,8 @@ def test_a_part_of_what_is_done_is_reused_and_another_run_id_tells_who_holds_it(
     other = c4s("run", "small", "-a", "noop", "--run-id", "other")
     assert other.returncode == 0 and "3 trials are done and reused from run 'small'" in other.stdout
     assert (ran / "runs/other/plan.json").is_file() and not (ran / "runs/other/noop").exists()
+    listed = {row["run"]: row for row in json.loads(c4s("runs", "list", "--json").stdout)}
+    assert (listed["other"]["state"], listed["other"]["done"], listed["other"]["planned"]) == ("done", 3, 3)
 
 
 def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c4s: Command, tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ import pytest
 
 from c4s.engine import EngineDied
 from c4s.errors import BadInput
+from c4s.files import append_json_line
 from c4s.meter.spending import Ledger, SpendingLimitReached
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.folder import RunFolder
@@ -32,6 +33,8 @@ from c4s.run.signals import ending_in_order
 from tests.run.test_orchestration import DummyPool, finished, planned
 
 Act = Callable[[Stage, Trial, Overseer, Counter[str]], object]
+MIXED = (("a", "pending"), ("b", "done"))
+"""A journal and what stands in it, in turn."""
 
 
 def outcome(number: int) -> AttemptOutcome:
@@ -233,6 +236,44 @@ def test_whoever_looks_at_the_folder_comes_to_the_same(tmp_path: Path) -> None:
     _, _, overseer = work(made, plan, die)
     _, found = Watchman(RunFolder(tmp_path)).look()
     assert found and overseer.stopped and found.line() == overseer.stopped.line()
+
+
+def journalled(run: RunFolder, events: list[tuple[str, int, str]]) -> None:
+    """Events (journal, time in seconds after the bounds were set, what) as two processes wrote them."""
+    since = set_guards(run, most_faults=3).since
+    run.journals.mkdir()
+    for name, after, what in events:
+        told = {"time": since + after, "event": what, "trial": "a/b/r1", "error": "EngineDied", "line": "it died"}
+        append_json_line(run.journals / f"{name}.jsonl", told)
+
+
+def test_what_fails_in_a_row_is_told_by_time_whoever_wrote_it(tmp_path: Path) -> None:
+    mixed, real = RunFolder(tmp_path / "mixed"), RunFolder(tmp_path / "real")
+    for run in (mixed, real):
+        run.root.mkdir()
+    journalled(mixed, [(name, 2 * n + k, what) for n in range(9) for k, (name, what) in enumerate(MIXED)])
+    assert Watchman(mixed).look() == (False, None)
+    journalled(real, [("a", 0, "done"), *(("b", n, "pending") for n in (1, 3, 5)), ("a", 9, "begun")])
+    _, found = Watchman(real).look()
+    assert found is not None and found.guard == "faults" and "3 trials in a row" in found.what
+
+
+def test_a_word_counts_for_the_bounds_that_it_was_asked_under_whatever_the_clocks_say(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = RunFolder(tmp_path)
+    with pytest.raises(BadInput, match="nobody has begun this run"):
+        ask(run, "drain")
+    guards = set_guards(run)
+    with monkeypatch.context() as late:
+        late.setattr("c4s.run.guards.time.time", lambda: guards.since - 30)
+        ask(run, "drain")
+    _, found = Watchman(run).look()
+    assert found is not None and found.guard == "drain"
+    kept = run.asked.read_bytes()
+    set_guards(run)
+    run.asked.write_bytes(kept)
+    assert Watchman(run).look() == (False, None)
 
 
 def test_a_garbled_word_of_an_operator_asks_nothing(tmp_path: Path) -> None:

@@ -145,6 +145,23 @@ def test_a_holder_elsewhere_keeps_the_run_until_its_signs_of_life_end(run: Path,
         held.check()
 
 
+def test_a_holder_here_that_is_stopped_is_replaced_when_its_signs_of_life_end(
+    run: Path, other: Holder, monkeypatch: MonkeyPatch
+) -> None:
+    monkeypatch.setattr(lease, "BEAT_S", 0.04)
+    first = other()
+    assert told(first) == "held"
+    first.send_signal(signal.SIGSTOP)
+    with pytest.raises(RunHeld), holding(run):
+        pass
+    path = max(RunFolder(run).leases.glob("*.json"))
+    record = path.stat()
+    os.utime(path, ns=(record.st_atime_ns, record.st_mtime_ns - 61_000_000_000))
+    with holding(run) as held:
+        held.check()
+    first.send_signal(signal.SIGCONT)
+
+
 def test_a_clock_that_jumps_takes_no_lease_from_a_holder_elsewhere_that_lives(
     run: Path, monkeypatch: MonkeyPatch
 ) -> None:

@@ -15,9 +15,12 @@ from typing import Any
 
 import pytest
 
+from c4s.folders import remove_tree
 from c4s.records.folder import RunFolder
 from c4s.records.progress import Snapshot
+from c4s.run.lease import Held, take
 from c4s.run.notify import Notifier
+from c4s.run.store import FolderLeases
 from tests.run.conftest import apart, command_in, environment
 from tests.run.receivers import Receiver, receiving, values
 
@@ -162,6 +165,22 @@ def test_what_can_be_dropped_is_told_and_only_what_is_named_goes(ran: Ran) -> No
     dropped = c4s("runs", "prune", "seen", "--drop", "scratch", "--drop", "interrupted", "--drop", "pictures", "--json")
     assert {row["part"] for row in json.loads(dropped.stdout)["rows"]} == {"scratch", "interrupted", "pictures"}
     assert not (attempt / "scratch").exists() and not attempt.with_name("attempt-1.interrupted-1").exists()
+
+
+def test_a_run_of_which_somebody_has_a_trial_is_left_alone(ran: Ran, tmp_path: Path) -> None:
+    c4s, folder = command_in(ran.home), ran.folder.trial("planner", "held", 1)
+    held = take(FolderLeases(folder.leases), "trial")
+    assert isinstance(held, Held)
+    try:
+        told = json.loads(c4s("backup", str(tmp_path / "copy"), "--only", "runs", "--json").stdout)
+        assert told["left_out"] == ["seen"]
+        refused = c4s("runs", "prune", "seen", "--drop", "run")
+        assert refused.returncode == 2 and "on the trial planner/held/r1 works on this run" in refused.stderr
+        assert ran.folder.plan.is_file()
+        assert "seen" not in {row["run"] for row in json.loads(c4s("runs", "prune", "--json").stdout)["rows"]}
+    finally:
+        held.give_back()
+        remove_tree(folder.root.parent, inside=ran.folder.root)
 
 
 def test_a_backup_of_what_was_pruned_comes_back_whole_and_a_changed_file_is_refused(ran: Ran, tmp_path: Path) -> None:

@@ -57,7 +57,15 @@ async def begun(count):
             await asyncio.sleep(0.05)
 
 async def work():
-    plan = make_plan(SuiteFolder(suite), [configuration("noop")], run_id="silent", cases=["text-flat-family"])
+    plan = make_plan(
+        SuiteFolder(suite),
+        [configuration("noop")],
+        run_id="silent",
+        policy="code4scene-published",
+        judge="rule",
+        engine="headless",
+        cases=["text-flat-family"],
+    )
     with holding(run) as held:
         open_run(run, plan)
         (trial,) = trials(run, suite, plan)
@@ -81,6 +89,7 @@ class Service:
 
     home: Path
     url: str
+    database: str
     settings: dict[str, str]
     c4s: Command
 
@@ -143,7 +152,8 @@ def service(home: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Se
             stderr=subprocess.DEVNULL,
         )
         try:
-            yield Service(own, told["url"], settings | {"PREFECT_API_URL": told["url"]}, command_in(own))
+            reached = settings | {"PREFECT_API_URL": told["url"]}
+            yield Service(own, told["url"], database, reached, command_in(own))
         finally:
             worker.send_signal(signal.SIGINT)
             ended = worker.wait()
@@ -167,6 +177,8 @@ def test_whoever_is_killed_the_run_ends_as_an_undisturbed_one(service: Service, 
     until(scored.is_file)
     os.kill(coordinator.owner.pid, signal.SIGKILL)
     assert service.ended(first).startswith("CRASHED")
+    listed = json.loads(service.c4s("runs", "list", "--json").stdout)
+    assert {row["state"] for row in listed if row["run"] == "small"} <= {"running", "idle"}
     second = service.start("evaluate/pools", **parameters)
     assert service.ended(second).startswith("COMPLETED")
     alone = apart(own.parent / "alone", own)
@@ -189,7 +201,13 @@ def test_the_server_has_pools_deployments_and_a_nightly_run(service: Service) ->
     found = {f"{flows[one['flow_id']]}/{one['name']}": one for one in service.api("deployments/filter")}
     assert found.keys() == {
         *("evaluate/pools", "evaluate/here", "trial/engines", "trial/verifiers", "trial/judges"),
-        *("leaderboard/nightly", "reverify/default", "rejudge/default", "curate/default", "repeatability/default"),
+        *(
+            "leaderboard/nightly",
+            "reverify/stored-evidence",
+            "rejudge/stored-evidence-judged-anew",
+            "curate/suite",
+            "repeatability/judgements-repeated",
+        ),
     }
     for name, one in found.items():
         for parameter, schema in one["parameter_openapi_schema"]["properties"].items():
@@ -203,11 +221,35 @@ def test_the_server_has_pools_deployments_and_a_nightly_run(service: Service) ->
 
 def test_stored_evidence_is_verified_and_judged_anew(service: Service) -> None:
     before = rows(service.home / "warehouse", "SELECT configuration, case_id, score FROM outcomes ORDER BY ALL")
-    assert service.ended(service.start("reverify/default", run_id="small", agents=["oracle"])).startswith("COMPLETED")
+    assert service.ended(service.start("reverify/stored-evidence", run_id="small", agents=["oracle"])).startswith(
+        "COMPLETED"
+    )
     after = rows(service.home / "warehouse", "SELECT configuration, case_id, score FROM outcomes ORDER BY ALL")
     trial = trial_in(service.home, "small", "oracle", CASES[0])
     assert before == after and list(trial.verdict("repair").parent.glob("repair.json.outdated-*"))
     assert Plan.read(service.home / "runs/small/plan.json").run_id == "small"
+
+
+def test_one_home_has_one_service_however_it_is_asked_for(service: Service) -> None:
+    slots = ["--engines", "1", "--verifiers", "1", "--judges", "0"]
+    both = [
+        subprocess.Popen(
+            [sys.executable, "-m", "c4s.cli", "up", *slots], env=service.settings, stderr=subprocess.PIPE, text=True
+        )
+        for _ in range(2)
+    ]
+    told = [process.communicate()[1] for process in both]
+    assert [process.returncode for process in both] == [0, 0] and all("nothing was missing" in text for text in told)
+    other = service.c4s("up", *slots, "--port", str(free_port()))
+    assert other.returncode == 2 and f"the server of {service.url} is used here" in other.stderr
+    record = json.loads((service.home / "service.json").read_text())
+    os.kill(record["server"]["pid"], signal.SIGKILL)
+    unsaid = service.c4s("up", *slots)
+    assert unsaid.returncode == 2 and "give --database again" in unsaid.stderr, unsaid.stderr
+    back = service.c4s("up", *slots, "--database", service.database)
+    assert back.returncode == 0 and f"starting the server at {service.url.removesuffix('/api')}" in back.stderr
+    now = json.loads((service.home / "service.json").read_text())
+    assert now["workers"] == record["workers"] and now["url"] == service.url
 
 
 def test_up_again_starts_nothing_and_doctor_sees_all_of_it(service: Service) -> None:
@@ -249,5 +291,9 @@ def test_a_run_on_pools_pauses_drains_and_goes_on(service: Service) -> None:
     ended = service.ended(first)
     assert ended.startswith("FAILED") and "asked it to drain" in ended and "trials left" in ended, ended
     assert len(rows(service.home / "warehouse", question)) < len(AGENTS) * len(CASES)
+    faults = [path.read_text() for path in (service.home / "runs/drained").glob("*/*/r?/faults.jsonl")]
+    assert not any("WorkerLost" in text for text in faults), "what a guard left undone was lost by nobody"
+    for attempt in (service.home / "runs/drained").glob("*/*/r?/attempt-1/outcome.json"):
+        assert (attempt.parents[1] / "score.json").is_file(), "what was in work was verified and scored"
     assert service.ended(service.start("evaluate/pools", **given)).startswith("COMPLETED")
     assert len(rows(service.home / "warehouse", question)) == len(AGENTS) * len(CASES)

@@ -40,8 +40,11 @@ class Store(Protocol):
         """
         ...
 
-    def push(self, folder: Path) -> None:
-        """Put a folder as it is in place of its last push: all of it at once, or nothing."""
+    def push(self, folder: Path, check: Callable[[], None] | None = None) -> None:
+        """Put a folder as it is in place of its last push: all of it at once, or nothing.
+
+        ``check`` is called when all has been sent and nothing replaced: what it raises leaves the last push in place.
+        """
         ...
 
     def pull_files(self, place: Path, only: Only | None = None) -> list[Path]:
@@ -72,7 +75,7 @@ class SharedFolder:
     def pull(self, folder: Path, only: Only | None = None) -> bool:
         return folder.is_dir()
 
-    def push(self, folder: Path) -> None:
+    def push(self, folder: Path, check: Callable[[], None] | None = None) -> None:
         return
 
     def pull_files(self, place: Path, only: Only | None = None) -> list[Path]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import json
 import os
 import stat
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, Final
@@ -73,7 +73,7 @@ class ObjectStore:
         self._each([(folder / name, sha) for name, sha in chosen.items() if here.get(name) != sha], self._fetch)
         return True
 
-    def push(self, folder: Path) -> None:
+    def push(self, folder: Path, check: Callable[[], None] | None = None) -> None:
         before = set((self._index(folder) or {}).values())
         made: dict[str, str] = {}
 
@@ -86,6 +86,8 @@ class ObjectStore:
                         self._fs.pipe_file(self._blob(made[name]), data)
 
         self._each(list(_content(folder)), send)
+        if check is not None:
+            check()
         with reached(self.name):
             self._fs.pipe_file(self._index_key(folder), json.dumps(made, sort_keys=True).encode())
 

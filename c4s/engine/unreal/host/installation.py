@@ -103,7 +103,7 @@ def installed() -> Installation:
         raise MachineryFault("this is no Unreal Editor", where=told, todo=f"set {EDITOR} to one, or to its engine")
     raise MachineryFault(
         f"no Unreal Editor: {EDITOR} is not set, and there is none in {', '.join(USUAL)}",
-        todo="docs/unreal.md says what a host needs; without one use the engine headless",
+        todo="docs/unreal.md says what a host needs, and how to rehearse without one; else use the engine headless",
     )
 
 
