@@ -26,6 +26,7 @@ __all__ = [
     "content",
     "engine_kinds",
     "host",
+    "inputs",
     "inside",
     "open_engine",
 ]

@@ -9,11 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self, Unpack
 
 from c4s.engine.faults import EngineCallError, EngineDied
 from c4s.engine.finding import EngineFinding
 from c4s.errors import unknown
+
+if TYPE_CHECKING:
+    from c4s.engine.inputs import EngineInputs
 
 __all__ = [
     "DEFAULT_ENGINE",
@@ -102,17 +105,7 @@ class Backend(Protocol):
     level_suffix: str
     """What the file of a saved level's package ends with, below ``<content>``."""
 
-    def open_session(
-        self,
-        *,
-        packs: Sequence[Path],
-        content: Path,
-        scratch: Path,
-        levels: Sequence[Path] = (),
-        start_map: str | None = None,
-        content_read_only: bool = False,
-        offered: Sequence[str] | None = None,
-    ) -> Engine:
+    def open_session(self, **given: Unpack[EngineInputs]) -> Engine:
         """Start an engine and wait until it serves; see ``open_engine``."""
         ...
 
@@ -178,17 +171,7 @@ def backend(kind: str) -> Backend:
     return _BACKENDS[kind]()
 
 
-def open_engine(
-    kind: str,
-    *,
-    packs: Sequence[Path],
-    content: Path,
-    scratch: Path,
-    levels: Sequence[Path] = (),
-    start_map: str | None = None,
-    content_read_only: bool = False,
-    offered: Sequence[str] | None = None,
-) -> Engine:
+def open_engine(kind: str, **given: Unpack[EngineInputs]) -> Engine:
     """Start an engine and wait until it serves.
 
     Args:
@@ -205,12 +188,4 @@ def open_engine(
         BadInput: an unknown kind, or what was given cannot be loaded.
         MachineryFault: the engine does not come up, or cannot be run safely on this machine.
     """
-    return backend(kind).open_session(
-        packs=packs,
-        content=content,
-        scratch=scratch,
-        levels=levels,
-        start_map=start_map,
-        content_read_only=content_read_only,
-        offered=offered,
-    )
+    return backend(kind).open_session(**given)

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 from c4s.engine.headless.version import ENGINE_VERSION
 
 if TYPE_CHECKING:
     from c4s.engine.finding import EngineFinding
     from c4s.engine.headless.host.session import EngineSession
+    from c4s.engine.inputs import EngineInputs
 
 __all__ = [
     "asset_paths",
@@ -36,28 +37,11 @@ version = ENGINE_VERSION
 level_suffix = ".level.json"
 
 
-def open_session(
-    *,
-    packs: Sequence[Path],
-    content: Path,
-    scratch: Path,
-    levels: Sequence[Path] = (),
-    start_map: str | None = None,
-    content_read_only: bool = False,
-    offered: Sequence[str] | None = None,
-) -> EngineSession:
+def open_session(**given: Unpack[EngineInputs]) -> EngineSession:
     """Start an engine process in a sandbox and wait until it serves."""
     from c4s.engine.headless.host.session import EngineSession
 
-    return EngineSession.start(
-        packs=packs,
-        content=content,
-        scratch=scratch,
-        levels=levels,
-        start_map=start_map,
-        content_read_only=content_read_only,
-        offered=offered,
-    )
+    return EngineSession.start(**given)
 
 
 def findings() -> tuple[EngineFinding, ...]:

@@ -33,7 +33,6 @@ SOCKET = "bridge.sock"
 _POLL_S = 10.0
 _LATER_S = 1.0
 """The engine holds a job to its time a little later than who waits for it."""
-_WITHHELD = "withheld"
 
 
 class Session:
@@ -213,21 +212,6 @@ class Session:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
-
-
-def check_paths(packs: Sequence[Path], levels: Sequence[Path], content: Path, scratch: Path, logs: Path) -> None:
-    """Refuse what is not there, logs within the engine's reach, and withheld files."""
-    for pack in packs:
-        if not (pack / "pack.json").is_file():
-            raise BadInput("no asset pack here", where=str(pack), todo="build it with `c4s catalog build`")
-    for level in levels:
-        if not level.is_file():
-            raise BadInput("no such level file", where=str(level))
-    if logs.is_relative_to(content):
-        raise MachineryFault("the engine's logs would lie in its content, where it could change them", where=str(logs))
-    for path in (*packs, *levels, content, scratch):
-        if _WITHHELD in path.parts:
-            raise MachineryFault("withheld files are never shown to an engine that may run agent code", where=str(path))
 
 
 def _exit_text(code: int) -> str:

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 from c4s.engine.unreal.host.installation import KIND, PINNED
 from c4s.errors import BadInput
 
 if TYPE_CHECKING:
     from c4s.engine.finding import EngineFinding
+    from c4s.engine.inputs import EngineInputs
     from c4s.engine.unreal.host.session import EditorSession
 
 __all__ = ["asset_paths", "export_glb", "findings", "level_suffix", "open_session", "standin", "version", "warm"]
@@ -23,29 +24,11 @@ version = PINNED
 level_suffix = ".umap"
 
 
-def open_session(
-    *,
-    packs: Sequence[Path],
-    content: Path,
-    scratch: Path,
-    levels: Sequence[Path] = (),
-    start_map: str | None = None,
-    content_read_only: bool = False,
-    offered: Sequence[str] | None = None,
-) -> EditorSession:
+def open_session(**given: Unpack[EngineInputs]) -> EditorSession:
     """Start an editor on a project of its own and wait until it serves."""
     from c4s.engine.unreal.host.session import EditorSession
 
-    return EditorSession.start(
-        KIND,
-        packs=packs,
-        content=content,
-        scratch=scratch,
-        levels=levels,
-        start_map=start_map,
-        content_read_only=content_read_only,
-        offered=offered,
-    )
+    return EditorSession.start(KIND, **given)
 
 
 def findings() -> list[EngineFinding]:

@@ -8,13 +8,16 @@ import tempfile
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
+from typing import Unpack
 
 from c4s.engine.confine.confinement import Backend, Limits
 from c4s.engine.confine.sandbox import Mounts
 from c4s.engine.confine.sandbox import backend as choose_sandbox
 from c4s.engine.confine.sandbox import start as start_confined
 from c4s.engine.headless.host import kernels
-from c4s.engine.host.session import SOCKET, Session, check_paths
+from c4s.engine.host.places import session_places
+from c4s.engine.host.session import SOCKET, Session
+from c4s.engine.inputs import EngineInputs
 from c4s.files import write_json
 from c4s.folders import remove_tree
 
@@ -30,17 +33,7 @@ class EngineSession(Session):
 
     @classmethod
     def start(
-        cls,
-        *,
-        packs: Sequence[Path],
-        content: Path,
-        scratch: Path,
-        levels: Sequence[Path] = (),
-        start_map: str | None = None,
-        content_read_only: bool = False,
-        offered: Sequence[str] | None = None,
-        limits: Limits | None = None,
-        use: Backend | None = None,
+        cls, *, limits: Limits | None = None, use: Backend | None = None, **given: Unpack[EngineInputs]
     ) -> EngineSession:
         """Start an engine and wait until it serves.
 
@@ -49,15 +42,13 @@ class EngineSession(Session):
         Raises ``BadInput`` for what cannot be loaded, ``MachineryFault`` when there is no sandbox or the engine does
         not come up.
         """
-        packs, levels = [path.resolve() for path in packs], [path.resolve() for path in levels]
-        content, scratch = content.resolve(), scratch.resolve()
-        logs = scratch.with_name(f"{scratch.name}.logs")
-        check_paths(packs, levels, content, scratch, logs)
-        for folder in (content, scratch, logs):
+        at = session_places(given)
+        for folder in (at.content, at.scratch, at.logs):
             folder.mkdir(parents=True, exist_ok=True)
         chosen, limits, compiled = use or choose_sandbox(), limits or Limits(), kernels.compiled()
-        readable = (*packs, *levels, compiled, *((content,) if content_read_only else ()))
-        paths = Mounts(readable, (scratch,) if content_read_only else (content, scratch), scratch)
+        readable = (*at.packs, *at.levels, compiled, *((at.content,) if at.content_read_only else ()))
+        writable = (at.scratch,) if at.content_read_only else (at.content, at.scratch)
+        paths = Mounts(readable, writable, at.scratch)
         with ExitStack() as undo:
             socket_folder = Path(tempfile.mkdtemp(prefix="c4s-"))
             undo.callback(remove_tree, socket_folder, inside=socket_folder.parent)
@@ -73,25 +64,25 @@ class EngineSession(Session):
                     "c4s.engine.headless.process.main",
                     {
                         "channel": far.fileno(),
-                        "packs": [str(path) for path in packs],
-                        "content": str(content),
-                        "levels": [str(path) for path in levels],
-                        "start_map": start_map,
-                        "offered": None if offered is None else str(_noted(offered, scratch)),
-                        "scratch": str(scratch),
+                        "packs": [str(path) for path in at.packs],
+                        "content": str(at.content),
+                        "levels": [str(path) for path in at.levels],
+                        "start_map": at.start_map,
+                        "offered": None if at.offered is None else str(_noted(at.offered, at.scratch)),
+                        "scratch": str(at.scratch),
                     },
                     paths=paths,
                     output=writing,
                     keep_open=[far.fileno()],
                     limits=limits,
                     use=chosen,
-                    environment=kernels.linked(compiled, scratch),
+                    environment=kernels.linked(compiled, at.scratch),
                 )
             finally:
                 far.close()
                 os.close(writing)
             undo.pop_all()
-        session = cls(process, listener, near, output, paths, (socket_folder, logs), limits, chosen)
+        session = cls(process, listener, near, output, paths, (socket_folder, at.logs), limits, chosen)
         try:
             session._wait_until_ready(START_TIMEOUT_S)
         except BaseException:

@@ -11,17 +11,19 @@ import subprocess
 import tempfile
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import ExitStack, suppress
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Unpack
 
 from c4s.engine.confine.confinement import Backend
 from c4s.engine.confine.sandbox import Mounts
 from c4s.engine.faults import EngineDied
 from c4s.engine.host.joblog import JobLog
 from c4s.engine.host.jobs import ENGINE_LOG
-from c4s.engine.host.session import SOCKET, Session, check_paths
+from c4s.engine.host.places import session_places
+from c4s.engine.host.session import SOCKET, Session
+from c4s.engine.inputs import EngineInputs
 from c4s.engine.unreal.host import launch
 from c4s.engine.unreal.host.crash import crash_report
 from c4s.engine.unreal.host.harvest import Harvest
@@ -82,18 +84,7 @@ class EditorSession(Session):
 
     @classmethod
     def start(
-        cls,
-        kind: str,
-        *,
-        packs: Sequence[Path],
-        content: Path,
-        scratch: Path,
-        levels: Sequence[Path] = (),
-        start_map: str | None = None,
-        content_read_only: bool = False,
-        offered: Sequence[str] | None = None,
-        warming: bool = False,
-        start_s: float | None = None,
+        cls, kind: str, *, warming: bool = False, start_s: float | None = None, **given: Unpack[EngineInputs]
     ) -> EditorSession:
         """Start an editor and wait until it serves; see ``c4s.engine.open_engine``.
 
@@ -102,13 +93,10 @@ class EditorSession(Session):
         ``warming``: what it compiles is kept for all later editors; for one that runs no agent code. ``start_s``: how
         long it may take, in place of the environment's.
         """
-        packs, levels = [path.resolve() for path in packs], [path.resolve() for path in levels]
-        content, scratch = content.resolve(), scratch.resolve()
-        logs = scratch.with_name(f"{scratch.name}.logs")
-        check_paths(packs, levels, content, scratch, logs)
+        at = session_places(given)
         editor, sandbox = find_installation(kind), launch.choose()
         cache = derived_data(kind)
-        for folder in (content, scratch, logs, cache):
+        for folder in (at.content, at.scratch, at.logs, cache):
             folder.mkdir(parents=True, exist_ok=True)
         warm_s = _seconds(WARM, WARM_S)
         with ExitStack() as undo:
@@ -119,13 +107,13 @@ class EditorSession(Session):
             meeting = sockets / "meeting"
             meeting.mkdir()
             project = make_project(
-                scratch / "project",
+                at.scratch / "project",
                 editor,
-                packs=packs,
-                content=content,
-                levels=levels,
-                start_map=start_map,
-                offered=offered,
+                packs=at.packs,
+                content=at.content,
+                levels=at.levels,
+                start_map=at.start_map,
+                offered=at.offered,
                 cache=cache,
                 cache_read_only=not warming,
                 job={
@@ -144,9 +132,9 @@ class EditorSession(Session):
             held, life = os.pipe()
             undo.callback(os.close, life)
             paths = Mounts(
-                (editor.root, *packs, *launch.readable(), *(() if warming else (cache,))),
-                (scratch, meeting, *((cache,) if warming else ())),
-                scratch,
+                (editor.root, *at.packs, *launch.readable(), *(() if warming else (cache,))),
+                (at.scratch, meeting, *((cache,) if warming else ())),
+                at.scratch,
             )
             try:
                 process = launch.start(
@@ -162,12 +150,12 @@ class EditorSession(Session):
                 os.close(writing)
             undo.callback(_end_keeper, process, slot)
             until = time.monotonic() + (start_s or _seconds(START, START_S))
-            log = JobLog(logs / ENGINE_LOG)
+            log = JobLog(at.logs / ENGINE_LOG)
             near = _meet(channel, output, process, log, until, project)
             undo.pop_all()
         channel.close()
         begun = Begun(process, slot, life, project, near, output, paths, sockets, log)
-        session = cls(kind, begun, Harvest(project, None if content_read_only else content), bridge, sandbox)
+        session = cls(kind, begun, Harvest(project, None if at.content_read_only else at.content), bridge, sandbox)
         try:
             session._wait_until_ready(max(0.0, until - time.monotonic()))
         except BaseException:

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Unpack
 
 from c4s.engine.unreal import asset_paths, export_glb, level_suffix
 from c4s.engine.unreal.host.installation import PINNED, STAND_IN_KIND
 
 if TYPE_CHECKING:
     from c4s.engine.finding import EngineFinding
+    from c4s.engine.inputs import EngineInputs
     from c4s.engine.unreal.host.session import EditorSession
 
 __all__ = [
@@ -45,26 +46,8 @@ def warm(packs: Sequence[Path]) -> Path:
     return fill(STAND_IN_KIND, packs)
 
 
-def open_session(
-    *,
-    packs: Sequence[Path],
-    content: Path,
-    scratch: Path,
-    levels: Sequence[Path] = (),
-    start_map: str | None = None,
-    content_read_only: bool = False,
-    offered: Sequence[str] | None = None,
-) -> EditorSession:
+def open_session(**given: Unpack[EngineInputs]) -> EditorSession:
     """Start a stand-in on a project of its own and wait until it serves."""
     from c4s.engine.unreal.host.session import EditorSession
 
-    return EditorSession.start(
-        STAND_IN_KIND,
-        packs=packs,
-        content=content,
-        scratch=scratch,
-        levels=levels,
-        start_map=start_map,
-        content_read_only=content_read_only,
-        offered=offered,
-    )
+    return EditorSession.start(STAND_IN_KIND, **given)
