@@ -14,12 +14,14 @@ from pytest import MonkeyPatch
 
 from c4s.errors import BadInput, MachineryFault
 from c4s.meter.spending import Ledger
-from c4s.records.folder import RunFolder
+from c4s.records.folder import RunFolder, TrialFolder
+from c4s.run.check import freeze_submission
 from c4s.run.guards import Watchman, set_guards
 from c4s.run.lease import Held, LeaseLost, take
 from c4s.run.sharing import Sharing
 from c4s.run.store import Store, open_store
 from c4s.run.store.opening import _object_store
+from c4s.trees import digest_tree
 from tests.run.conftest import Command, command_in, environment, trial_in
 from tests.run.servers import object_store
 from warehouse.database import rows
@@ -85,6 +87,26 @@ def test_a_folder_comes_over_whole_and_what_was_not_sent_is_set_aside(
     machine("one").pull(here)
     assert not (here / "large").exists()
     assert not machine("one").pull(tmp_path / "one/runs/x/never")
+
+
+def test_a_submission_comes_over_whatever_its_files_are_called(machine: Callable[[str], Store], tmp_path: Path) -> None:
+    names = ("L.level.json", "lease/House.level.json", "deep/lease/House.level.json", ".hidden", ".d/.L.json.a1b2c3d4")
+    here = TrialFolder(tmp_path / "one/runs/named/trial")
+    attempt = here.attempt(1)
+    beside_it = ("lease/000001.json", ".score.json.a1b2c3d4", ".evidence.a1b2c3d4/index.json")
+    for path in (*(attempt.submission / name for name in names), *(here.root / name for name in beside_it)):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(path.name)
+    frozen = freeze_submission(attempt)
+    machine("one").push(here.root)
+    there = TrialFolder(tmp_path / "two/runs/named/trial")
+    assert machine("two").pull(there.root)
+    assert digest_tree(there.attempt(1).submission) == frozen
+    assert sorted(path.name for path in there.root.iterdir()) == ["attempt-1"]
+    left = there.attempt(1).submission / ".L.level.json.d4c3b2a1"
+    left.write_text("a fetch was cut off")
+    assert machine("two").pull(there.root) and not left.exists()
+    assert digest_tree(there.attempt(1).submission) == frozen
 
 
 def test_a_byte_that_was_changed_in_the_store_is_refused(machine: Callable[[str], Store], tmp_path: Path) -> None:

@@ -19,8 +19,9 @@ from typing import Any, Final
 import fsspec
 
 from c4s.errors import BadInput, MachineryFault
-from c4s.files import digest_bytes, digest_file, parse_json, read_plain, write_bytes, write_json
+from c4s.files import digest_bytes, digest_file, is_unfinished, parse_json, read_plain, write_bytes, write_json
 from c4s.home import cache_root, home
+from c4s.records.folder import AttemptFolder, TrialFolder
 from c4s.run.store.base import STORE, Only
 from c4s.run.store.leases import FolderLeases, LeasePlace
 from c4s.run.store.object_leases import ObjectLeases
@@ -28,8 +29,9 @@ from c4s.run.store.reach import reached
 
 AT_ONCE: Final = 16
 """Transfers at once."""
-_LEFT_OUT: Final = frozenset({"lease"})
-"""Folders that are no content: leases are objects of their own."""
+_LEASES: Final = TrialFolder(Path()).leases.name
+"""The folder directly below a trial's that is no content: leases are objects of their own."""
+_SUBMISSION: Final = AttemptFolder(Path()).submission.name
 
 
 class ObjectStore:
@@ -191,13 +193,20 @@ class ObjectStore:
 
 
 def _content(folder: Path) -> Iterator[tuple[str, Path]]:
-    """Names and paths of a folder's plain files: not leases, not what is being written, no links or sockets."""
+    """Names and paths of a folder's plain files: not its leases, not what is being written, no links or sockets.
+
+    What an agent saved is its submission whatever it is called: all of that is content.
+    """
     for place, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name not in _LEFT_OUT)
+        inside = Path(place).relative_to(folder)
+        whole = _SUBMISSION in inside.parts
+        folders[:] = sorted(
+            name for name in folders if whole or not (is_unfinished(name) or inside / name == Path(_LEASES))
+        )
         for name in sorted(names):
             path = Path(place, name)
-            if not name.startswith(".") and stat.S_ISREG(path.lstat().st_mode):
-                yield path.relative_to(folder).as_posix(), path
+            if (whole or not is_unfinished(name)) and stat.S_ISREG(path.lstat().st_mode):
+                yield (inside / name).as_posix(), path
 
 
 def _tag(info: Mapping[str, Any]) -> str:
