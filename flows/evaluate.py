@@ -29,7 +29,7 @@ from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
 from c4s.run.progress import Progress
 from c4s.run.signals import ending_in_order
-from c4s.run.store import open_store, share_suite
+from c4s.run.store import open_store, send_suite, share_suite
 from flows.artifacts import shown
 from flows.coordinate import Coordinator
 from flows.family import die_with_the_worker
@@ -115,6 +115,7 @@ async def evaluate(
             check_ready(plan.configurations)
         store.pull_files(RunFolder(run).plan)
         plan = open_run(run, plan)
+        send_suite(suite)
         store.push_files(RunFolder(run).plan)
         ready, refused = settle_all(missing, plan, print_line)
         if not ready:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -12,14 +13,20 @@ from pathlib import Path
 import pytest
 from pytest import MonkeyPatch
 
+from c4s.engine import DEFAULT_ENGINE
 from c4s.errors import BadInput, MachineryFault
+from c4s.judge.names import DEFAULT_JUDGE
 from c4s.meter.spending import Ledger
+from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.folder import RunFolder, TrialFolder
+from c4s.records.suite import SuiteFolder
 from c4s.run.check import freeze_submission
+from c4s.run.configurations import configuration
 from c4s.run.guards import Watchman, set_guards
 from c4s.run.lease import Held, LeaseLost, take
+from c4s.run.plan import make_plan, open_run
 from c4s.run.sharing import Sharing
-from c4s.run.store import Store, open_store
+from c4s.run.store import Store, open_store, send_suite, share_suite, shared_plan
 from c4s.run.store.opening import _object_store
 from c4s.trees import digest_tree
 from tests.run.conftest import Command, command_in, environment, trial_in
@@ -206,6 +213,44 @@ def test_two_machines_share_a_run_through_the_store(
     scored = trial_in(second, "small", "oracle", CASE)
     assert not trial_in(first, "small", "oracle", CASE).attempt(1).submission.exists()
     assert scored.score.read_bytes() == trial_in(first, "small", "oracle", CASE).score.read_bytes()
+
+
+def test_a_machine_with_an_older_suite_works_on_no_run_of_the_newer_and_sends_nothing(
+    home: Path, machine: Callable[[str], Store], tmp_path: Path
+) -> None:
+    def store_has() -> set[tuple[str, str]]:
+        return {(key, info["ETag"]) for key, info in open_store()._fs.find("c4s/bench/suites", detail=True).items()}  # type: ignore[attr-defined]
+
+    for name in ("newer", "older"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "packs").symlink_to(home / "packs")
+        shutil.copytree(home / "suites", tmp_path / name / "suites")
+    machine("newer")
+    suite, run = SuiteFolder(tmp_path / "newer/suites/small"), tmp_path / "newer/runs/planned"
+    send_suite("small")
+    plan = make_plan(
+        suite,
+        [configuration("noop")],
+        run_id="planned",
+        policy=DEFAULT_POLICY,
+        judge=DEFAULT_JUDGE,
+        engine=DEFAULT_ENGINE,
+    )
+    open_run(run, plan)
+    open_store().push_files(run / "plan.json")
+    sent = store_has()
+    machine("older")
+    older = SuiteFolder(tmp_path / "older/suites/small")
+    older.suite().model_copy(update={"title": "Older"}).write(older.record)
+    with pytest.raises(BadInput, match="another suite than the run 'planned' was planned with"):
+        shared_plan("planned")
+    older.root.rename(tmp_path / "moved-away")
+    assert shared_plan("planned") == (tmp_path / "older/runs/planned", plan)
+    assert digest_tree(older.root) == digest_tree(suite.root) and store_has() == sent
+    older.record.unlink()
+    (older.root / "digests.json").unlink()
+    share_suite("small")
+    assert digest_tree(older.root) == digest_tree(suite.root), "a fetch that was cut off goes on"
 
 
 def test_what_other_machines_spend_counts_against_the_limit_of_all(
