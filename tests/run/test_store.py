@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+import traceback
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -182,6 +183,22 @@ def test_what_is_no_store_is_refused(
     monkeypatch.setenv("C4S_STORE", url)
     with pytest.raises(kind):
         open_store().leases(Path(os.environ["C4S_HOME"]) / "runs/r/lease").newest()
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        *("nosuch://someone:pa55@host/x", "s3://someone:pa55@c4s/bench", "ftp://someone:pa55@127.0.0.1:9/x"),
+        *("s3://someone:pa55@", "simplecache::ftp://someone:pa55/@127.0.0.1:9/x"),
+    ],
+)
+def test_no_password_of_a_store_is_told(machine: Callable[[str], Store], monkeypatch: MonkeyPatch, url: str) -> None:
+    machine("one")
+    monkeypatch.setenv("C4S_STORE", url)
+    with pytest.raises((BadInput, MachineryFault)) as refused:
+        open_store().leases(Path(os.environ["C4S_HOME"]) / "runs/r/lease").newest()
+    told = "".join(traceback.format_exception(refused.value))
+    assert "pa55" not in told and "someone" not in told
 
 
 def test_two_machines_share_a_run_through_the_store(
