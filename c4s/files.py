@@ -7,6 +7,7 @@ import hashlib
 import io
 import json
 import os
+import re
 import shutil
 import stat
 import sys
@@ -14,7 +15,7 @@ import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import orjson
 
@@ -29,6 +30,7 @@ _KINDS = {
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
+_UNFINISHED = re.compile(r"\..+\.[a-z0-9_]{8}")
 FULL_BYTES = 32 << 20
 """A disk with less room than this is full: nothing that an attempt or a stage leaves is sure to fit."""
 
@@ -53,6 +55,11 @@ def write_bytes(path: Path, data: bytes) -> None:
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise
+
+
+def is_unfinished(name: str) -> bool:
+    """Whether a name is one that ``write_bytes`` gives to a file, or ``beside`` to a folder, until it is whole."""
+    return _UNFINISHED.fullmatch(name) is not None
 
 
 def write_text(path: Path, text: str) -> None:
@@ -260,8 +267,20 @@ def opened_folder(folder: Path) -> Iterator[Path]:
 def append_json_line(path: Path, value: Any) -> None:
     """Append one JSON line (a trajectory or usage record); half a surrogate pair in it becomes ``?``."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("a", encoding="utf-8", errors="replace") as out:
-        out.write(canonical_json(value) + "\n")
+    with path.open("ab+") as lines:
+        add_line(lines, canonical_json(value).encode(errors="replace"))
+
+
+def add_line(lines: BinaryIO, text: bytes) -> None:
+    """Add a line at the end of a file that is open to be read and appended to.
+
+    It is a line of its own also after one that a crash or a full disk cut short.
+    """
+    cut = False
+    if lines.seek(0, os.SEEK_END) > 0:
+        lines.seek(-1, os.SEEK_END)
+        cut = lines.read(1) != b"\n"
+    lines.write((b"\n" if cut else b"") + text + b"\n")
 
 
 def json_lines(lines: Iterable[str]) -> Iterator[Any]:

@@ -13,7 +13,7 @@ from c4s.names import place_in
 from c4s.packs.suite_check import suite_changes
 from c4s.records.suite import SuiteFolder
 from c4s.run.headroom import print_line
-from c4s.run.store import share_suite
+from c4s.run.store import send_suite
 from c4s.trees import refuse
 from cases.audit import audit, check_blind, mean_f1
 from cases.starter.suite import build_starter
@@ -52,5 +52,5 @@ def curate(suite: str = "starter", build: Literal["if missing", "never"] = "if m
     )
     if rows:
         check_blind(rows)
-    share_suite(suite)
+    send_suite(suite)
     return {"suite": suite, "files": len(read), "repairs": len(rows), "best_blind_f1": max(means.values(), default=0.0)}

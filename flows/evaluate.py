@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from prefect import flow
+from pydantic import Field
 
 from c4s.engine import DEFAULT_ENGINE, engine_kinds
 from c4s.home import runs_root, site_root, warehouse_root
@@ -16,7 +17,7 @@ from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
-from c4s.run.bounds import amount, moment
+from c4s.run.bounds import MOST_FAULTS, MOST_REPEATS, MOST_SLOTS, amount, count, moment
 from c4s.run.choices import check_ready
 from c4s.run.configurations import configuration
 from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all
@@ -29,7 +30,7 @@ from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
 from c4s.run.progress import Progress
 from c4s.run.signals import ending_in_order
-from c4s.run.store import open_store, share_suite
+from c4s.run.store import open_store, send_suite, share_suite
 from flows.artifacts import shown
 from flows.coordinate import Coordinator
 from flows.family import die_with_the_worker
@@ -55,15 +56,15 @@ async def evaluate(
     agents: Sequence[str] = BASELINES,
     run_id: str | None = None,
     cases: Sequence[str] = (),
-    repeats: int = 1,
+    repeats: Annotated[int, Field(ge=1, le=MOST_REPEATS)] = 1,
     policy: str = DEFAULT_POLICY,
     judge: Judge = DEFAULT_JUDGE,
     engine: Engine = DEFAULT_ENGINE,
     workers: Literal["here", "pools"] = "here",
-    slots: int | None = None,
+    slots: Annotated[int | None, Field(ge=1, le=MOST_SLOTS)] = None,
     deadline: str | None = None,
-    spend: float | None = None,
-    most_faults: int = MOST_IN_A_ROW,
+    spend: Annotated[float | None, Field(ge=0)] = None,
+    most_faults: Annotated[int, Field(ge=1, le=MOST_FAULTS)] = MOST_IN_A_ROW,
     notify: str | None = None,
 ) -> str:
     """Run, verify, store and publish a suite. Returns the address of the leaderboard page.
@@ -91,9 +92,12 @@ async def evaluate(
     bounds = RunBounds(
         deadline=None if deadline is None else moment(deadline, "deadline"),
         spend_usd=None if spend is None else amount(spend, "spend"),
-        most_faults=most_faults,
+        most_faults=count(most_faults, MOST_FAULTS, "most_faults"),
         notify=notify,
     )
+    count(repeats, MOST_REPEATS, "repeats")
+    if slots is not None:
+        count(slots, MOST_SLOTS, "slots")
     bounds.check()
     folder, run = share_suite(suite), place_in(runs_root(), run_id or suite, "run")
     plan = make_plan(
@@ -116,6 +120,7 @@ async def evaluate(
             check_ready(plan.configurations)
         store.pull_files(RunFolder(run).plan)
         plan = open_run(run, plan)
+        send_suite(suite)
         store.push_files(RunFolder(run).plan)
         ready, refused = settle_all(found.missing, plan, print_line)
         if not ready:

@@ -31,7 +31,7 @@ from c4s.run.plan import Trial, make_plan, open_run, trials
 from c4s.run.pool import Pool
 from c4s.run.progress import Progress
 from c4s.run.signals import ending_in_order
-from c4s.run.store import open_store
+from c4s.run.store import open_store, send_suite
 from reports.site import build_site, check_place
 from reports.status import REFRESH_S, write_status
 from warehouse.database import is_current, rebuild
@@ -109,6 +109,7 @@ def evaluate_here(
         if found.missing:
             check_ready(plan.configurations)
         plan = open_run(run, plan)
+        send_suite(suite)
         store.push_files(RunFolder(run).plan)
         ready, refused = settle_all(found.missing, plan, print_line)
         if not ready:

@@ -13,8 +13,7 @@ from c4s.engine import DEFAULT_ENGINE, engine_kinds
 from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
 from c4s.names import checked_name
 from c4s.protocol.rules import DEFAULT_POLICY
-
-MOST_REPEATS, MOST_SLOTS, MOST_FAULTS = 1000, 1024, 1_000_000
+from c4s.run.bounds import MOST_FAULTS, MOST_REPEATS, MOST_SLOTS, amount, moment
 
 
 def run(
@@ -63,7 +62,6 @@ def run(
     if run_id is not None:
         checked_name(run_id, "--run-id")
     from c4s.cli.evaluation import evaluate_here
-    from c4s.run.bounds import amount, moment
     from c4s.run.oversight import RunBounds
 
     made = evaluate_here(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections import Counter
 from datetime import datetime
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -12,8 +13,8 @@ import typer
 from c4s.cli.left_out import refuse_left_out
 from c4s.cli.output import print_json, print_table, say
 from c4s.cli.runs import run_folder
-from c4s.errors import BadInput, unknown
-from c4s.folders import remove_tree
+from c4s.errors import BadInput, MachineryFault, unknown
+from c4s.folders import beside
 from c4s.home import runs_root, suites_root
 from c4s.records.folder import RunFolder
 from c4s.records.guards import Word
@@ -21,8 +22,9 @@ from c4s.records.plan import Plan
 from c4s.run.bounds import seconds_of
 from c4s.run.droppable import MEANS, PARTS, Found, drop, droppable, size_of
 from c4s.run.guards import ask
-from c4s.run.lease import RunHeld, at_work, holding
+from c4s.run.lease import Held, RunHeld, at_work, take, told
 from c4s.run.progress import Progress
+from c4s.run.store import open_store
 
 app = typer.Typer(no_args_is_help=True, help="The runs that are here: list, pause, drain, go on, prune.")
 WHOLE = "run"
@@ -172,7 +174,10 @@ def _look(run: RunFolder, wanted: list[str]) -> list[dict[str, object]]:
 
 def _drop(run: RunFolder, wanted: list[str]) -> list[dict[str, object]]:
     """Drop parts of a run, as its holder; what was dropped."""
-    with holding(run.root):
+    held = take(open_store().leases(run.leases), "run")
+    if not isinstance(held, Held):
+        raise BadInput(f"{told(held)} works on this run", where=str(run.root), todo="wait for it, or stop it")
+    try:
         if who := at_work(run, holders=False):
             raise RunHeld(f"{who} works on this run", where=str(run.root), todo="wait until its work has ended")
         found = [one for one in droppable(run) if one.part in wanted]
@@ -181,9 +186,22 @@ def _drop(run: RunFolder, wanted: list[str]) -> list[dict[str, object]]:
         rows = _rows(run, found)
         if WHOLE in wanted:
             rows.append(_whole(run))
-    if WHOLE in wanted:
-        remove_tree(run.root, inside=run.root.parent)
+            _remove(run.root)
+    finally:
+        held.give_back()
     return rows
+
+
+def _remove(run: Path) -> None:
+    """Remove a run's folder, which is out of its place at once: whoever waits for the run begins in a new one."""
+    if run.is_symlink():
+        raise BadInput("a run is a folder, this is a link", where=str(run), todo="remove what it leads to")
+    try:
+        with beside(run) as scratch:
+            run.rename(scratch / run.name)
+    except OSError as error:
+        todo = "see who writes there, and remove what is left by hand"
+        raise MachineryFault(f"not all of this run could be removed: {error}", where=str(run), todo=todo) from error
 
 
 def _whole(run: RunFolder) -> dict[str, object]:

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from c4s.errors import MachineryFault
+from c4s.files import add_line
 
 
 class SpendingLimitReached(MachineryFault):
@@ -100,13 +101,13 @@ class Ledger:
             if self.limit_usd is not None and (estimate_usd is None or self._sums().total_usd >= self.limit_usd):
                 return None
             entry = uuid.uuid4().hex
-            _append(lines, {"hold": entry, "usd": estimate_usd})
+            add_line(lines, json.dumps({"hold": entry, "usd": estimate_usd}).encode())
             return entry
 
     def settle(self, entry: str, cost_usd: float | None) -> None:
         """Enter what the request cost; None keeps the hold as its cost."""
         with self._opened() as lines:
-            _append(lines, {"settle": entry, "usd": cost_usd})
+            add_line(lines, json.dumps({"settle": entry, "usd": cost_usd}).encode())
 
     def spent(self) -> Spent:
         """The sums over the files."""
@@ -137,12 +138,3 @@ class Ledger:
             fcntl.flock(lines, fcntl.LOCK_EX)
             self._own.read(lines)
             yield lines
-
-
-def _append(lines: BinaryIO, value: dict[str, object]) -> None:
-    """One line at the end, on a line of its own even after a line that was cut short."""
-    cut = False
-    if lines.seek(0, 2) > 0:
-        lines.seek(-1, 2)
-        cut = lines.read(1) != b"\n"
-    lines.write((b"\n" if cut else b"") + json.dumps(value).encode() + b"\n")

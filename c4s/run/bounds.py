@@ -10,6 +10,7 @@ from c4s.errors import BadInput
 _PARTS = re.compile(r"(?:(\d+)d)?(?:(\d+)h)?(?:(\d+)m)?(?:(\d+)s)?")
 _CLOCK = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)")
 MOST_DAYS = 366
+MOST_REPEATS, MOST_SLOTS, MOST_FAULTS = 1000, 1024, 1_000_000
 
 
 def moment(text: str, option: str) -> float:
@@ -42,11 +43,19 @@ def amount(usd: float, option: str) -> float:
     return usd
 
 
+def count(value: int, most: int, option: str) -> int:
+    """A count of 1 to ``most``; ``BadInput``, which names ``option``, for another."""
+    if value < 1:
+        raise BadInput("Input should be greater than or equal to 1", where=option)
+    if value > most:
+        raise BadInput(f"Input should be less than or equal to {most}", where=option)
+    return value
+
+
 def _read(text: str, option: str) -> datetime:
     here = datetime.now().astimezone()
     if clock := _CLOCK.fullmatch(text):
-        today = here.replace(hour=int(clock[1]), minute=int(clock[2]), second=0, microsecond=0)
-        return today if today > here else today + timedelta(days=1)
+        return _next(int(clock[1]), int(clock[2]), here)
     try:
         return datetime.fromisoformat(text).astimezone()
     except (ValueError, OverflowError):
@@ -59,3 +68,16 @@ def _read(text: str, option: str) -> datetime:
             where=option,
             todo="give one such as 8h, 07:30 or 2026-11-24T07:30",
         ) from None
+
+
+def _next(hour: int, minute: int, here: datetime) -> datetime:
+    """The next time at which clocks here show it, also where they are set forward or back before then.
+
+    What they show twice comes twice; what they leave out comes as late as if they had not been set.
+    """
+    today = here.replace(hour=hour, minute=minute, second=0, microsecond=0, tzinfo=None)
+    times = []
+    for day in (today, today + timedelta(days=1)):
+        first, second = (day.replace(fold=fold).astimezone() for fold in (0, 1))
+        times += [first, max(first, second)]
+    return min(at for at in times if at > here)

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import time
 from typing import Any
 
-from c4s.errors import MOST_REPEATS, MachineryFault, Place
-from c4s.files import append_json_line
+from c4s.errors import MOST_REPEATS, BadInput, MachineryFault, Place
+from c4s.files import append_json_line, parse_json
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.fault import FaultRecord
 from c4s.records.folder import TrialFolder
@@ -69,11 +68,18 @@ def end(trial: Trial, number: int) -> None:
 
 
 def faults(folder: TrialFolder) -> list[FaultRecord]:
-    """What is on record; a last line that a killed process did not finish is left out."""
+    """What is on record. A line that a killed process or a full disk cut short is no record, and is left out."""
     if not folder.faults.is_file():
         return []
-    lines = folder.faults.read_text(encoding="utf-8").split("\n")[:-1]
-    return [FaultRecord.parse(json.loads(line), where=str(folder.faults)) for line in lines]
+    found = (_record(line) for line in folder.faults.read_bytes().split(b"\n"))
+    return [record for record in found if record is not None]
+
+
+def _record(line: bytes) -> FaultRecord | None:
+    try:
+        return FaultRecord.parse(parse_json(line))
+    except (ValueError, BadInput):
+        return None
 
 
 def _acted(folder: TrialFolder, number: int) -> bool:

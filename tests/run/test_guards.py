@@ -311,6 +311,24 @@ def test_a_deadline_as_a_time() -> None:
     assert before == at + timedelta(hours=19)
 
 
+@pytest.mark.parametrize("change", ["STD0DST,J{day}/0,J{other}", "STD0DST,J{other},J{day}/0"])
+def test_a_deadline_as_a_time_after_clocks_were_set(change: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    today = datetime.now(UTC)
+    day, other = (min((today + timedelta(days=days)).timetuple().tm_yday, 365) for days in (1, 120))
+    monkeypatch.setenv("TZ", change.format(day=day, other=other))
+    try:
+        time.tzset()
+        here = datetime.now().astimezone()
+        wanted = here - timedelta(minutes=5)
+        at = datetime.fromtimestamp(moment(wanted.strftime("%H:%M"), "--deadline")).astimezone()
+    finally:
+        monkeypatch.undo()
+        time.tzset()
+    assert at.utcoffset() != here.utcoffset(), "clocks are set tonight"
+    assert at.strftime("%H:%M") == wanted.strftime("%H:%M")
+    assert (at.date() - wanted.date()).days == 1
+
+
 @pytest.mark.parametrize(
     "text", ["", " ", "soon", "-1h", "0s", "2020-01-01", "2999-01-01T00:00", "1e9h", "9999999999d", "25:00"]
 )

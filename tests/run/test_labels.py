@@ -72,6 +72,30 @@ def test_the_flow_refuses_it_too(own: Path, monkeypatch: pytest.MonkeyPatch, lab
 
 
 @pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"most_faults": 0}, "most_faults: Input should be greater than or equal to 1"),
+        ({"repeats": 0}, "repeats: Input should be greater than or equal to 1"),
+        ({"repeats": 1001}, "repeats: Input should be less than or equal to 1000"),
+        ({"slots": 0}, "slots: Input should be greater than or equal to 1"),
+    ],
+)
+def test_the_flow_refuses_a_count_that_the_command_refuses(
+    own: Path, monkeypatch: pytest.MonkeyPatch, given: dict[str, int], told: str
+) -> None:
+    from flows.evaluate import evaluate
+
+    monkeypatch.setenv("C4S_HOME", str(own))
+    refused: Any = evaluate.fn("small", ["noop"], run_id="refused", cases=[REPAIR], **given)
+    with pytest.raises(BadInput, match=told):
+        asyncio.run(refused)
+    (option, value), *_ = given.items()
+    done = command_in(own)("run", "small", "-a", "noop", f"--{option.replace('_', '-')}", str(value))
+    assert done.returncode == 2 and told.partition(": ")[2] in done.stderr, done.stderr
+    assert not (own / "runs/refused").exists() and not (own / "runs/small").exists()
+
+
+@pytest.mark.parametrize(
     ("configurations", "told"),
     [
         ([Configuration(name="a", client="noop"), Configuration(name="a", client="random")], "2 configurations .* 'a'"),

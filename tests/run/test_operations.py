@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +16,7 @@ from typing import Any
 
 import pytest
 
+from c4s.files import digest_bytes
 from c4s.folders import remove_tree
 from c4s.records.folder import RunFolder
 from c4s.records.progress import Snapshot
@@ -183,12 +185,43 @@ def test_a_run_of_which_somebody_has_a_trial_is_left_alone(ran: Ran, tmp_path: P
         remove_tree(folder.root.parent, inside=ran.folder.root)
 
 
+def test_a_whole_run_goes_at_once_and_whoever_waits_for_it_begins_in_a_folder_of_their_own(tmp_path: Path) -> None:
+    run = RunFolder(tmp_path / "runs/gone")
+    for number in range(20):
+        for name in range(100):
+            path = run.trial("noop", f"case-{number}", 1).root / f"f{name}"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.touch()
+    run.plan.write_text("{}")
+    first = take(FolderLeases(run.leases), "run")
+    assert isinstance(first, Held)
+    c4s = command_in(tmp_path)
+    refused = c4s("runs", "prune", "gone", "--drop", "run")
+    assert refused.returncode == 2 and "works on this run" in refused.stderr and run.plan.is_file()
+    first.give_back()
+    seen: list[bool] = []
+
+    def wait_and_take() -> None:
+        while run.plan.is_file() or not isinstance(held := take(FolderLeases(run.leases), "run"), Held):
+            continue
+        seen.append(any(path != run.leases for path in run.root.iterdir()))
+        held.check()
+        run.plan.write_text("anew")
+
+    waiter = threading.Thread(target=wait_and_take, daemon=True)
+    waiter.start()
+    assert c4s("runs", "prune", "gone", "--drop", "run").returncode == 0
+    waiter.join(60)
+    assert seen == [False] and run.plan.read_text() == "anew"
+    assert [path.name for path in run.root.parent.iterdir()] == ["gone"]
+
+
 def test_a_backup_of_what_was_pruned_comes_back_whole_and_a_changed_file_is_refused(ran: Ran, tmp_path: Path) -> None:
     c4s, copy = command_in(ran.home), tmp_path / "copy"
     first = json.loads(c4s("backup", str(copy), "--only", "runs", "--only", "warehouse", "--json").stdout)
-    assert first["copied"] == first["files"] > 20
-    one = copy / "files/runs/seen/plan.json"
-    kept = one.read_bytes()
+    assert first["files"] >= first["copied"] > 20
+    kept = ran.folder.plan.read_bytes()
+    (one,) = copy.glob(f"files/*/{digest_bytes(kept)}")
     one.unlink()
     (copy / "backup.json").unlink()
     again = json.loads(c4s("backup", str(copy), "--only", "runs", "--only", "warehouse", "--json").stdout)
@@ -197,7 +230,7 @@ def test_a_backup_of_what_was_pruned_comes_back_whole_and_a_changed_file_is_refu
     other = apart(tmp_path / "home", ran.home)
     one.write_bytes(kept.replace(b"small", b"smell"))
     refused = c4s("restore", str(copy), home=other)
-    assert refused.returncode == 2 and "plan.json: the file has changed" in refused.stderr
+    assert refused.returncode == 2 and "changed since it was kept: runs/seen/plan.json" in refused.stderr
     assert not (other / "runs/seen/plan.json").exists()
     one.write_bytes(kept)
     back = json.loads(c4s("restore", str(copy), "--json", home=other).stdout)

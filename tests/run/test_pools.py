@@ -216,6 +216,7 @@ def test_the_server_has_pools_deployments_and_a_nightly_run(service: Service) ->
         assert one["tags"] and one["description"] and not one["pull_steps"], name
     shown = found["evaluate/pools"]["parameter_openapi_schema"]["properties"]
     assert shown["workers"]["enum"] == ["here", "pools"] and "headless" in str(shown["engine"])
+    assert (shown["repeats"]["minimum"], shown["repeats"]["maximum"], shown["most_faults"]["minimum"]) == (1, 1000, 1)
     nightly = found["leaderboard/nightly"]["id"]
     until(lambda: service.api("flow_runs/filter", deployments={"id": {"any_": [nightly]}}) or None)
 

@@ -4,22 +4,32 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
+import traceback
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from pytest import MonkeyPatch
 
+from c4s.engine import DEFAULT_ENGINE
 from c4s.errors import BadInput, MachineryFault
+from c4s.judge.names import DEFAULT_JUDGE
 from c4s.meter.spending import Ledger
-from c4s.records.folder import RunFolder
+from c4s.protocol.rules import DEFAULT_POLICY
+from c4s.records.folder import RunFolder, TrialFolder
+from c4s.records.suite import SuiteFolder
+from c4s.run.check import freeze_submission
+from c4s.run.configurations import configuration
 from c4s.run.guards import Watchman, set_guards
 from c4s.run.lease import Held, LeaseLost, take
+from c4s.run.plan import make_plan, open_run
 from c4s.run.sharing import Sharing
-from c4s.run.store import Store, open_store
+from c4s.run.store import Store, open_store, send_suite, share_suite, shared_plan
 from c4s.run.store.opening import _object_store
+from c4s.trees import digest_tree
 from tests.run.conftest import Command, command_in, environment, trial_in
 from tests.run.servers import object_store
 from warehouse.database import rows
@@ -85,6 +95,26 @@ def test_a_folder_comes_over_whole_and_what_was_not_sent_is_set_aside(
     machine("one").pull(here)
     assert not (here / "large").exists()
     assert not machine("one").pull(tmp_path / "one/runs/x/never")
+
+
+def test_a_submission_comes_over_whatever_its_files_are_called(machine: Callable[[str], Store], tmp_path: Path) -> None:
+    names = ("L.level.json", "lease/House.level.json", "deep/lease/House.level.json", ".hidden", ".d/.L.json.a1b2c3d4")
+    here = TrialFolder(tmp_path / "one/runs/named/trial")
+    attempt = here.attempt(1)
+    beside_it = ("lease/000001.json", ".score.json.a1b2c3d4", ".evidence.a1b2c3d4/index.json")
+    for path in (*(attempt.submission / name for name in names), *(here.root / name for name in beside_it)):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(path.name)
+    frozen = freeze_submission(attempt)
+    machine("one").push(here.root)
+    there = TrialFolder(tmp_path / "two/runs/named/trial")
+    assert machine("two").pull(there.root)
+    assert digest_tree(there.attempt(1).submission) == frozen
+    assert sorted(path.name for path in there.root.iterdir()) == ["attempt-1"]
+    left = there.attempt(1).submission / ".L.level.json.d4c3b2a1"
+    left.write_text("a fetch was cut off")
+    assert machine("two").pull(there.root) and not left.exists()
+    assert digest_tree(there.attempt(1).submission) == frozen
 
 
 def test_a_byte_that_was_changed_in_the_store_is_refused(machine: Callable[[str], Store], tmp_path: Path) -> None:
@@ -155,6 +185,22 @@ def test_what_is_no_store_is_refused(
         open_store().leases(Path(os.environ["C4S_HOME"]) / "runs/r/lease").newest()
 
 
+@pytest.mark.parametrize(
+    "url",
+    [
+        *("nosuch://someone:pa55@host/x", "s3://someone:pa55@c4s/bench", "ftp://someone:pa55@127.0.0.1:9/x"),
+        *("s3://someone:pa55@", "simplecache::ftp://someone:pa55/@127.0.0.1:9/x"),
+    ],
+)
+def test_no_password_of_a_store_is_told(machine: Callable[[str], Store], monkeypatch: MonkeyPatch, url: str) -> None:
+    machine("one")
+    monkeypatch.setenv("C4S_STORE", url)
+    with pytest.raises((BadInput, MachineryFault)) as refused:
+        open_store().leases(Path(os.environ["C4S_HOME"]) / "runs/r/lease").newest()
+    told = "".join(traceback.format_exception(refused.value))
+    assert "pa55" not in told and "someone" not in told
+
+
 def test_two_machines_share_a_run_through_the_store(
     home: Path, settings: dict[str, str], tmp_path: Path, monkeypatch: MonkeyPatch
 ) -> None:
@@ -184,6 +230,44 @@ def test_two_machines_share_a_run_through_the_store(
     scored = trial_in(second, "small", "oracle", CASE)
     assert not trial_in(first, "small", "oracle", CASE).attempt(1).submission.exists()
     assert scored.score.read_bytes() == trial_in(first, "small", "oracle", CASE).score.read_bytes()
+
+
+def test_a_machine_with_an_older_suite_works_on_no_run_of_the_newer_and_sends_nothing(
+    home: Path, machine: Callable[[str], Store], tmp_path: Path
+) -> None:
+    def store_has() -> set[tuple[str, str]]:
+        return {(key, info["ETag"]) for key, info in open_store()._fs.find("c4s/bench/suites", detail=True).items()}  # type: ignore[attr-defined]
+
+    for name in ("newer", "older"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "packs").symlink_to(home / "packs")
+        shutil.copytree(home / "suites", tmp_path / name / "suites")
+    machine("newer")
+    suite, run = SuiteFolder(tmp_path / "newer/suites/small"), tmp_path / "newer/runs/planned"
+    send_suite("small")
+    plan = make_plan(
+        suite,
+        [configuration("noop")],
+        run_id="planned",
+        policy=DEFAULT_POLICY,
+        judge=DEFAULT_JUDGE,
+        engine=DEFAULT_ENGINE,
+    )
+    open_run(run, plan)
+    open_store().push_files(run / "plan.json")
+    sent = store_has()
+    machine("older")
+    older = SuiteFolder(tmp_path / "older/suites/small")
+    older.suite().model_copy(update={"title": "Older"}).write(older.record)
+    with pytest.raises(BadInput, match="another suite than the run 'planned' was planned with"):
+        shared_plan("planned")
+    older.root.rename(tmp_path / "moved-away")
+    assert shared_plan("planned") == (tmp_path / "older/runs/planned", plan)
+    assert digest_tree(older.root) == digest_tree(suite.root) and store_has() == sent
+    older.record.unlink()
+    (older.root / "digests.json").unlink()
+    share_suite("small")
+    assert digest_tree(older.root) == digest_tree(suite.root), "a fetch that was cut off goes on"
 
 
 def test_what_other_machines_spend_counts_against_the_limit_of_all(

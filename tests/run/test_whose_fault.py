@@ -279,6 +279,19 @@ def test_a_record_that_was_cut_off_is_left_out(tmp_path: Path) -> None:
     assert len(repeats.faults(trial.folder)) == 1
 
 
+@pytest.mark.parametrize("torn", ['{"time": 1.0, "sta', '{"time": 1.0, "line": "caf\u00e9', "\0\0\0", "{}\n[]\n"])
+def test_an_attempt_in_doubt_has_its_repeats_after_a_record_that_was_cut_off(tmp_path: Path, torn: str) -> None:
+    _, trial = trial_of(tmp_path)
+    died = WorkerDied("SIGKILL")
+    for _ in range(MOST_REPEATS):
+        assert driven(tmp_path, {"attempt": acting(trial, died)})[2] is died
+        with trial.folder.faults.open("ab") as lines:
+            lines.write(torn.encode().removesuffix(b"\xa9"))
+    assert driven(tmp_path, {"attempt": acting(trial, died), "integrity": lambda n: n == 2})[2] is None
+    assert AttemptOutcome.read(trial.folder.attempt(1).outcome).ended_by == "repeats_spent"
+    assert [record.error for record in repeats.faults(trial.folder)] == ["WorkerDied"] * (MOST_REPEATS + 1)
+
+
 def test_the_page_of_faults_is_the_table() -> None:
     page = (Path(__file__).parents[2] / "docs/faults.md").read_text()
     for row in TABLE:

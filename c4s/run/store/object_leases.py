@@ -9,7 +9,7 @@ from typing import Any
 
 from c4s.errors import BadInput
 from c4s.records.lease import Lease
-from c4s.run.store.reach import reached
+from c4s.run.store.reach import reached, without_password
 
 
 class ObjectLeases:
@@ -20,7 +20,7 @@ class ObjectLeases:
 
     @property
     def where(self) -> str:
-        return f"{self._name} ({self._key})"
+        return f"{self._name} ({without_password(self._key)})"
 
     def _object(self, number: int) -> str:
         return f"{self._key}/{number:06}.json"

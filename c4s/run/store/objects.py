@@ -19,17 +19,19 @@ from typing import Any, Final
 import fsspec
 
 from c4s.errors import BadInput, MachineryFault
-from c4s.files import digest_bytes, digest_file, parse_json, read_plain, write_bytes, write_json
+from c4s.files import digest_bytes, digest_file, is_unfinished, parse_json, read_plain, write_bytes, write_json
 from c4s.home import cache_root, home
+from c4s.records.folder import AttemptFolder, TrialFolder
 from c4s.run.store.base import STORE, Only
 from c4s.run.store.leases import FolderLeases, LeasePlace
 from c4s.run.store.object_leases import ObjectLeases
-from c4s.run.store.reach import reached
+from c4s.run.store.reach import reached, without_password
 
 AT_ONCE: Final = 16
 """Transfers at once."""
-_LEFT_OUT: Final = frozenset({"lease"})
-"""Folders that are no content: leases are objects of their own."""
+_LEASES: Final = TrialFolder(Path()).leases.name
+"""The folder directly below a trial's that is no content: leases are objects of their own."""
+_SUBMISSION: Final = AttemptFolder(Path()).submission.name
 
 
 class ObjectStore:
@@ -43,14 +45,16 @@ class ObjectStore:
     apart = True
 
     def __init__(self, url: str) -> None:
-        self.name = url
+        self.name = without_password(url)
         try:
-            self._fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False)
+            with reached(self.name, but=(ValueError, ImportError, TypeError)):
+                self._fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False)
         except (ValueError, ImportError, TypeError) as error:
-            raise BadInput(f"{url!r} is no store: {error}", where=STORE, todo="name s3://bucket/prefix") from None
+            why = f": {error}" if self.name == url else ""
+            raise BadInput(f"{self.name!r} is no store{why}", where=STORE, todo="name s3://bucket/prefix") from None
         self._root = str(root).rstrip("/")
         if not self._root:
-            raise BadInput(f"{url!r} names no bucket", where=STORE, todo="name s3://bucket/prefix")
+            raise BadInput(f"{self.name!r} names no bucket", where=STORE, todo="name s3://bucket/prefix")
         with reached(self.name):
             self._fs.ls(self._root.split("/", 1)[0], detail=False)
         self._place = digest_bytes(url.encode())[:16]
@@ -132,7 +136,9 @@ class ObjectStore:
         data = self._read(self._blob(sha256))
         if digest_bytes(data) != sha256:
             raise MachineryFault(
-                "the store holds other bytes than were put there", where=self._blob(sha256), todo="restore the object"
+                "the store holds other bytes than were put there",
+                where=without_password(self._blob(sha256)),
+                todo="restore the object",
             )
         write_bytes(path, data)
 
@@ -150,7 +156,9 @@ class ObjectStore:
             found = parse_json(self._read(key))
             return {str(name): str(sha256) for name, sha256 in found.items()}
         except (ValueError, AttributeError) as error:
-            raise MachineryFault(f"the index of a folder is none: {error}", where=key, todo="restore it") from None
+            raise MachineryFault(
+                f"the index of a folder is none: {error}", where=without_password(key), todo="restore it"
+            ) from None
 
     def _each(self, jobs: list[tuple[Any, Any]], function: Any) -> None:
         """Do all of them, so many at once; the first error is raised."""
@@ -168,7 +176,7 @@ class ObjectStore:
         name = key.removeprefix(f"{self._root}/")
         path = (home() / name).absolute()
         if ".." in name.split("/") or not path.is_relative_to(home()):
-            raise MachineryFault("an object's name leads out of C4S_HOME", where=key)
+            raise MachineryFault("an object's name leads out of C4S_HOME", where=without_password(key))
         return path
 
     def _index_key(self, folder: Path) -> str:
@@ -193,13 +201,20 @@ class ObjectStore:
 
 
 def _content(folder: Path) -> Iterator[tuple[str, Path]]:
-    """Names and paths of a folder's plain files: not leases, not what is being written, no links or sockets."""
+    """Names and paths of a folder's plain files: not its leases, not what is being written, no links or sockets.
+
+    What an agent saved is its submission whatever it is called: all of that is content.
+    """
     for place, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name not in _LEFT_OUT)
+        inside = Path(place).relative_to(folder)
+        whole = _SUBMISSION in inside.parts
+        folders[:] = sorted(
+            name for name in folders if whole or not (is_unfinished(name) or inside / name == Path(_LEASES))
+        )
         for name in sorted(names):
             path = Path(place, name)
-            if not name.startswith(".") and stat.S_ISREG(path.lstat().st_mode):
-                yield path.relative_to(folder).as_posix(), path
+            if (whole or not is_unfinished(name)) and stat.S_ISREG(path.lstat().st_mode):
+                yield (inside / name).as_posix(), path
 
 
 def _tag(info: Mapping[str, Any]) -> str:
