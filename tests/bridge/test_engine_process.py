@@ -181,6 +181,26 @@ def test_the_engine_dies_with_its_host(tmp_path: Path, backend: str, clinging: s
     until(lambda: not processes_of(tmp_path / "s"))
 
 
+def test_an_engine_whose_confinement_was_killed_ends_with_its_session(tmp_path: Path) -> None:
+    engine = EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", use="bubblewrap")
+    engine.execute("import ctypes\nctypes.CDLL(None).prctl(1, 0, 0, 0, 0)")
+    os.kill(engine.pid, signal.SIGKILL)
+    engine.close()
+    until(lambda: not processes_of(tmp_path / "s"))
+
+
+def test_a_start_whose_confinement_is_killed_ends_and_leaves_nothing(tmp_path: Path) -> None:
+    def kill() -> None:
+        os.kill(min(until(lambda: processes_of(tmp_path / "s") or None)), signal.SIGKILL)
+
+    killer = threading.Thread(target=kill)
+    killer.start()
+    with pytest.raises(EngineDied):
+        EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", use="bubblewrap")
+    killer.join()
+    until(lambda: not processes_of(tmp_path / "s"))
+
+
 def test_an_engine_outlives_the_thread_that_started_it(tmp_path: Path, backend: str) -> None:
     made: list[EngineSession] = []
 

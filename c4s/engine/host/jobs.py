@@ -185,9 +185,14 @@ class JobBoard:
                 self._failure = error
                 os.write(self._wake, b"f")
 
-    def join(self) -> None:
-        """Wait until the engine has ended and all that it printed is kept."""
-        self._thread.join()
+    def join(self, most_s: float) -> None:
+        """Wait until the engine has ended and all that it printed is kept. One that has not ended in time is cut off:
+        nobody is left to be killed, or it has cut itself off from its host, and it ends by that."""
+        self._thread.join(most_s)
+        if self._thread.is_alive():
+            with suppress(OSError):
+                self._connection.shutdown(socket.SHUT_RDWR)
+            self._thread.join()
 
     def _work(self) -> None:
         try:

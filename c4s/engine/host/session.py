@@ -8,8 +8,9 @@ import socket
 import subprocess
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -18,7 +19,7 @@ from c4s.engine.bridge import FAILED, OVER_TIME, BridgeFault, SocketBridge
 from c4s.engine.confine import leftovers
 from c4s.engine.confine.confinement import Backend, Limits
 from c4s.engine.confine.sandbox import Mounts
-from c4s.engine.confine.watch import Watch
+from c4s.engine.confine.watch import Watch, tree
 from c4s.engine.faults import EngineCallError, EngineDied, EngineOverLimit
 from c4s.engine.host.joblog import JobLog
 from c4s.engine.host.jobs import JobBoard
@@ -29,6 +30,8 @@ from c4s.folders import remove_tree
 WATCH_S = 0.25
 """Seconds between two looks at what an engine uses."""
 STOP_TIMEOUT_S = 5.0
+MOST_INNER = 16
+"""Processes below the one that was started, when the engine serves and no agent code has run: one or two."""
 SOCKET = "bridge.sock"
 _POLL_S = 10.0
 _LATER_S = 1.0
@@ -61,6 +64,8 @@ class Session:
         self._scratch = paths.work
         self._board = JobBoard(connection, output, self.logs, self._end, log)
         self._server = BridgeServer(listener, self._board, paths.work, self.kind)
+        self._inner: list[int] = []
+        """What runs below the process that confines the engine: it is ended with it even where that was killed."""
         self._watch, self._closed = Watch(process.pid, paths.read_write, limits), threading.Event()
         self._watching = threading.Thread(target=self._look, name="engine-watch", daemon=True)
         self._watching.start()
@@ -90,6 +95,9 @@ class Session:
             raise BadInput(refusal["what"], where=refusal["where"], todo=refusal["todo"])
         if self._board.gone is not None:
             raise self._dead(self._board.gone, "start")
+        self._inner = list(_opened_below(self._process.pid))
+        if not self.alive:
+            raise self._dead(f"what confines it ended with {_exit_text(self._process.wait())}", "start")
 
     @property
     def version(self) -> str:
@@ -184,7 +192,12 @@ class Session:
         self._closed.set()
         self._end_group()
         self._process.wait()
-        self._board.join()
+        for process in self._inner:
+            with suppress(ProcessLookupError):
+                signal.pidfd_send_signal(process, signal.SIGKILL)
+            os.close(process)
+        self._inner.clear()
+        self._board.join(STOP_TIMEOUT_S)
         self._server.close()
         self._watching.join()
         remove_tree(self._socket_folder, inside=self._socket_folder.parent, at_best=True)
@@ -212,6 +225,13 @@ class Session:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+
+def _opened_below(process: int) -> Iterator[int]:
+    """Handles of the processes below one."""
+    for folder in islice(tree(process, MOST_INNER), 1, None):
+        with suppress(ProcessLookupError):
+            yield os.pidfd_open(int(folder.name))
 
 
 def _exit_text(code: int) -> str:
