@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -181,10 +182,24 @@ def test_the_engine_dies_with_its_host(tmp_path: Path, backend: str, clinging: s
     until(lambda: not processes_of(tmp_path / "s"))
 
 
-def test_an_engine_whose_confinement_was_killed_ends_with_its_session(tmp_path: Path) -> None:
+LOOSE = """#!{python}
+import subprocess, sys
+sys.exit(subprocess.call(["{bwrap}", *(word for word in sys.argv[1:] if word != "--die-with-parent")], close_fds=False))
+"""
+"""A bubblewrap whose engine does not die with it, as one that is killed before it has asked for that."""
+
+
+def test_an_engine_whose_confinement_was_killed_ends_with_its_session(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    outer = tmp_path / "bin/bwrap"
+    outer.parent.mkdir()
+    outer.write_text(LOOSE.format(python=sys.executable, bwrap=shutil.which("bwrap")))
+    outer.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{outer.parent}:{os.environ['PATH']}")
     engine = EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", use="bubblewrap")
-    engine.execute("import ctypes\nctypes.CDLL(None).prctl(1, 0, 0, 0, 0)")
     os.kill(engine.pid, signal.SIGKILL)
+    until(lambda: not engine.alive)
     engine.close()
     until(lambda: not processes_of(tmp_path / "s"))
 
