@@ -10,6 +10,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -17,7 +18,9 @@ from pathlib import Path
 from types import FrameType
 from typing import Final
 
-from flows.family import WORKER, adopt
+from c4s.folders import remove_tree
+from c4s.run.leftovers import owned_folder, sweep
+from flows.family import TEMPORARY, WORKER, adopt
 from flows.service.settings import environment
 
 _LOOK_S: Final = 0.5
@@ -43,11 +46,13 @@ def supervise(pool: str, slots: int, url: str, tell: Callable[[str], None]) -> N
     signal.signal(signal.SIGTERM, _stop)
     signal.signal(signal.SIGINT, _stop)
     own = [1] * slots if pool == "engines" else [slots]
+    sweep()
+    scratch = owned_folder()
     started: dict[int, tuple[subprocess.Popen[bytes], float]] = {}
     pauses = dict.fromkeys(range(len(own)), 0.0)
     try:
         for number, limit in enumerate(own):
-            started[number] = (_start(pool, number, limit, url), time.monotonic())
+            started[number] = (_start(pool, number, limit, url, scratch), time.monotonic())
         tell(f"{slots} slot{'s' if slots > 1 else ''} of the pool {pool!r} wait for work from {url}")
         while True:
             time.sleep(_LOOK_S)
@@ -59,16 +64,18 @@ def supervise(pool: str, slots: int, url: str, tell: Callable[[str], None]) -> N
                 pauses[number] = 0.0 if lived > _MOST_PAUSE_S else min(_MOST_PAUSE_S, 2 * pauses[number] + 1.0)
                 tell(f"a worker of {pool!r} ended with {process.returncode}; started anew in {pauses[number]:.0f} s")
                 time.sleep(pauses[number])
-                started[number] = (_start(pool, number, own[number], url), time.monotonic())
+                started[number] = (_start(pool, number, own[number], url, scratch), time.monotonic())
     except _Stopped:
         tell(f"the workers of {pool!r} are ended")
     finally:
         _end([process for process, _ in started.values()])
+        remove_tree(scratch, inside=scratch.parent, at_best=True)
+        sweep()
 
 
-def _start(pool: str, number: int, limit: int, url: str) -> subprocess.Popen[bytes]:
+def _start(pool: str, number: int, limit: int, url: str, scratch: Path) -> subprocess.Popen[bytes]:
     name = f"{pool}-{os.uname().nodename}-{os.getpid()}-{number}"
-    made = environment(url)
+    made = environment(url) | {"TMPDIR": str(scratch), TEMPORARY: tempfile.gettempdir()}
     made.pop(WORKER, None)
     gpus = len(list(_GPUS.iterdir())) if _GPUS.is_dir() else 0
     if pool == "engines" and gpus:
