@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 from c4s.errors import BadInput
+from c4s.protocol.baselines import CHEATS
 from c4s.records.plan import Configuration
 from c4s.records.suite import AgentCase
 
@@ -119,6 +120,7 @@ CLIENTS = {
     "replay": "c4s.agents.replay:Replay",
     "outside": "c4s.agents.outside:Outside",
     "api": "c4s.agents.api.agent:ApiAgent",
+    **dict.fromkeys(CHEATS, "c4s.agents.cheats.agent:Cheat"),
     **PROGRAMS,
     "command": "c4s.agents.clients.command:CommandClient",
 }

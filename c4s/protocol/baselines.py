@@ -9,5 +9,9 @@ ORACLE: Final = "oracle"
 BLIND: Final = "blind"
 """Repairs without looking at a picture: what it reaches, a suite gives away."""
 BASELINES: Final = ("noop", "random", "planner", "vandal", BLIND, ORACLE)
-VALIDATING: Final = frozenset({ORACLE, BLIND})
+CHEATS: Final = (
+    *("once", "dust", "pile", "ghost", "copies", "instances", "hidden", "parade", "heap", "buried", "lifted"),
+)
+"""Nonsense in place of a scene (``c4s.agents.cheats``): what each reaches, a judge gives away. Run when asked for."""
+VALIDATING: Final = frozenset({ORACLE, BLIND, *CHEATS})
 """Clients that validate the evaluator or a suite and are never ranked."""

@@ -11,7 +11,7 @@ from c4s.engine.confine.sandbox import backend
 from c4s.errors import BadInput, unknown
 from c4s.judge.names import JUDGE_NAMES
 from c4s.meter.endpoints import key_of, spending_limit
-from c4s.protocol.baselines import BASELINES
+from c4s.protocol.baselines import BASELINES, CHEATS
 from c4s.protocol.settings import SETTING_ALIASES, SETTINGS
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Configuration
@@ -42,7 +42,7 @@ def check_configurations(configurations: Sequence[Configuration]) -> None:
             raise BadInput(
                 f"{chosen.name!r} is the name of something in every run folder", todo="give this agent another name"
             )
-        if chosen.name in BASELINES and any(one.client != chosen.name for one in chosen.everyone()):
+        if chosen.name in (*BASELINES, *CHEATS) and any(one.client != chosen.name for one in chosen.everyone()):
             raise BadInput(f"{chosen.name!r} is the name of a baseline", todo="give this agent a name of its own")
         for one in chosen.everyone():
             _check_client(one)

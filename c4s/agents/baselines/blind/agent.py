@@ -13,7 +13,7 @@ from c4s.agents.baselines.blind.guess import chosen
 from c4s.agents.baselines.blind.scene import SeenActor, SeenLevel
 from c4s.agents.baselines.blind.scripts import READ, REPAIR, SHOW
 from c4s.agents.baselines.blind.tricks import guesses
-from c4s.errors import AgentFault
+from c4s.agents.baselines.scripting import run_script
 from c4s.protocol.settings import is_construction
 from c4s.toolbox.client import GatewayClient
 
@@ -30,7 +30,7 @@ class Blind:
         with context.connect() as tools:
             if not is_construction(context.case.setting):
                 made = chosen([guess for of in guesses(_read(tools)).values() for guess in of])
-                _script(tools, f"GUESSES = {json.dumps([asdict(guess) for guess in made])!r}\n{REPAIR}")
+                run_script(tools, f"GUESSES = {json.dumps([asdict(guess) for guess in made])!r}\n{REPAIR}")
                 message = "; ".join(f"{guess.actor}: {guess.edit}, {guess.trick}" for guess in made)
             tools.call("save_scene_as", name=SUBMISSION_NAME)
         return AgentReport(client_version="blind 1", message=message)
@@ -38,8 +38,8 @@ class Blind:
 
 def _read(tools: GatewayClient) -> SeenLevel:
     """The level as a script tells it, part by part."""
-    size = int(_script(tools, READ))
-    text = "".join(_script(tools, SHOW.format(start=at, end=at + PART)) for at in range(0, size, PART))
+    size = int(run_script(tools, READ))
+    text = "".join(run_script(tools, SHOW.format(start=at, end=at + PART)) for at in range(0, size, PART))
     told: dict[str, Any] = json.loads(zlib.decompress(base64.b64decode(text)))
     return SeenLevel(told["package"], tuple(_thing(row, order) for order, row in enumerate(told["actors"])))
 
@@ -48,13 +48,3 @@ def _thing(row: dict[str, Any], order: int) -> SeenActor:
     lists = {name: tuple(row[name]) for name in ("component", "location", "rotation", "scale", "low", "high")}
     lists["materials"] = tuple((slot, path) for slot, path in row["materials"])
     return SeenActor(**row | lists | {"tags": frozenset(row["tags"]), "order": order})
-
-
-def _script(tools: GatewayClient, script: str) -> str:
-    """What a script printed; ``AgentFault`` when it failed."""
-    state = tools.call("execute_python_script", script=script, execution_mode="sync").data
-    while state["status"] in ("running", "queued"):
-        state = tools.call("read_job_log", job_id=state["job_id"], wait_s=60).data
-    if state["status"] != "done":
-        raise AgentFault(str(state.get("error", state["status"])))
-    return str(state["output"]).strip()
