@@ -1,3 +1,3 @@
 """The agents without a model."""
 
-__all__ = ["blind"]
+__all__ = ["blind", "palette", "scripting"]
