@@ -16,6 +16,7 @@ __all__ = [
     "host",
     "inputs",
     "lease",
+    "leftovers",
     "limits",
     "logs",
     "notify",
