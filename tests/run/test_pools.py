@@ -28,7 +28,7 @@ from tests.run.test_evaluate import OFFLINE
 from warehouse.database import rows
 
 CASES = ["indoor-flat-01-mirrored-bath", "indoor-flat-02-living-room"]
-AGENTS = ["noop", "random", "oracle"]
+AGENTS = ["noop", "oracle"]
 SILENT = """
 import asyncio, json
 from prefect.client.orchestration import get_client
@@ -283,8 +283,7 @@ def test_work_that_gives_no_sign_of_life_is_asked_for_again_and_at_last_left_pen
 
 
 def test_a_run_on_pools_pauses_drains_and_goes_on(service: Service) -> None:
-    agents = ["noop", "oracle"]
-    given = {"suite": "small", "run_id": "drained", "agents": agents, "cases": CASES, "repeats": 2, "workers": "pools"}
+    given = {"suite": "small", "run_id": "drained", "agents": AGENTS, "cases": CASES, "repeats": 2, "workers": "pools"}
     question = "SELECT * FROM outcomes WHERE run_id = 'drained'"
     first = service.start("evaluate/pools", **given)
     until((service.home / "runs/drained/guards.json").is_file)
@@ -294,10 +293,10 @@ def test_a_run_on_pools_pauses_drains_and_goes_on(service: Service) -> None:
     assert service.c4s("runs", "drain", "drained").returncode == 0
     ended = service.ended(first)
     assert ended.startswith("FAILED") and "asked it to drain" in ended and "trials left" in ended, ended
-    assert len(rows(service.home / "warehouse", question)) < len(agents) * len(CASES)
+    assert len(rows(service.home / "warehouse", question)) < len(AGENTS) * len(CASES)
     faults = [path.read_text() for path in (service.home / "runs/drained").glob("*/*/r?/faults.jsonl")]
     assert not any("WorkerLost" in text for text in faults), "what a guard left undone was lost by nobody"
     for attempt in (service.home / "runs/drained").glob("*/*/r?/attempt-1/outcome.json"):
         assert (attempt.parents[1] / "score.json").is_file(), "what was in work was verified and scored"
     assert service.ended(service.start("evaluate/pools", **given)).startswith("COMPLETED")
-    assert len(rows(service.home / "warehouse", question)) == len(agents) * len(CASES)
+    assert len(rows(service.home / "warehouse", question)) == len(AGENTS) * len(CASES)
