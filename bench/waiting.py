@@ -11,13 +11,14 @@ PAUSE_S: Final = 0.005
 T = TypeVar("T")
 
 
-def until(happens: Callable[[], T | None], process: subprocess.Popen[Any] | None = None) -> T:
+def until(happens: Callable[[], T | None], process: subprocess.Popen[Any] | None = None, pause_s: float = PAUSE_S) -> T:
     """What a question answers, as soon as it does: None and False are no answer. It is asked without end: its caller
     has a time limit.
 
     Args:
         happens: the question.
         process: who is expected to bring it about: ``RuntimeError`` where it has ended before.
+        pause_s: between two questions; 0 for what is true for a moment alone.
     """
     while True:
         over = process is not None and process.poll() is not None
@@ -26,4 +27,4 @@ def until(happens: Callable[[], T | None], process: subprocess.Popen[Any] | None
             return answer
         if over:
             raise RuntimeError(f"the process ended before it happened: {getattr(process, 'args', '')}")
-        time.sleep(PAUSE_S)
+        time.sleep(pause_s)

@@ -130,7 +130,7 @@ def test_a_killed_build_leaves_a_whole_suite(
     before = suite.suite()
     moment = moment.replace("{alias}", "*")
     process = subprocess.Popen(command, start_new_session=True, stderr=subprocess.DEVNULL)
-    until(lambda: any((tmp_path / "suites").glob(f".small.*/{moment}")), process)
+    until(lambda: any((tmp_path / "suites").glob(f".small.*/{moment}")), process, pause_s=0)
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
     assert suite.suite() == before or (moment == "suite/build.json" and suite.suite().title == "Other")
