@@ -18,7 +18,7 @@ from c4s.run.drive import Persist, Run, store
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
 from c4s.run.pool import work
-from c4s.score.case import case_score
+from c4s.run.stages import scored
 from c4s.verify.registry import verifiers_of
 
 CALLS = 20
@@ -66,18 +66,7 @@ def instant_stage(stage: Stage, trial: Trial, plan: Plan, *arguments: Any) -> An
 def _score(trial: Trial, plan: Plan) -> TrialScore:
     folder = trial.folder
     names = [GATE, *(verifier.name for verifier in verifiers_of(trial.case.setting))]
-    made = case_score(
-        case_id=trial.case.case_id,
-        setting=trial.case.setting,
-        repeat=trial.repeat,
-        configuration=trial.configuration.name,
-        policy=plan.policy,
-        judge=plan.judge,
-        engine=plan.engine,
-        retained_attempt=1,
-        submitted=True,
-        verdicts={name: Verdict.read(folder.verdict(name)) for name in names},
-    )
+    made = scored(trial, plan, 1, True, {name: Verdict.read(folder.verdict(name)) for name in names})
     read = {name: digest_file(path) for name, path in folder.verdicts.items()}
     made = made.model_copy(update={"verdicts": read})
     made.write(folder.score)

@@ -130,7 +130,7 @@ class Watchman:
         return stop("deadline", f"its deadline, {told}, has come", "run the same command again with a later --deadline")
 
     def _spending(self, guards: Guards) -> StoppedByGuard | None:
-        if guards.spend_usd is None:
+        if guards.spend_usd is None or not self._ledger.begun:
             return None
         spent = self._ledger.spent().total_usd
         if spent < guards.spend_usd:

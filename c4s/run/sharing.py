@@ -30,8 +30,9 @@ def machine() -> str:
     """
     place = home() / "machine"
     if not place.is_file():
-        drawn = place.with_name(f".machine-{os.getpid()}")
-        drawn.write_text(uuid.uuid4().hex[:8])
+        name = uuid.uuid4().hex
+        drawn = place.with_name(f".machine-{name}")
+        drawn.write_text(name[:8])
         with suppress(FileExistsError):
             os.link(drawn, place)
         drawn.unlink()

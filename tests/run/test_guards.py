@@ -214,6 +214,12 @@ def test_what_is_booked_stops_the_run_at_its_limit(tmp_path: Path) -> None:
     assert "1.0000 of 1.0000 USD" in error.line() and "raise the limit" in error.line()
 
 
+def test_a_limit_of_nothing_stops_no_run_that_uses_no_model(tmp_path: Path) -> None:
+    plan, made = planned(tmp_path, 2)
+    set_guards(RunFolder(tmp_path), spend_usd=0.0)
+    assert work(made, plan)[0] == []
+
+
 def test_a_request_that_was_refused_for_spending_stops_the_run(tmp_path: Path) -> None:
     plan, made = planned(tmp_path, 6)
     set_guards(RunFolder(tmp_path))

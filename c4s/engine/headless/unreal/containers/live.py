@@ -25,7 +25,10 @@ class Owner(Protocol):
 
 
 class Live:
-    """A value with a place: ``_home`` is its owner and the property there, or None for a value on its own."""
+    """A value with a place: ``_home`` is its owner and the property there, or None for a value on its own.
+
+    Every kind of value has its own ``copy``, ``_become`` and ``_finite``. It is no ABC: ``isinstance`` is on hot paths.
+    """
 
     __slots__: tuple[str, ...] = ()
     _home: tuple[Owner, str] | None = None
