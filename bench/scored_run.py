@@ -8,6 +8,7 @@ from typing import Any
 
 from c4s.protocol.detailed import detailed_score
 from c4s.protocol.overview import overview_score
+from c4s.protocol.paired import PAIRED_WEIGHTS, paired_score
 from c4s.protocol.physics import physics_from_report
 from c4s.protocol.rules import DEFAULT_POLICY, FAMILY_WEIGHTS, GATE, OVERVIEW_WEIGHTS
 from c4s.protocol.settings import SETTINGS, Setting, is_construction
@@ -15,6 +16,7 @@ from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
+from c4s.verify.paired.verifier import PAIRED
 from c4s.verify.physics.verifier import PHYSICS
 from c4s.verify.repair.verifier import REPAIR
 from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
@@ -43,8 +45,11 @@ def _physics(rng: random.Random) -> Verdict:
         "leaf_results": leaves,
         "leaf_score_directions": {"floating": "lower_is_better", "solid_penetration": "higher_is_better"},
     }
-    score = physics_from_report({"status": "measured", "metrics": metrics})["score"]
-    return Verdict(verifier=PHYSICS.name, status="measured", score=score, policy="made", measurements=metrics)
+    made = physics_from_report({"status": "measured", "metrics": metrics})
+    measurements = metrics | {"leaves": made["leaves"]}
+    return Verdict(
+        verifier=PHYSICS.name, status="measured", score=made["score"], policy="made", measurements=measurements
+    )
 
 
 def _repair(rng: random.Random) -> Verdict:
@@ -82,7 +87,11 @@ def _detailed(rng: random.Random) -> Verdict:
         status="measured",
         score=made["score"],
         policy="made",
-        measurements={"semantic_requirement_aggregation": rows, "known_coverage": made["known_coverage"]},
+        measurements={
+            "semantic_requirement_aggregation": rows,
+            "families": made["families"],
+            "known_coverage": made["known_coverage"],
+        },
     )
 
 
@@ -101,7 +110,24 @@ def _overview(rng: random.Random) -> Verdict:
     )
 
 
-_MADE = {PHYSICS.name: _physics, REPAIR.name: _repair, DETAILED.name: _detailed, OVERVIEW.name: _overview}
+def _paired(rng: random.Random) -> Verdict:
+    dimensions = {name: rng.random() for name in PAIRED_WEIGHTS}
+    return Verdict(
+        verifier=PAIRED.name,
+        status="measured",
+        policy="made",
+        score=paired_score(dimensions),
+        measurements={"dimensions": dimensions},
+    )
+
+
+_MADE = {
+    PAIRED.name: _paired,
+    PHYSICS.name: _physics,
+    REPAIR.name: _repair,
+    DETAILED.name: _detailed,
+    OVERVIEW.name: _overview,
+}
 
 
 def made_verdict(verifier: str, rng: random.Random) -> Verdict:
@@ -121,7 +147,7 @@ def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: s
         if is_construction(setting):
             verdicts |= {DETAILED.name: _detailed(rng), OVERVIEW.name: _overview(rng)}
         else:
-            verdicts[REPAIR.name] = _repair(rng)
+            verdicts |= {REPAIR.name: _repair(rng), PAIRED.name: _paired(rng)}
     made = case_score(
         case_id=case_id,
         setting=setting,

@@ -34,6 +34,9 @@ _UNFINISHED = re.compile(r"\..+\.[a-z0-9_]{8}")
 FULL_BYTES = 32 << 20
 """A disk with less room than this is full: nothing that an attempt or a stage leaves is sure to fit."""
 
+MOST_WHOLE = 2**53 - 1
+"""A larger whole number is not the same in every reader of JSON: seeds are at most this."""
+
 
 def check_disk(folder: Path) -> None:
     """``OSError`` (``ENOSPC``) where the disk of a folder is full: what was not saved there is nobody's doing."""

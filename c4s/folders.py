@@ -12,7 +12,16 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from c4s.errors import BadInput, MachineryFault
-from c4s.home import cache_root, packs_root, runs_root, site_root, suites_root, warehouse_root
+from c4s.home import (
+    analyses_root,
+    cache_root,
+    human_root,
+    packs_root,
+    runs_root,
+    site_root,
+    suites_root,
+    warehouse_root,
+)
 
 _EXCHANGE = 2
 _AT_FDCWD = -100
@@ -85,10 +94,25 @@ def check_new(place: Path) -> None:
         raise BadInput("this is no new or empty folder", where=str(place), todo="choose another name")
 
 
+def check_own_output(place: Path, marker: str) -> None:
+    """``check_own`` for a folder that a user named: ``BadInput`` for one inside of what c4s keeps too."""
+    _check_outside(place)
+    check_own(place, marker)
+
+
 def _check_outside(path: Path) -> None:
     """``BadInput`` for an output inside of what c4s keeps: a frozen folder with one more file is another one."""
     real = Path(os.path.realpath(path))
-    for root in (packs_root(), suites_root(), runs_root(), warehouse_root(), site_root(), cache_root()):
+    for root in (
+        packs_root(),
+        suites_root(),
+        runs_root(),
+        warehouse_root(),
+        analyses_root(),
+        human_root(),
+        site_root(),
+        cache_root(),
+    ):
         if real == (kept := Path(os.path.realpath(root))) or kept in real.parents:
             raise BadInput("c4s keeps this folder itself", where=str(root), todo="write the output elsewhere")
 

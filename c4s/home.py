@@ -60,6 +60,21 @@ def warehouse_root() -> Path:
     return _folder("warehouse")
 
 
+def analyses_root() -> Path:
+    """Answers of studies with their rows, one folder an answer."""
+    return _folder("analyses")
+
+
+def human_root() -> Path:
+    """Human studies, one folder a study."""
+    return _folder("human")
+
+
+def reviews_root() -> Path:
+    """What reviewers said of suites, one folder a suite."""
+    return human_root() / "reviews"
+
+
 def site_root() -> Path:
     """The static pages."""
     return _folder("site")

@@ -10,17 +10,21 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from string import Template
+from typing import Any
 
 from c4s.engine import DEFAULT_ENGINE, open_engine
 from c4s.engine.answers import ask
 from c4s.engine.bridge import FAILED
 from c4s.errors import MachineryFault
-from c4s.evidence import export_and_look, overview_cameras, take_pictures
-from c4s.evidence.cameras import SIZE_PX
+from c4s.evidence import Shots, export_and_look, take_pictures
+from c4s.evidence.shots import Probe, Snapshot
 from c4s.files import write_json
 from c4s.protocol.rules import OVERVIEW_VIEWS
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
+from c4s.semantics.inventory import inventory
+from c4s.semantics.sight import Target, overview_plan, target_cameras
+from c4s.semantics.sight.overviews import SIZE_PX
 from cases.model import CaseView
 from cases.views import camera
 
@@ -41,6 +45,8 @@ class Exported:
     """The corrupted level from the same cameras."""
     overview: list[Path]
     """The original from the four overview cameras of the evaluator."""
+    targets: dict[str, list[dict[str, Any]]]
+    """The held-out cameras of each repair."""
 
 
 def scene(
@@ -48,23 +54,36 @@ def scene(
     truth: Level,
     corrupted: Mapping[str, Level],
     views: Mapping[str, Sequence[CaseView]],
+    changed: Mapping[str, Sequence[Target]],
     out: Path,
     progress: Callable[[str], None],
 ) -> Exported:
-    """Export a scene into ``out``: one engine for the original and its pictures, one for all other levels."""
+    """Export a scene into ``out``: one engine for the original and its pictures, one for all other levels.
+
+    ``changed``: what each corrupted level changes; held-out cameras are planned to see it in the original.
+    """
     content = out / "content"
     truth.write(content / f"{truth.package.lstrip('/')}.level.json")
     cameras = [
         {**camera(view), "name": f"{case_id}--{view.name}"} for case_id, wanted in views.items() for view in wanted
     ]
     progress(f"  {truth.package}: snapshot and {len(cameras)} pictures of the original")
+    targets: dict[str, list[dict[str, Any]]] = {}
+
+    def plan(snapshot: Snapshot, probe: Probe) -> Shots:
+        things = inventory(snapshot, {})
+        for case_id, wanted in views.items():
+            known = [camera(view) for view in wanted]
+            targets[case_id] = target_cameras(things, changed[case_id], known, probe)
+        return Shots([*cameras, *overview_plan(snapshot, probe).cameras])
+
     export_and_look(
         engine=DEFAULT_ENGINE,
         packs=packs,
         submission_content=content,
         package=truth.package,
         out=out / "truth",
-        cameras=lambda snapshot: [*cameras, *overview_cameras(snapshot)],
+        cameras=plan,
         keep_pictures=True,
     )
     inputs, starts = _inputs(packs, corrupted, views, out / "inputs", progress) if corrupted else ({}, {})
@@ -78,6 +97,7 @@ def scene(
         pictures,
         starts,
         [captures / f"overview-{number}.png" for number in range(1, OVERVIEW_VIEWS + 1)],
+        targets,
     )
 
 
@@ -93,6 +113,7 @@ def _inputs(
         level.write(out / "levels" / f"{case_id}.level.json")
     files = {case_id: out / f"{case_id}.scene.json" for case_id in levels}
     pictures: dict[str, list[Path]] = {}
+    size = dict(zip(("width", "height"), SIZE_PX, strict=True))
     with open_engine(
         DEFAULT_ENGINE,
         packs=packs,
@@ -107,7 +128,7 @@ def _inputs(
                 raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=case_id)
             write_json(files[case_id], ask(engine, "snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
-            take_pictures(engine, [{**camera(view), **SIZE_PX} for view in views[case_id]], folder, keep=True)
+            take_pictures(engine, [{**camera(view), **size} for view in views[case_id]], folder, keep=True)
             pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]
             shutil.copytree(folder, out / "pictures" / case_id)
     return files, pictures

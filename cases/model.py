@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c4s.protocol.settings import Setting
+from c4s.records.binding import ReviewedBindings
 from c4s.records.level import Level, Vector
-from c4s.records.suite import Budget
+from c4s.records.suite import Budget, Visibility
 from cases.corruption import Corruption, Operation
 from cases.requirements import RequirementSpec
 
@@ -62,6 +63,7 @@ class RepairCase:
     setting: Setting = "image-to-scene/outdoor"
     prompt: str | None = None
     budget: Budget | None = None
+    visibility: Visibility = "public"
 
     @property
     def operations(self) -> list[Operation]:
@@ -94,6 +96,9 @@ class TextCase:
     minimum_actors: int = 10
     budget: Budget = field(default=TEXT_BUDGET)
     setting: Setting = "text-to-scene"
+    reviewed: ReviewedBindings | None = None
+    """What the author says of the entities' bindings."""
+    visibility: Visibility = "public"
 
 
 @dataclass(frozen=True)

@@ -21,9 +21,10 @@ from c4s.folders import beside, put_folder
 from c4s.packs.check import check_pack
 from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
-from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase
+from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
 from cases import exports
 from cases.audit import audit, check_blind
+from cases.binding import freeze_binding
 from cases.boxes import boxes_of
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
@@ -34,9 +35,9 @@ from cases.requirements import bundle
 from cases.settle import to_build
 from cases.standing import settled
 from cases.veil import Veil
-from cases.views import cameras_record
+from cases.views import cameras_record, changed, targets_record
 
-BUILDER_VERSION = 4
+BUILDER_VERSION = 5
 """Part of the definition's digest: raise it when the same definition is built into other files."""
 STAMP = "build.json"
 """Beside ``suite.json``: the digest of the definition that the suite was built from."""
@@ -152,7 +153,9 @@ class _Builder:
             truth, corrupted = self._damaged(scene, truth, repairs, assets)
         views = {case.case_id: list(case.views) for case in repairs}
         with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
-            exported = exports.scene(folders, truth, corrupted, views, Path(scratch), self.progress)
+            known = boxes_of(assets.values())
+            told = {case_id: changed(truth, level, known) for case_id, level in corrupted.items()}
+            exported = exports.scene(folders, truth, corrupted, views, told, Path(scratch), self.progress)
             for case in cases:
                 if isinstance(case, RepairCase):
                     self._repair(case, scene, truth, corrupted[case.case_id], assets, exported)
@@ -232,6 +235,7 @@ class _Builder:
             operations=case.kinds,
             operation_group=case.group,
             difficulty=case.difficulty,
+            visibility=case.visibility,
         ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")
@@ -246,6 +250,7 @@ class _Builder:
             operations=self.operations[case.case_id],
         ).write(withheld / "recipe.json")
         write_json(withheld / "cameras.json", cameras_record(case))
+        write_json(withheld / "target-cameras.json", targets_record(case.case_id, exported.targets[case.case_id]))
 
     def _text(
         self, case: TextCase, scene: SourceScene, truth: Level, assets: dict[str, Asset], exported: exports.Exported
@@ -256,6 +261,7 @@ class _Builder:
         ground = [_known(assets, path, case.case_id) for path in case.ground]
         prompt = text_prompt(case.description, ground, palette, case.plate_m, case.budget)
         requirements: dict[str, Any] = bundle(case.case_id, case.description, prompt, case.requirements)
+        packs = [self._pack(pack_id) for pack_id in scene.packs]
         AgentCase(
             alias=alias,
             setting=case.setting,
@@ -274,10 +280,12 @@ class _Builder:
             scene_id=case.scene_id,
             minimum_actors=case.minimum_actors,
             difficulty=case.difficulty,
+            visibility=case.visibility,
         ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")
         write_json(withheld / "requirements.bundle.json", requirements)
+        freeze_binding(WithheldFolder(withheld), requirements, packs, case.reviewed)
         for picture in exported.overview:
             _copy(picture, withheld / f"views/truth/{picture.name}")
         write_text(withheld / "prompt.txt", prompt + "\n")

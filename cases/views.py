@@ -1,12 +1,18 @@
-"""Reference cameras: the published ``cameras.json`` record, and a good view of chosen actors."""
+"""Cameras of cases: the published ``cameras.json``, those held out, what they are to see, and a good view of actors."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
 from c4s.geometry.transform import look_at
-from c4s.records.level import Vector
+from c4s.records.level import Level, Vector
+from c4s.records.suite import TARGET_CAMERAS
+from c4s.semantics.sight import Target
+from cases.boxes import Array, Boxes, world_box
 from cases.model import CaseView, RepairCase
 
 
@@ -41,6 +47,30 @@ def cameras_record(case: RepairCase) -> dict[str, Any]:
             for view in case.views
         ],
     }
+
+
+def targets_record(case_id: str, cameras: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """The record of a case's held-out cameras."""
+    return {"schema_version": TARGET_CAMERAS, "case_id": case_id, "views": [dict(camera) for camera in cameras]}
+
+
+def changed(truth: Level, corrupted: Level, boxes: Boxes) -> list[Target]:
+    """What a corrupted level changes, where it is and where it was: boxes of actors that differ or are in one alone."""
+    sides = [{actor.name: actor for actor in level.actors} for level in (truth, corrupted)]
+    told = [{name: actor.model_dump(exclude={"guid"}) for name, actor in side.items()} for side in sides]
+    found = []
+    for side, own, other in ((sides[0], told[0], told[1]), (sides[1], told[1], told[0])):
+        for name in sorted(side):
+            if own[name] != other.get(name):
+                low, high = world_box(side[name], side[name].transform, boxes)
+                if np.isfinite(low).all():
+                    found.append(Target(_point(low), _point(high)))
+    return list(dict.fromkeys(found))
+
+
+def _point(corner: Array) -> tuple[float, float, float]:
+    x, y, z = (round(float(value), 3) for value in corner)
+    return x, y, z
 
 
 def camera(view: CaseView) -> dict[str, Any]:

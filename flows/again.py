@@ -13,9 +13,11 @@ from prefect import flow
 from prefect.artifacts import acreate_table_artifact
 
 from c4s.home import site_root, warehouse_root
+from c4s.records.folder import RunFolder
 from c4s.run.again import Again, ScoreChange, set_back, stored_score
 from c4s.run.drive import refuse_pending, run_trials
 from c4s.run.lease import holding
+from c4s.run.plan import judged_now
 from c4s.run.plan import trials as scheduled
 from c4s.run.pool import Pool
 from c4s.run.stages import retained
@@ -25,6 +27,7 @@ from flows.family import die_with_the_worker
 from flows.server import tie
 from flows.trial import as_tasks
 from tasks.publish import publish
+from warehouse.ingest import ingest_schedule
 
 tie()
 
@@ -45,6 +48,9 @@ async def reverify(run_id: str, agents: Sequence[str] = (), slots: int | None = 
 async def rejudge(run_id: str, agents: Sequence[str] = (), slots: int | None = None) -> list[dict[str, Any]]:
     """Judge and verify a run's stored evidence anew. Returns the trials whose score changed, before and after.
 
+    Where the judge's code has changed since, the plan goes on with its version of today; rows of the earlier version
+    stay, and are never ranked with the new ones.
+
     Args:
         run_id: folder name of the run.
         agents: only these configurations (default: all).
@@ -58,6 +64,10 @@ async def _again(run_id: str, agents: Sequence[str], again: Again, slots: int | 
     run, plan = shared_plan(run_id)
     suite, store = share_suite(plan.suite_id), open_store()
     with holding(run) as held:
+        if again == "judgements":
+            plan = judged_now(run, plan)
+            store.push_files(RunFolder(run).plan)
+            ingest_schedule(run, suite, plan, warehouse_root())
         chosen = [trial for trial in scheduled(run, suite, plan) if not agents or trial.configuration.name in agents]
         if store.apart:
             for trial in chosen:

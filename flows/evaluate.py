@@ -10,15 +10,15 @@ from pydantic import Field
 
 from c4s.engine import DEFAULT_ENGINE, engine_kinds
 from c4s.home import runs_root, site_root, warehouse_root
-from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
+from c4s.judge.names import DEFAULT_JUDGE
 from c4s.names import place_in
 from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
-from c4s.run.bounds import MOST_FAULTS, MOST_REPEATS, MOST_SLOTS, amount, count, moment
-from c4s.run.choices import check_ready
+from c4s.run.bounds import MOST_FAULTS, MOST_REPEATS, MOST_SLOTS, MOST_TOKENS, amount, count, moment
+from c4s.run.choices import check_judge, check_ready
 from c4s.run.configurations import configuration
 from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all
 from c4s.run.guards import MOST_IN_A_ROW
@@ -45,9 +45,8 @@ from warehouse.ingest import ingest_schedule
 tie()
 if TYPE_CHECKING:
     Engine = str
-    Judge = str
 else:
-    Engine, Judge = Literal[*engine_kinds()], Literal[*JUDGE_NAMES]
+    Engine = Literal[*engine_kinds()]
 
 
 @flow(name="evaluate", flow_run_name="{suite} on {workers}", validate_parameters=False)
@@ -58,12 +57,15 @@ async def evaluate(
     cases: Sequence[str] = (),
     repeats: Annotated[int, Field(ge=1, le=MOST_REPEATS)] = 1,
     policy: str = DEFAULT_POLICY,
-    judge: Judge = DEFAULT_JUDGE,
+    judge: str = DEFAULT_JUDGE,
     engine: Engine = DEFAULT_ENGINE,
     workers: Literal["here", "pools"] = "here",
     slots: Annotated[int | None, Field(ge=1, le=MOST_SLOTS)] = None,
     deadline: str | None = None,
     spend: Annotated[float | None, Field(ge=0)] = None,
+    judge_spend: Annotated[float | None, Field(ge=0)] = None,
+    judge_tokens: Annotated[int | None, Field(ge=0, le=MOST_TOKENS)] = None,
+    accept_faults: bool = False,
     most_faults: Annotated[int, Field(ge=1, le=MOST_FAULTS)] = MOST_IN_A_ROW,
     notify: str | None = None,
 ) -> str:
@@ -79,12 +81,15 @@ async def evaluate(
         cases: only these cases (default: all).
         repeats: repeats of each case.
         policy: id of a score policy that ships.
-        judge: who judges.
+        judge: who judges: a name, or the YAML file of a judge on the machine that runs this flow.
         engine: which engine. Results of different engines are never ranked together.
         workers: here, in this flow's own process; or pools, on the workers of the work pools.
         slots: engine processes at once, where it runs here (default: one a core).
         deadline: no attempt starts after it: 8h, 1h30m, 07:30, 2026-11-24T07:30.
         spend: US dollars that the whole run may spend on models.
+        judge_spend: US dollars that the whole run may spend on its judge.
+        judge_tokens: tokens that the whole run's judge may use.
+        accept_faults: a claim that the judge's endpoint fails on for good is an error, worth 0.
         most_faults: stop when so many trials in a row fail for one cause.
         notify: address or command that is told when a guard stops the run, and how it ends.
     """
@@ -92,6 +97,9 @@ async def evaluate(
     bounds = RunBounds(
         deadline=None if deadline is None else moment(deadline, "deadline"),
         spend_usd=None if spend is None else amount(spend, "spend"),
+        judge_usd=None if judge_spend is None else amount(judge_spend, "judge_spend"),
+        judge_tokens=None if judge_tokens is None else count(judge_tokens, MOST_TOKENS, "judge_tokens", least=0),
+        accept_faults=accept_faults,
         most_faults=count(most_faults, MOST_FAULTS, "most_faults"),
         notify=notify,
     )
@@ -118,6 +126,7 @@ async def evaluate(
         found = look_up(scheduled, plan, warehouse)
         if found.missing:
             check_ready(plan.configurations)
+            check_judge(plan, bounds.judge_usd)
         store.pull_files(RunFolder(run).plan)
         plan = open_run(run, plan)
         send_suite(suite)

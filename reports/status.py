@@ -11,7 +11,7 @@ from markupsafe import Markup
 from c4s.files import write_text
 from c4s.names import shown
 from c4s.records.progress import Snapshot
-from reports.site import HERE, environment
+from reports.frame import STATIC, environment
 from reports.text import clock, span
 
 REFRESH_S = 5
@@ -38,7 +38,7 @@ def write_status(now: Snapshot, page: Path, leaderboard: Path) -> None:
             link=link,
             going=now.going,
             refresh_s=REFRESH_S,
-            style=Markup((HERE / "static" / "style.css").read_text(encoding="utf-8")),
+            style=Markup((STATIC / "style.css").read_text(encoding="utf-8")),
             written=datetime.fromtimestamp(now.time).astimezone().strftime("%Y-%m-%d %H:%M:%S %Z"),
             ends=clock(now.time + now.left_s) if now.left_s is not None else None,
             deadline=clock(now.deadline) if now.deadline is not None else None,

@@ -6,15 +6,27 @@ import hashlib
 import re
 from datetime import datetime
 
+from c4s.numbers import half_up
+
 
 def number(value: float | None, digits: int = 3) -> str:
     """A score with three decimals; a dash where there is none."""
-    return "–" if value is None else f"{value:.{digits}f}"
+    return "–" if value is None else half_up(value, digits)
 
 
 def percent(value: float | None) -> str:
-    """A score as a CSS width."""
-    return "0%" if value is None else f"{100 * value:.2f}%"
+    """A share as a length of drawings that are 100 wide."""
+    return "0" if value is None else f"{100 * value:.2f}"
+
+
+def step(value: float | None) -> str:
+    """The class of a score's shade: ``h0`` to ``h10``; of none, nothing."""
+    return "" if value is None else f"h{round(10 * min(1.0, max(0.0, value)))}"
+
+
+def signed(value: float | None, digits: int = 2) -> str:
+    """A difference with its sign; a dash where there is none."""
+    return "–" if value is None else f"{value:+.{digits}f}".replace("-", "−")
 
 
 def slug(name: str) -> str:
@@ -31,6 +43,11 @@ def span(seconds: float | None) -> str:
         return f"{seconds:.0f} s"
     minutes = round(seconds / 60)
     return f"{minutes} min" if minutes < 100 else f"{minutes // 60} h {minutes % 60} min"
+
+
+def moment(seconds: float | None) -> str:
+    """A time since a start, with a decimal where whole seconds would tell little: ``0.4 s``, ``45 s``, ``12 min``."""
+    return f"{seconds:.1f} s" if seconds is not None and seconds < 20 else span(seconds)
 
 
 def clock(time: float) -> str:

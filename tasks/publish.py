@@ -6,6 +6,7 @@ from pathlib import Path
 
 from prefect import task
 
+from c4s.home import suites_root
 from reports.site import build_site
 from warehouse.database import rebuild
 
@@ -14,4 +15,4 @@ from warehouse.database import rebuild
 def publish(warehouse: Path, site: Path) -> Path:
     """Rebuild the views, render the pages from them; returns the leaderboard page."""
     rebuild(warehouse)
-    return build_site(warehouse, site)
+    return build_site(warehouse, site, suites_root())

@@ -1,14 +1,22 @@
-"""How tests are run: properties are judged by their outcome, and what lasts longest begins first."""
+"""How tests are run: properties are judged by their outcome, what lasts longest begins first, names stay the same."""
 
 from __future__ import annotations
 
+import shutil
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 import pytest
 from hypothesis import HealthCheck, settings
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 settings.register_profile("c4s", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("c4s")
 
 LONGEST = (
+    "run/test_starter_texts.py",
     "run/test_pools.py",
     "run/test_evaluate.py",
     "toolbox/test_shipped_cases.py",
@@ -38,3 +46,22 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Bring the longest modules to the front; the rest stays in its order."""
     rank = {f"tests/{name}": place for place, name in enumerate(LONGEST)}
     items.sort(key=lambda item: rank.get(item.location[0], len(rank)))
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """Headless Chromium; tests are skipped where there is none. It ends with its module: others run event loops."""
+    from playwright.sync_api import sync_playwright
+
+    chromium = shutil.which("chromium") or shutil.which("google-chrome")
+    if chromium is None:
+        pytest.skip("no Chromium on this machine")
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--use-angle=swiftshader"])
+        yield started
+        started.close()
+
+
+def pytest_make_parametrize_id(val: object, argname: str) -> str | None:
+    """Name a case of bytes by its argument: packed bytes hold the hour, and processes must collect the same names."""
+    return argname if isinstance(val, bytes) else None

@@ -15,6 +15,7 @@ from c4s.records.verdict import Verdict
 from c4s.run.plan import Trial
 from c4s.trajectory import Analysis, analyse
 from warehouse.records import AttemptRow, SubmissionRow, ToolUseRow
+from warehouse.usage import usage_columns
 
 Attempts = Sequence[tuple[AttemptRow, Analysis]]
 
@@ -48,6 +49,7 @@ def attempt_rows(trial: Trial, score: TrialScore, key: dict[str, Any]) -> Iterat
                 input_tokens=outcome.input_tokens,
                 output_tokens=outcome.output_tokens,
                 cost_usd=outcome.cost_usd,
+                **usage_columns(folder.usage),
                 message=outcome.message,
             ),
             did,

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import duckdb
+import pyarrow as pa
 
 from c4s.errors import BadInput
 from warehouse.damage import refused
@@ -14,7 +17,7 @@ from warehouse.records import TABLES
 from warehouse.refresh import NAME, catch_up, is_current, open_books, rebuild
 from warehouse.tables import questions
 
-__all__ = ["ask", "catch_up", "connect", "is_current", "questions", "rebuild", "rows"]
+__all__ = ["arrow", "ask", "catch_up", "columns_of", "connect", "is_current", "questions", "rebuild", "rows"]
 
 _ASKING = (duckdb.StatementType.SELECT, duckdb.StatementType.EXPLAIN)
 
@@ -59,6 +62,19 @@ def ask(root: Path, sql: str, *, where: str = "query") -> tuple[list[str], list[
     ``BadInput``, with ``where`` before it, for any other query, and for one that DuckDB refuses, in its words; for rows
     that cannot be read it names their file and the command that makes it anew.
     """
+    with _asked(root, sql, where) as (connection, statement):
+        cursor = connection.execute(statement)
+        return [column[0] for column in cursor.description or []], cursor.fetchall()
+
+
+def arrow(root: Path, sql: str, *, where: str = "query") -> pa.Table:
+    """The same as an Arrow table."""
+    with _asked(root, sql, where) as (connection, statement):
+        return connection.sql(statement.query).to_arrow_table()
+
+
+@contextmanager
+def _asked(root: Path, sql: str, where: str) -> Iterator[tuple[duckdb.DuckDBPyConnection, duckdb.Statement]]:
     with connect(root) as connection:
         try:
             if not sql.isascii():
@@ -69,9 +85,7 @@ def ask(root: Path, sql: str, *, where: str = "query") -> tuple[list[str], list[
                 raise BadInput(told, where=where, todo="ask one")
             if statements[0].type not in _ASKING:
                 raise BadInput("a question only reads", where=where, todo="SELECT ...")
-            cursor = connection.execute(statements[0])
-            columns = [column[0] for column in cursor.description or []]
-            return columns, cursor.fetchall()
+            yield connection, statements[0]
         except UnicodeEncodeError:
             raise BadInput("it is not UTF-8 text", where=where) from None
         except duckdb.IOException as error:
@@ -80,6 +94,15 @@ def ask(root: Path, sql: str, *, where: str = "query") -> tuple[list[str], list[
             raise refused(root, error, where, [*TABLES, *questions()]) from None
         except duckdb.Error as error:
             raise refused(root, error, where, [*TABLES, *questions()]) from None
+
+
+def columns_of(root: Path) -> dict[str, dict[str, str]]:
+    """The columns of every table and question with their DuckDB types, tables first."""
+    found: dict[str, dict[str, str]] = {name: {} for name in (*TABLES, *questions())}
+    sql = "SELECT table_name, column_name, data_type FROM duckdb_columns() WHERE NOT internal AND schema_name = 'main'"
+    for table, column, kind in ask(root, sql)[1]:
+        found.setdefault(table, {})[column] = kind
+    return found
 
 
 def rows(root: Path, sql: str) -> list[dict[str, Any]]:

@@ -13,9 +13,11 @@ import pyarrow.parquet as pq
 from c4s.files import digest_file
 from c4s.records.folder import RunFolder, is_result
 from c4s.records.plan import Plan
+from c4s.records.verdict import Verdict
 from c4s.run.plan import Trial, trial_id
 from c4s.run.store import open_store
 from c4s.run.torn import is_scored
+from c4s.verify.faults import holds_accepted_faults
 from warehouse.ingest import TRIAL_TABLES
 from warehouse.parquet import is_whole, part_path
 
@@ -48,7 +50,8 @@ def held_by(trial: Trial, plan: Plan, warehouse: Path) -> str | None:
     """Id of the run that holds the trial, mostly its own; None where it is not done.
 
     A trial is its content, so another run of the same folder may hold it. The run folder is the truth: a row whose
-    score is not there as it was written, or without the rows of another table, counts for nothing.
+    score is not there as it was written, or without the rows of another table, counts for nothing. A fault that the
+    other run accepted is no score of this one.
     """
     key = trial_id(plan, trial)
 
@@ -66,5 +69,9 @@ def held_by(trial: Trial, plan: Plan, warehouse: Path) -> str | None:
     )
     open_store().pull(folder.root, is_result)
     if not is_scored(folder) or digest_file(folder.score) != row.get("score_sha256"):
+        return None
+    if folder.root != trial.folder.root and any(
+        holds_accepted_faults(Verdict.read(verdict)) for verdict in folder.verdicts.values()
+    ):
         return None
     return str(row["run_id"])

@@ -2,36 +2,36 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from PIL import Image
-
 from c4s.errors import BadInput
-from c4s.files import canonical_json, digest, digest_file, read_json, read_json_lines
+from c4s.files import canonical_json, digest, digest_file, read_json_lines
+from c4s.protocol.rules import NO_SUBMISSION
 from c4s.records.base import Record
 from c4s.records.folder import RunFolder
-from c4s.records.plan import Plan
+from c4s.records.plan import Plan, PlannedCase
 from c4s.records.score import TrialScore
 from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase, WithheldFolder
 from c4s.records.verdict import Verdict
-from c4s.run.check import check_evidence
 from c4s.run.configurations import is_ranked
 from c4s.run.plan import Trial, trial_id, trials
 from c4s.run.torn import check_scored
 from c4s.verify.registry import verifier_named
 from warehouse.behaviour import attempt_rows, submission_rows, tool_use_rows
+from warehouse.calls import call_rows, screenshot_rows
+from warehouse.claims import claim_rows
 from warehouse.components import component_rows
 from warehouse.parquet import is_whole, part_path, write_part
-from warehouse.records import HEADLINES, TABLES, AttemptRow, FindingRow, OutcomeRow, PictureRow, ScheduleRow, VerdictRow
+from warehouse.pictures import CASE_PARTITION, case_pictures, submission_pictures
+from warehouse.records import HEADLINES, TABLES, AttemptRow, FindingRow, OutcomeRow, SceneRow, ScheduleRow, VerdictRow
+from warehouse.scenes import case_scenes, trial_scene
 
-PICTURE_WIDTH = 960
-TRIAL_TABLES = tuple(table for table in TABLES if table != "schedule")
-CASE_PARTITION = "_case"
-"""Partition of pictures that belong to a case, not to a configuration."""
+TRIAL_TABLES = tuple(table for table in TABLES if table not in ("schedule", "shapes"))
+ZERO_CODES = {"zero_missing_submission": NO_SUBMISSION, "zero_missing_result": "missing_result"}
+"""Reason codes of zeros that no verdict gave, by status."""
 
 
 def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None:
@@ -57,26 +57,47 @@ def ingest_schedule(run: Path, suite: Path, plan: Plan, warehouse: Path) -> None
                 scene_id=trial.case.scene_id,
                 policy=plan.policy,
                 judge=plan.judge,
+                judge_version=plan.judge_version,
                 engine=plan.engine,
                 ranked=is_ranked(chosen),
             )
             for trial in trials(run, suite, plan.model_copy(update={"configurations": [chosen]}))
         ]
-        kept = digest([plan.suite_digest, chosen.plain(), plan.policy, plan.judge, plan.engine])[:12]
+        same = [plan.suite_digest, chosen.plain(), plan.policy, plan.judge, plan.judge_version, plan.engine]
+        kept = digest(same)[:12]
         write_part(
             warehouse, "schedule", rows, suite=plan.suite_id, configuration=chosen.name, key=f"{plan.run_id}-{kept}"
         )
     for case in plan.cases:
-        key = f"{case.case_id}-{digest([plan.suite_digest, case.withheld_digest])[:12]}"
-        if not is_whole(part_path(warehouse, "pictures", plan.suite_id, CASE_PARTITION, key)):
-            write_part(
-                warehouse,
-                "pictures",
-                list(_case_pictures(folder, plan, case.case_id)),
-                suite=plan.suite_id,
-                configuration=CASE_PARTITION,
-                key=key,
-            )
+        _ingest_case(folder, plan, case, warehouse)
+
+
+def _ingest_case(folder: SuiteFolder, plan: Plan, case: PlannedCase, warehouse: Path) -> None:
+    """Write the pictures and scenes of a case, once."""
+    part = f"{case.case_id}-{digest([plan.suite_digest, case.withheld_digest])[:12]}"
+    key = {
+        "trial_id": "",
+        "run_id": plan.run_id,
+        "suite": plan.suite_id,
+        "suite_digest": plan.suite_digest,
+        "configuration": CASE_PARTITION,
+        "configuration_digest": "",
+        "case_id": case.case_id,
+        "repeat": 0,
+    }
+    withheld = WithheldFolder(folder.withheld(case.case_id))
+
+    def scenes() -> Iterator[Record]:
+        agent, record = folder.agent_case(case.alias), folder.withheld_case(case.case_id)
+        return case_scenes(agent, record, withheld, key, warehouse)
+
+    made: dict[str, Callable[[], Iterator[Record]]] = {
+        "pictures": lambda: case_pictures(withheld, key),
+        "scenes": scenes,
+    }
+    for table, rows in made.items():
+        if not is_whole(part_path(warehouse, table, plan.suite_id, CASE_PARTITION, part)):
+            write_part(warehouse, table, list(rows()), suite=plan.suite_id, configuration=CASE_PARTITION, key=part)
 
 
 def _case_facts(agent: AgentCase, withheld: WithheldCase) -> dict[str, Any]:
@@ -87,54 +108,32 @@ def _case_facts(agent: AgentCase, withheld: WithheldCase) -> dict[str, Any]:
         "operations": " ".join(withheld.operations),
         "operation_group": withheld.operation_group,
         "difficulty": withheld.difficulty,
+        "visibility": withheld.visibility,
         "proxy_assets": withheld.proxy_assets,
+        "call_budget": agent.budget.tool_calls,
+        "wall_budget_s": 60 * agent.budget.wall_minutes,
     }
 
 
-def _case_pictures(folder: SuiteFolder, plan: Plan, case_id: str) -> Iterator[PictureRow]:
-    for role in ("start", "truth"):
-        for path in sorted(WithheldFolder(folder.withheld(case_id)).views(role).glob("*.png")):
-            width, height, jpeg = _jpeg(path)
-            yield PictureRow(
-                trial_id="",
-                run_id=plan.run_id,
-                suite=plan.suite_id,
-                suite_digest=plan.suite_digest,
-                configuration=CASE_PARTITION,
-                configuration_digest="",
-                case_id=case_id,
-                repeat=0,
-                role=role,
-                view=path.stem,
-                width=width,
-                height=height,
-                jpeg=jpeg,
-            )
-
-
-def _jpeg(path: Path) -> tuple[int, int, bytes]:
-    """A picture as JPEG, at most ``PICTURE_WIDTH`` pixels wide."""
-    with Image.open(path) as image:
-        picture = image.convert("RGB")
-        if picture.width > PICTURE_WIDTH:
-            picture = picture.resize((PICTURE_WIDTH, round(picture.height * PICTURE_WIDTH / picture.width)))
-        buffer = io.BytesIO()
-        picture.save(buffer, "JPEG", quality=85)
-        return picture.width, picture.height, buffer.getvalue()
-
-
 def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
-    """Write all rows of a scored trial, or none; the outcome row comes last, so that it stands for the whole."""
+    """Write all rows of a scored trial, or none; the outcome row comes last, so that it stands for the whole.
+
+    Calls, claims and the pictures that verdicts rest on are kept of public cases only.
+    """
     key = _key(trial, plan)
     place: dict[str, str] = {"suite": plan.suite_id, "configuration": trial.configuration.name, "key": key["trial_id"]}
     verdicts = trial.folder.verdicts
     score = TrialScore.read(trial.folder.score)
     attempts = list(attempt_rows(trial, score, key))
     read = [Verdict.read(path) for path in verdicts.values()]
+    done = [row for row, _ in attempts]
+    public = SuiteFolder(trial.suite).withheld_case(trial.case.case_id).visibility == "public"
     parts: dict[str, Sequence[Record]] = {
-        "attempts": [row for row, _ in attempts],
+        "attempts": done,
         "tool_use": tool_use_rows(attempts, key),
         "python_submissions": submission_rows(attempts, key),
+        "calls": call_rows(trial, done, key) if public else [],
+        "claims": list(claim_rows(trial, plan, key)) if public else [],
         "verdicts": [_verdict_row(path, key) for path in verdicts.values()],
         "components": list(component_rows(read, score, key)),
         "findings": [
@@ -142,8 +141,12 @@ def ingest_trial(trial: Trial, plan: Plan, warehouse: Path) -> None:
             for name, verdict in zip(verdicts, read, strict=True)
             for found in verifier_named(name).findings(verdict)
         ],
-        "pictures": list(_submission_pictures(trial, key)),
-        "outcomes": [_outcome(trial, plan, score, [row for row, _ in attempts], key)],
+        "pictures": [
+            *submission_pictures(trial, key, evidence=public),
+            *(screenshot_rows(trial, done, key) if public else ()),
+        ],
+        "scenes": list(_submission_scene(trial, key, warehouse)),
+        "outcomes": [_outcome(trial, plan, score, done, key)],
     }
     for table, rows in parts.items():
         write_part(warehouse, table, rows, **place)
@@ -176,13 +179,10 @@ def _verdict_row(path: Path, key: dict[str, Any]) -> VerdictRow:
     )
 
 
-def _submission_pictures(trial: Trial, key: dict[str, Any]) -> Iterator[PictureRow]:
-    index = trial.folder.evidence.captures_index
-    if index.is_file():
-        check_evidence(trial.folder)
-        for capture in read_json(index)["views"]:
-            width, height, jpeg = _jpeg(index.parent / capture["file"])
-            yield PictureRow(**key, role="submission", view=capture["name"], width=width, height=height, jpeg=jpeg)
+def _submission_scene(trial: Trial, key: dict[str, Any], warehouse: Path) -> Iterator[SceneRow]:
+    suite = SuiteFolder(trial.suite)
+    agent, withheld = suite.agent_case(trial.case.alias), suite.withheld_case(trial.case.case_id)
+    return trial_scene(agent, withheld, trial.folder.evidence, key, warehouse)
 
 
 def _outcome(
@@ -205,6 +205,7 @@ def _outcome(
         status=score.status,
         score=score.score,
         reason=score.reason,
+        reason_code=_reason_code(trial, score),
         attempts=len(attempts),
         retained_attempt=score.retained_attempt,
         tool_calls=recorded.tool_calls if recorded else None,
@@ -217,10 +218,19 @@ def _outcome(
         ranked=is_ranked(trial.configuration),
         policy=plan.policy,
         judge=plan.judge,
+        judge_version=plan.judge_version,
         engine=plan.engine,
         sandbox=recorded.sandbox if recorded else None,
         score_sha256=digest_file(trial.folder.score),
     )
+
+
+def _reason_code(trial: Trial, score: TrialScore) -> str:
+    """Why a trial is worth zero without being measured, as a code; empty where it was measured or is pending."""
+    if score.status == "zero_invalid_candidate":
+        judged = [folder.integrity for folder in trial.folder.attempts() if folder.integrity.is_file()]
+        return str(Verdict.read(judged[-1]).measurements.get("reason_code", "")) if judged else ""
+    return ZERO_CODES.get(score.status, "")
 
 
 def rebuild_from_run(

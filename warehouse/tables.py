@@ -11,7 +11,7 @@ from warehouse.parquet import arrow_schema
 from warehouse.parts import HELD
 
 SQL = Path(__file__).parent / "sql"
-FOUNDATIONS = ("trials", "case_scores", "setting_means", "leaderboards")
+FOUNDATIONS = ("trials", "case_scores", "setting_means", "leaderboards", "spatial_decisions")
 """Questions that others build on, in this order."""
 KEPT = ("setting_means",)
 """Questions whose answer is kept as a table, made anew when rows change: a leaderboard is made of few rows then."""

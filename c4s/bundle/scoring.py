@@ -24,7 +24,7 @@ from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
 from c4s.verify.physics.support import text_to_scene_support
 from c4s.verify.physics.verifier import PHYSICS
-from c4s.verify.registry import verifiers_of
+from c4s.verify.registry import weighed_of
 from c4s.verify.repair import repair_verdict
 from c4s.verify.repair.verifier import REPAIR
 from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
@@ -58,7 +58,7 @@ def score_bundle(bundle: EvidenceBundle, *, minimum_actors: int = MINIMUM_ACTORS
     if submitted:
         verdicts[GATE] = _integrity(bundle, candidate, minimum_actors)
     if submitted and verdicts[GATE].status == "valid":
-        verdicts |= {row.name: _RECORDED[row.name](bundle, candidate) for row in verifiers_of(setting)}
+        verdicts |= {row.name: _RECORDED[row.name](bundle, candidate) for row in weighed_of(setting)}
     model = manifest.run.model if manifest.run else None
     score = case_score(
         case_id=manifest.task.id,

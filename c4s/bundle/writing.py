@@ -144,8 +144,8 @@ def _evidence(writer: _Writer, folder: TrialFolder, score: TrialScore, withheld:
         return value
     detailed = Verdict.read(folder.verdict(DETAILED.name))
     rows = detailed.measurements.get("semantic_requirement_aggregation", [])
-    if detailed.measurements.get("judge") == "rule":
-        rows = [{**row, "resolved_by": "structured"} for row in rows]
+    by_state = {found["node_id"] for found in detailed.measurements.get("decisions", []) if found["stage"] == "state"}
+    rows = [{**row, "resolved_by": "structured"} if row["node_id"] in by_state else row for row in rows]
     value["semantic"] = {
         "decisions": writer.json("semantic/decisions.json", {"report_status": detailed.status, "decisions": rows})
     }

@@ -60,7 +60,7 @@ def try_agent(
     case: Annotated[str, typer.Option("--case", "-c", help="case id")],
     suite: Annotated[str, typer.Option(help="id of a built suite")] = "starter",
     policy: Annotated[str, typer.Option(help="id of a score policy that ships")] = DEFAULT_POLICY,
-    judge: Annotated[str, typer.Option(help=", ".join(JUDGE_NAMES))] = DEFAULT_JUDGE,
+    judge: Annotated[str, typer.Option(help=f"{', '.join(JUDGE_NAMES)}, or a judge's YAML file")] = DEFAULT_JUDGE,
     engine: Annotated[str, typer.Option(help=", ".join(engine_kinds()))] = DEFAULT_ENGINE,
     open_page: Annotated[
         bool, typer.Option("--open/--no-open", help="open the case page at the end, where there is a desktop")

@@ -1,4 +1,4 @@
-"""``c4s backup`` and ``c4s restore``: the home's runs, suites, packs and warehouse parts, elsewhere and back."""
+"""``c4s backup`` and ``c4s restore``: runs, suites, packs, warehouse parts and human studies, elsewhere and back."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def backup(
     ] = None,
     json_output: Json = False,
 ) -> None:
-    """Copy the home's runs, suites, packs and warehouse parts with their digests.
+    """Copy the home's runs, suites, packs, warehouse parts and human studies with their digests.
 
     The same command again goes on where it was cut off, and copies what has changed. Runs that somebody works on are
     left out, and told.

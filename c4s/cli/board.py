@@ -36,13 +36,17 @@ def leaderboard(suite: str) -> list[dict[str, Any]]:
 def print_leaderboard(suite: str) -> None:
     """Print the leaderboard of a suite with what it may and may not be compared with."""
     found = leaderboard(suite)
-    print_table(
-        list(COLUMNS.values()), [[row[name] for name in COLUMNS] for row in found], title=f"Leaderboard: suite {suite}"
-    )
     judges, engines = {row["judge"] for row in found}, {row["engine"] for row in found}
+    several = len({(row["judge"], row["judge_version"]) for row in found}) > 1
+    columns = COLUMNS | ({"judge": "judge", "judge_version": "its version"} if several else {})
+    if len({row["visibility"] for row in found}) > 1:
+        columns = {"visibility": "panel"} | columns
+    print_table(
+        list(columns.values()), [[row[name] for name in columns] for row in found], title=f"Leaderboard: suite {suite}"
+    )
     say(
         "T2S: text to scene. I2S: image to scene, with its two domains and its Repair F1. "
-        f"Judge: {', '.join(sorted(judges))} (offline; not ranked with results by a model judge). "
+        f"Judge: {', '.join(sorted(judges))} (results by different judges are not ranked together). "
         f"Engine: {', '.join(sorted(engines))} (not ranked with Unreal). "
         "An agent without a rank only validates the evaluator (oracle) or the suite (blind).",
         style="dim",

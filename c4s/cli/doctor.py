@@ -18,6 +18,7 @@ from c4s.engine import backend as backend_of
 from c4s.engine.confine.sandbox import CHOICE, backend, faults
 from c4s.errors import BadInput, MachineryFault
 from c4s.home import home, suites_root
+from c4s.judge.names import JUDGE_NAMES, judge_configuration
 from c4s.records.plan import Configuration
 from c4s.run.store import STORE, open_store
 
@@ -50,6 +51,7 @@ def _findings() -> Iterator[Diagnosis]:
     yield from _prefect()
     for what, there, text in backend_of("unreal").findings():
         yield Diagnosis(what, there, False, text)
+    yield from _judges()
     yield from _clients()
 
 
@@ -72,6 +74,24 @@ def _sandbox() -> Diagnosis:
         if name != used:
             told.append(f"{name} does not work here: {missing}" if missing else _COSTS[name])
     return Diagnosis("sandbox", True, True, "; ".join(told))
+
+
+def _judges() -> Iterator[Diagnosis]:
+    """The model judges that ship: whether an endpoint and key are there for each. None of them is asked anything."""
+    from c4s.judge.model.endpoints import served
+
+    for name in JUDGE_NAMES:
+        chosen = judge_configuration(name)
+        if chosen.kind == "rule":
+            continue
+        try:
+            place = served(chosen)
+        except BadInput as missing:
+            yield Diagnosis(f"judge {name}", False, False, missing.line())
+            continue
+        count = len(place.addresses)
+        text = f"{count} address{'' if count == 1 else 'es'}, {place.parallel} requests at once"
+        yield Diagnosis(f"judge {name}", True, False, text)
 
 
 def _clients() -> Iterator[Diagnosis]:

@@ -11,15 +11,14 @@ from functools import partial
 from c4s.cli.run_view import drawn
 from c4s.cli.suites import built_suite
 from c4s.engine import DEFAULT_ENGINE
-from c4s.home import runs_root, site_root, warehouse_root
+from c4s.home import runs_root, site_root, suites_root, warehouse_root
 from c4s.judge.names import DEFAULT_JUDGE
 from c4s.names import place_in
-from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
-from c4s.run.choices import check_ready
+from c4s.run.choices import baselines_of, check_judge, check_ready
 from c4s.run.configurations import configuration
 from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all, stage_functions
 from c4s.run.headroom import print_line
@@ -89,7 +88,7 @@ def evaluate_here(
     run = place_in(runs_root(), run_id or suite, "run")
     plan = make_plan(
         SuiteFolder(folder),
-        [configuration(name) for name in agents or BASELINES],
+        [configuration(name) for name in agents or baselines_of(SuiteFolder(folder), cases)],
         run_id=run.name,
         policy=policy,
         judge=judge,
@@ -108,6 +107,7 @@ def evaluate_here(
         found = look_up(scheduled, plan, warehouse)
         if found.missing:
             check_ready(plan.configurations)
+            check_judge(plan, bounds.judge_usd)
         plan = open_run(run, plan)
         send_suite(suite)
         store.push_files(RunFolder(run).plan)
@@ -124,7 +124,7 @@ def evaluate_here(
                 with drawn(progress):
                     refused += asyncio.run(_run(ready, plan, pool, held, overseer))
                     rebuild(warehouse)
-                    build_site(warehouse, site_root())
+                    build_site(warehouse, site_root(), suites_root())
                     store.push_files(site_root())
                 refuse_pending(refused, len(scheduled))
         refuse_pending(refused, len(scheduled))

@@ -9,6 +9,7 @@ import typer
 
 from c4s.cli import (
     agent,
+    analyze,
     backups,
     boundary,
     bundle,
@@ -16,6 +17,8 @@ from c4s.cli import (
     demo,
     doctor,
     engine,
+    human,
+    judge,
     report,
     run,
     runs_commands,
@@ -44,6 +47,8 @@ app.command("restore")(backups.restore)
 app.add_typer(agent.app, name="agent")
 app.command("serve")(serve.serve)
 app.add_typer(verify.app, name="verify")
+app.add_typer(judge.app, name="judge")
+app.add_typer(human.app, name="human")
 app.command("score")(score.score)
 app.add_typer(bundle.app, name="bundle")
 app.add_typer(suite.app, name="suite")
@@ -51,6 +56,7 @@ app.add_typer(catalog.app, name="catalog")
 app.add_typer(engine.app, name="engine")
 app.command("report")(report.report)
 app.command("sql")(sql.sql)
+app.command("analyze")(analyze.analyze)
 app.command("up")(service.up)
 app.command("down")(service.down)
 app.command("worker")(service.worker)

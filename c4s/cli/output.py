@@ -18,13 +18,15 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from c4s.cli.layout import cut_digests, is_numeric, laid_out, widths_of
 from c4s.errors import BadInput
 from c4s.names import shown
+from c4s.numbers import half_up
 
 PLAIN_COLUMNS = 160
 """Width of output that goes to a file or a pipe and not to a terminal."""
-NARROW_TEXT, NARROW_NAME = 12, 5
-"""The least width of a column of texts, and of any column for its name."""
+EDGE = 2
+"""Letters that a table leaves free at its right."""
 console = Console(width=None if sys.stdout.isatty() or "COLUMNS" in os.environ else PLAIN_COLUMNS)
 progress_console = Console(stderr=True)
 """Progress goes to standard error, so that output can be piped."""
@@ -68,35 +70,52 @@ def cell(value: Any) -> str:
         return "–"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return f"{value:.3f}" if isinstance(value, float) else shown(str(value), keep="\n")
+    return half_up(value, 3) if isinstance(value, float) else shown(str(value), keep="\n")
 
 
-def print_table(columns: Sequence[str], rows: Sequence[Sequence[Any]], *, title: str = "") -> None:
+def print_table(columns: Sequence[str], rows: Sequence[Sequence[Any]], *, title: str = "", most: int = 0) -> None:
     """A table; numbers are right-aligned, and what stands in a cell is text: brackets in it mean nothing.
 
-    Where the columns do not fit side by side, each row is a block with a line a column.
+    Where the columns do not fit side by side, they come in groups, each with the columns that tell the rows apart; one
+    or two rows are told column by column. No number and no word is folded that has room on a line.
+
+    Args:
+        most: rows that are shown; all with 0.
     """
+    told = [[cell(value) for value in row] for row in (rows[:most] if most else rows)]
+    titles = [shown(column) for column in columns]
+    laid = laid_out(titles, told, console.width - EDGE)
+    if laid.same or len(laid.groups) > 1:
+        told = [cut_digests(row) for row in told]
+        laid = laid_out(titles, told, console.width - EDGE)
+    if not laid.groups:
+        _print_blocks(columns, rows, title)
+        return
+    for place, group in enumerate(laid.groups):
+        if place:
+            console.print()
+        _print_group(titles, told, [*laid.keys, *group], "" if place else title)
+    if len(told) < len(rows):
+        say(f"… {len(rows) - len(told):,} more rows")
+    if laid.same:
+        console.print(Text("In all rows: " + ", ".join(f"{titles[one]} {told[0][one]}" for one in laid.same)))
+
+
+def _print_group(titles: Sequence[str], rows: Sequence[Sequence[str]], places: Sequence[int], title: str) -> None:
     table = Table(
-        title=Text(shown(title)) if title else None,
+        title=Text(shown(title), overflow="fold") if title else None,
         title_justify="left",
         header_style="bold",
         show_edge=False,
         pad_edge=False,
     )
-    width = 3 * (len(columns) - 1)
-    for index, column in enumerate(columns):
-        numeric = any(isinstance(row[index], int | float) for row in rows)
-        widest = max((len(cell(row[index])) for row in rows), default=0)
-        narrowest = widest if numeric else min(widest, NARROW_TEXT)
-        table.add_column(
-            Text(shown(column)), justify="right" if numeric else "left", overflow="fold", min_width=narrowest
-        )
-        width += max(narrowest, NARROW_NAME)
-    if width > console.width:
-        _print_blocks(columns, rows, title)
-        return
-    for row in rows:
-        table.add_row(*(Text(cell(value)) for value in row))
+    shown_rows = [[row[place] for place in places] for row in rows]
+    widths = widths_of([titles[place] for place in places], shown_rows, console.width - EDGE)
+    for place, width in zip(places, widths, strict=True):
+        right = is_numeric([row[place] for row in rows])
+        table.add_column(Text(titles[place]), justify="right" if right else "left", overflow="fold", width=width)
+    for row in shown_rows:
+        table.add_row(*map(Text, row))
     console.print(table)
 
 

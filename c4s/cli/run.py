@@ -13,20 +13,25 @@ from c4s.engine import DEFAULT_ENGINE, engine_kinds
 from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
 from c4s.names import checked_name
 from c4s.protocol.rules import DEFAULT_POLICY
-from c4s.run.bounds import MOST_FAULTS, MOST_REPEATS, MOST_SLOTS, amount, moment
+from c4s.run.bounds import MOST_FAULTS, MOST_REPEATS, MOST_SLOTS, MOST_TOKENS, amount, moment
 
 
 def run(
     suite: Annotated[str, typer.Argument(help="id of a built suite")],
     agent: Annotated[
         list[str] | None,
-        typer.Option("--agent", "-a", help="configuration name or YAML file; repeatable (default: the six baselines)"),
+        typer.Option(
+            "--agent",
+            "-a",
+            help="configuration name or YAML file; repeatable (default: the six baselines; "
+            "without the oracle where a case has no original)",
+        ),
     ] = None,
     case: Annotated[list[str] | None, typer.Option("--case", "-c", help="only this case; repeatable")] = None,
     run_id: Annotated[str | None, typer.Option(help="folder name of the run (default: the suite's id)")] = None,
     repeats: Annotated[int, typer.Option(min=1, max=MOST_REPEATS, help="repeats of each case")] = 1,
     policy: Annotated[str, typer.Option(help="id of a score policy that ships")] = DEFAULT_POLICY,
-    judge: Annotated[str, typer.Option(help=", ".join(JUDGE_NAMES))] = DEFAULT_JUDGE,
+    judge: Annotated[str, typer.Option(help=f"{', '.join(JUDGE_NAMES)}, or a judge's YAML file")] = DEFAULT_JUDGE,
     engine: Annotated[str, typer.Option(help=", ".join(engine_kinds()))] = DEFAULT_ENGINE,
     slots: Annotated[
         int | None, typer.Option(min=1, max=MOST_SLOTS, help="engines at once (default: one a core)")
@@ -41,6 +46,19 @@ def run(
         float | None,
         typer.Option(min=0, help="US dollars that the whole run may spend (default: C4S_SPENDING_LIMIT_USD)"),
     ] = None,
+    judge_spend: Annotated[
+        float | None,
+        typer.Option(min=0, help="US dollars that the whole run may spend on its judge (default: no limit)"),
+    ] = None,
+    judge_tokens: Annotated[
+        int | None, typer.Option(min=0, max=MOST_TOKENS, help="tokens that the whole run's judge may use")
+    ] = None,
+    accept_faults: Annotated[
+        bool,
+        typer.Option(
+            "--accept-faults", help="a claim that the judge's endpoint fails on for good is an error, worth 0"
+        ),
+    ] = False,
     most_faults: Annotated[
         int, typer.Option(min=1, max=MOST_FAULTS, help="stop when so many trials in a row fail for one cause")
     ] = 20,
@@ -78,6 +96,9 @@ def run(
         bounds=RunBounds(
             deadline=None if deadline is None else moment(deadline, "--deadline"),
             spend_usd=None if spend is None else amount(spend, "--spend"),
+            judge_usd=None if judge_spend is None else amount(judge_spend, "--judge-spend"),
+            judge_tokens=judge_tokens,
+            accept_faults=accept_faults,
             most_faults=most_faults,
             notify=notify,
         ),

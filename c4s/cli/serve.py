@@ -24,7 +24,7 @@ def serve(
         float, typer.Option(min=0, max=LONGEST_WAIT_S, help="seconds without a call after a save until that is scored")
     ] = AFTER_SAVE_S,
     policy: Annotated[str, typer.Option(help="id of a score policy that ships")] = DEFAULT_POLICY,
-    judge: Annotated[str, typer.Option(help=", ".join(JUDGE_NAMES))] = DEFAULT_JUDGE,
+    judge: Annotated[str, typer.Option(help=f"{', '.join(JUDGE_NAMES)}, or a judge's YAML file")] = DEFAULT_JUDGE,
     engine: Annotated[str, typer.Option(help=", ".join(engine_kinds()))] = DEFAULT_ENGINE,
     json_output: Annotated[
         bool, typer.Option("--json", help="a line of JSON once clients can connect, and one with the score")

@@ -16,8 +16,11 @@ from c4s.home import warehouse_root
 
 def sql(
     query: Annotated[str | None, typer.Argument(help="SQL, a question's name, or a .sql file")] = None,
-    out: Annotated[Path | None, typer.Option(help="write the rows to a .csv or .parquet file")] = None,
+    out: Annotated[Path | None, typer.Option(help="write the rows to a .csv, .parquet or .xlsx file")] = None,
     replace: Annotated[bool, typer.Option("--replace", help="overwrite a file of this name")] = False,
+    shell: Annotated[
+        bool, typer.Option("--shell", help="ask one question after another; without a terminal, read a script")
+    ] = False,
     json_output: Annotated[bool, typer.Option("--json", help="rows as a JSON array")] = False,
 ) -> None:
     """Ask the warehouse in SQL. Without a query, list the named questions.
@@ -27,6 +30,13 @@ def sql(
     from warehouse.database import ask, catch_up, questions
     from warehouse.records import TABLES
 
+    if shell:
+        if query is not None or out is not None or json_output:
+            raise BadInput("--shell asks for nothing else", todo="c4s sql --shell")
+        from c4s.cli.shell import run_shell
+
+        catch_up(warehouse_root())
+        raise typer.Exit(run_shell())
     if query is None and out is not None:
         raise BadInput("--out needs a query", todo="c4s sql leaderboard --out leaderboard.csv")
     if query is None:
@@ -51,7 +61,9 @@ def sql(
         from warehouse.frames import export
 
         check_new_file(out)
-        count = export(warehouse_root(), text, out, replace=replace, where=where)
+        count = export(
+            warehouse_root(), text, out, replace=replace, where=where, name=query if query in questions() else "rows"
+        )
         print_json({"file": str(out), "rows": count}) if json_output else say(f"{count} rows: {out}")
         return
     columns, rows = ask(warehouse_root(), text, where=where)

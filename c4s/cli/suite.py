@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from c4s.cli import requirements
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
@@ -14,6 +15,7 @@ from c4s.cli.suites import built_suite
 from c4s.errors import BadInput, unknown
 from c4s.home import packs_root, suites_root
 from c4s.names import checked_id, checked_name, place_in
+from c4s.numbers import half_up
 from c4s.packs.suite_check import suite_changes
 from c4s.protocol.settings import is_construction
 from c4s.records.suite import Suite, SuiteFolder
@@ -22,6 +24,7 @@ from c4s.trees import refuse
 app = typer.Typer(help="Suites: build, list, show, check, import.", no_args_is_help=True)
 importing = typer.Typer(help="Bring other layouts in as a suite.", no_args_is_help=True)
 app.add_typer(importing, name="import")
+app.add_typer(requirements.app, name="requirements")
 Replace = Annotated[
     bool, typer.Option("--replace", help="replace what lies under this name and is another, or was changed")
 ]
@@ -135,7 +138,7 @@ def audit_suite(
     else:
         print_table(
             ["case", "best blind way", "F1"],
-            [[row.case_id, row.best[0] if row.best[1] else "none", f"{row.best[1]:.3f}"] for row in rows],
+            [[row.case_id, row.best[0] if row.best[1] else "none", half_up(row.best[1], 3)] for row in rows],
             title=f"Repairs of {name} guessed without a picture",
         )
         if means:

@@ -20,7 +20,7 @@ from c4s.records.folder import AttemptFolder, RunFolder
 from c4s.records.plan import Configuration, Plan
 from c4s.records.score import TrialScore
 from c4s.records.suite import SuiteFolder
-from c4s.run.choices import check_ready
+from c4s.run.choices import check_judge, check_ready
 from c4s.run.drive import in_slots, stage_functions
 from c4s.run.lease import Held, holding
 from c4s.run.limits import Stage
@@ -50,6 +50,7 @@ class Try:
             SuiteFolder(suite), [chosen], run_id="try", policy=policy, judge=judge, engine=engine, cases=[case]
         )
         check_ready(plan.configurations)
+        check_judge(plan)
         root = _new_folder(home() / "tries", f"{chosen.name}-{plan.cases[0].alias}")
         plan = open_run(root / "run", plan)
         return cls(root, suite, plan, next(iter(trials(root / "run", suite, plan))))
@@ -61,7 +62,7 @@ class Try:
 
     def publish(self) -> Path:
         """Pages of this trial alone; returns its case page."""
-        return _publish(self.root, self.suite, self.plan, self.trial.case.case_id)
+        return _publish(self.root, self.suite, self.trial.case.case_id)
 
 
 def _new_folder(root: Path, stem: str) -> Path:
@@ -112,9 +113,9 @@ def say_ending(attempt: Path) -> None:
     )
 
 
-def _publish(root: Path, suite: Path, plan: Plan, case: str) -> Path:
+def _publish(root: Path, suite: Path, case: str) -> Path:
+    from reports.frame import boards, links
     from reports.site import build_site
-    from reports.text import slug
     from warehouse.database import rebuild
     from warehouse.ingest import rebuild_from_run
 
@@ -122,7 +123,7 @@ def _publish(root: Path, suite: Path, plan: Plan, case: str) -> Path:
         raise left_out
     rebuild(root / "warehouse")
     build_site(root / "warehouse", root / "site")
-    return root / "site" / "cases" / f"{slug(plan.suite_id)}--{slug(case)}.html"
+    return root / "site" / links.case(boards(root / "warehouse")[0], case)
 
 
 def print_score(trial: Trial, score: TrialScore) -> None:

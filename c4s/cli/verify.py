@@ -10,6 +10,7 @@ import typer
 from c4s.cli.batches import write_rows
 from c4s.cli.output import print_json, print_table, say
 from c4s.errors import BadInput, MachineryFault, unknown
+from c4s.numbers import half_up
 from c4s.protocol.settings import SETTINGS, TEXT_TO_SCENE
 from c4s.records.snapshot import read_snapshot
 from c4s.records.verdict import Verdict
@@ -30,7 +31,7 @@ def _print(verdict: Verdict, json_output: bool) -> None:
 
 
 def _print_text(verdict: Verdict) -> None:
-    score = "–" if verdict.score is None else f"{verdict.score:.3f}"
+    score = "–" if verdict.score is None else half_up(verdict.score, 3)
     say(f"{verdict.verifier}: {verdict.status}, score {score}{'. ' + verdict.reason if verdict.reason else ''}")
     if verdict.population:
         print_table(["population", "count"], [[name, count] for name, count in verdict.population.items()])

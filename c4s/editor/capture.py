@@ -59,6 +59,16 @@ def capture_views(cameras: Sequence[Camera], folder: str, mode: str = "lit", act
     ]
 
 
+def probe_views(cameras: Sequence[Camera]) -> list[Record] | None:
+    """What each camera would see, cheaply and without a picture; null where this editor has no actor masks.
+
+    A record holds ``visible`` (pixels of each actor by object name), ``edge`` (object names of the actors that touch
+    the border), ``near_share`` (share of the pixels that show something within 40 cm) and ``empty_share``.
+    """
+    pictures = host().pictures
+    return None if pictures is None else pictures.probe(_named(cameras))
+
+
 def plan_views(cameras: Sequence[Camera], mode: str = "lit") -> list[Record]:
     """What ``capture_views`` would return, without ``visible``; nothing is rendered.
 

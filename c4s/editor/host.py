@@ -23,6 +23,10 @@ class Pictures(Protocol):
         """Write a PNG a file, with ``masks`` also the file's ``.actors.npz``: ``{"visible": {actor name: pixels}}``."""
         ...
 
+    def probe(self, cameras: Sequence[Camera]) -> list[Record]:
+        """What each camera would see: ``visible``, ``edge``, ``near_share``, ``empty_share`` (``probe_views``)."""
+        ...
+
     def keys(self, cameras: Sequence[Camera], mode: str) -> list[str]:
         """A digest a camera: pictures with masks of equal digests are the same bytes."""
         ...

@@ -132,6 +132,13 @@ class _View(_Open):
     visible: dict[str, Count] = {}
 
 
+class _Glimpse(_Closed):
+    visible: dict[Text, Count]
+    edge: Texts
+    near_share: Annotated[float, Field(ge=0, le=1)]
+    empty_share: Annotated[float, Field(ge=0, le=1)]
+
+
 SHAPES: Final[Mapping[str, TypeAdapter[Any]]] = {
     "scene_tools.actor_ids": TypeAdapter(Texts),
     "scene_tools.current_level": TypeAdapter(Text),
@@ -152,6 +159,7 @@ SHAPES: Final[Mapping[str, TypeAdapter[Any]]] = {
     "dependencies.export_dependencies": TypeAdapter(_Dependencies),
     "capture.plan_views": TypeAdapter(list[_View]),
     "capture.capture_views": TypeAdapter(list[_View]),
+    "capture.probe_views": TypeAdapter(list[_Glimpse] | None),
 }
 M = TypeVar("M", bound=BaseModel)
 

@@ -8,28 +8,25 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any
 
 from c4s.engine import Engine, EngineCallError, open_engine
 from c4s.engine.answers import ask
 from c4s.engine.content import content_fault
 from c4s.errors import BadInput, MachineryFault, ReasonCode
 from c4s.evidence.folder import replace_captures, replace_exported
-from c4s.evidence.masks import with_masks
-from c4s.evidence.pictures import take_pictures
+from c4s.evidence.masks import Tracer, with_masks
+from c4s.evidence.pictures import TIMEOUT_S, plain, take_pictures
+from c4s.evidence.shots import Camera, Cameras, Glimpse, Shots, Snapshot
 from c4s.files import read_json, write_json
+from c4s.records.captures import Captures, View
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
 
-Snapshot = dict[str, Any]
-Cameras = Sequence[Mapping[str, Any]] | Callable[[Snapshot], Sequence[Mapping[str, Any]]]
-"""Cameras as in ``c4s.editor.capture``, or a function of the snapshot that gives them."""
-
-CAPTURES_VERSION = "c4s.captures.v1"
 _EXPORT_TIMEOUT_S = 1800.0
+_TOLD = ("purpose", "pair")
 
 
 class SceneUnreadable(BadInput):
@@ -46,6 +43,7 @@ class CleanEngine:
     def __init__(self, engine: Engine, package: str, folder: Path, packs: Sequence[Path]) -> None:
         self._engine, self._package, self._folder, self._packs = engine, package, folder, packs
         self._looks = 0
+        self._tracer: Tracer | None = None
 
     def snapshot(self) -> Snapshot:
         """The snapshot of the level. ``MachineryFault`` when it says that another engine made it."""
@@ -85,25 +83,50 @@ class CleanEngine:
         _same_engine(self._engine, snapshot)
         self._looks += 1
         pictures = self._folder / "engine" / f"captures-{self._looks}"
-        views = views_of(cameras, snapshot)
+        shots = cameras(snapshot, self.probe) if callable(cameras) else Shots(cameras)
         with _refusals("cannot_be_drawn", "the level cannot be drawn", self._package):
-            records = take_pictures(self._engine, views, pictures, keep=keep_pictures)
-        records = with_masks(records, pictures, snapshot, self._packs)
+            records = take_pictures(self._engine, shots.cameras, pictures, keep=keep_pictures)
+        if not all("actors" in record for record in records):
+            records = with_masks(records, pictures, self._traced(snapshot))
         with tempfile.TemporaryDirectory(dir=self._folder) as folder:
             made = EvidenceFolder(Path(folder))
             if pictures.is_dir():
                 shutil.copytree(pictures, made.captures)
-            write_json(
-                made.captures_index,
-                {
-                    "schema_version": CAPTURES_VERSION,
-                    "engine": self._engine.kind,
-                    "engine_version": self._engine.version,
-                    "package": self._package,
-                    "views": records,
-                },
-            )
+            views = [
+                View.parse({**record, **{key: camera[key] for key in _TOLD if key in camera}})
+                for record, camera in zip(records, shots.cameras, strict=True)
+            ]
+            for taken in shots.taken:
+                for name in filter(None, (taken.view.file, taken.view.actors)):
+                    made.captures.mkdir(exist_ok=True)
+                    shutil.copyfile(taken.folder / name, made.captures / name)
+            Captures(
+                engine=self._engine.kind,
+                engine_version=self._engine.version,
+                package=self._package,
+                views=[*views, *(taken.view for taken in shots.taken)],
+                claims=dict(shots.claims),
+            ).write(made.captures_index)
             replace_captures(made, EvidenceFolder(out))
+
+    def probe(self, cameras: Sequence[Camera]) -> Sequence[Glimpse]:
+        """What each camera would see of the level, from its actor mask; nothing is written.
+
+        An engine that has no masks is not asked: its snapshot is traced (``c4s.evidence.masks``).
+        """
+        if not cameras:
+            return []
+        with _refusals("cannot_be_drawn", "the level cannot be drawn", self._package):
+            told: list[Glimpse] | None = ask(
+                self._engine, "capture.probe_views", cameras=plain(cameras), timeout_s=TIMEOUT_S
+            )
+        return self._traced(None).glimpses(cameras) if told is None else told
+
+    def _traced(self, snapshot: Snapshot | None) -> Tracer:
+        """What traces the open level in the engine's place; its snapshot is exported where none is given."""
+        if self._tracer is None:
+            self._tracer = Tracer(self.snapshot() if snapshot is None else snapshot, self._packs)
+        return self._tracer
 
 
 @contextmanager
@@ -171,11 +194,6 @@ def _opened(
         except BadInput as error:
             raise SceneUnreadable(error.what, code="unloadable", where=error.where, todo=error.todo) from error
         yield CleanEngine(session, package, Path(name), packs)
-
-
-def views_of(cameras: Cameras, snapshot: Snapshot) -> Sequence[Mapping[str, Any]]:
-    """The cameras for a scene."""
-    return cameras(snapshot) if callable(cameras) else cameras
 
 
 @contextmanager

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from c4s.errors import BadInput
-from c4s.evidence.clean import Cameras, Snapshot, open_clean, open_level, views_of
-from c4s.files import read_json, write_json
-from c4s.records.folder import EvidenceFolder
+from c4s.evidence.clean import open_clean, open_level
+from c4s.evidence.shots import Cameras, Snapshot
+from c4s.files import write_json
 
 
 def export_evidence(
@@ -51,13 +51,12 @@ def look(
 
     See ``CleanEngine.look``. ``BadInput`` without a camera: no engine is started for nothing.
     """
-    views = views_of(cameras, read_json(EvidenceFolder(out).snapshot, what="snapshot"))
-    if not views:
+    if not cameras:
         raise BadInput("no camera to look from", where=str(out))
     with open_clean(
         engine=engine, packs=packs, submission_content=submission_content, package=package, offered=offered
     ) as clean:
-        clean.look(out, views, keep_pictures=keep_pictures)
+        clean.look(out, cameras, keep_pictures=keep_pictures)
 
 
 def export_and_look(

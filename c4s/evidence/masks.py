@@ -15,29 +15,38 @@ import numpy as np
 from c4s.geometry.transform import affine
 from c4s.packs.meshes import Mesh
 from c4s.packs.store import PackStore
-from c4s.render import Instance, Lights, Renderer, SurfaceMaterial
-from c4s.render.masks import LEAST_VOLUME, camera_of, mask_name, visible, write_mask
+from c4s.render import Instance, Lights, Picture, Renderer, SurfaceMaterial
+from c4s.render.masks import LEAST_VOLUME, camera_of, glimpse, mask_name, visible, write_mask
 
 Record = dict[str, Any]
 _GREY = (SurfaceMaterial(),)
 
 
-def with_masks(
-    records: Sequence[Record], folder: Path, snapshot: Mapping[str, Any], packs: Sequence[Path]
-) -> list[Record]:
-    """The records of pictures in ``folder`` with the masks that they lack, which are written beside them."""
-    if all("actors" in record for record in records):
-        return list(records)
-    names = [str(actor["name"]) for actor in snapshot["actors"]]
-    labels = [str(actor["label"]) for actor in snapshot["actors"]]
-    meshes, instances = _placed(snapshot, PackStore(packs))
-    renderer = Renderer(meshes, instances, Lights())
+class Tracer:
+    """A scene as its snapshot and the packs tell it, ready to say which actor a pixel shows."""
+
+    def __init__(self, snapshot: Mapping[str, Any], packs: Sequence[Path]) -> None:
+        self.names = [str(actor["name"]) for actor in snapshot["actors"]]
+        self.labels = [str(actor["label"]) for actor in snapshot["actors"]]
+        meshes, instances = _placed(snapshot, PackStore(packs))
+        self._renderer = Renderer(meshes, instances, Lights())
+
+    def picture(self, camera: Mapping[str, Any], samples: int = 4) -> Picture:
+        """A picture without light, of which mask and depth count."""
+        return self._renderer.render(camera_of(camera), mode="base_color", samples=samples)
+
+    def glimpses(self, cameras: Sequence[Mapping[str, Any]]) -> list[Record]:
+        """What each camera would see."""
+        return [glimpse(self.picture(camera, samples=1), self.names) for camera in cameras]
+
+
+def with_masks(records: Sequence[Record], folder: Path, tracer: Tracer) -> list[Record]:
+    """The records of pictures in ``folder`` with masks, which are written beside them."""
     completed = []
     for record in records:
-        picture = renderer.render(camera_of(record["camera"]), mode="base_color")
-        write_mask(folder / mask_name(record["name"]), picture, names, labels)
-        completed.append({**record, "actors": mask_name(record["name"]), "visible": visible(picture, names)})
-    renderer.close()
+        picture = tracer.picture(record["camera"])
+        write_mask(folder / mask_name(record["name"]), picture, tracer.names, tracer.labels)
+        completed.append({**record, "actors": mask_name(record["name"]), "visible": visible(picture, tracer.names)})
     return completed
 
 

@@ -34,7 +34,7 @@ def take_pictures(
     """
     if not cameras:
         return []
-    given = [dict(camera) for camera in cameras]
+    given = plain(cameras)
     planned: list[Record] = ask(engine, "capture.plan_views", cameras=given)
     keys: list[str | None] = [record.pop("key", None) for record in planned]
     missing = [camera for camera, key in zip(given, keys, strict=True) if key is None or not _is_kept(key)]
@@ -59,6 +59,11 @@ def take_pictures(
             if keep and key is not None:
                 _keep(key, new, folder)
     return records
+
+
+def plain(cameras: Sequence[Mapping[str, Any]]) -> list[Record]:
+    """Cameras as an engine is told of them, without what they are for."""
+    return [{key: value for key, value in camera.items() if key not in ("purpose", "pair")} for camera in cameras]
 
 
 def _files(key: str) -> tuple[Path, Path, Path]:

@@ -1,3 +1,3 @@
 """Judges: they answer the claims of a requirement bundle and write judgements."""
 
-__all__ = ["names", "registry"]
+__all__ = ["check", "desk", "model", "names", "registry"]

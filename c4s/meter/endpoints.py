@@ -28,6 +28,10 @@ class ModelEndpoint(Record):
     """Header for the key where it is not the format's own; ``authorization`` is sent as a bearer token."""
     headers: dict[str, str] = Field(default_factory=dict)
     """Further headers of every request."""
+    replicas: list[str] = Field(default_factory=list)
+    """Further addresses that serve the same models. A judge spreads its requests over all; agents use ``url``."""
+    parallel: int | None = Field(default=None, ge=1, le=256)
+    """Requests of one submission's judge at once, over all addresses."""
 
     def header_of(self, wire: Wire | None) -> str:
         """The header that carries the key."""
@@ -83,13 +87,22 @@ def model_endpoint(name: str) -> ModelEndpoint:
             where=str(endpoint_path()),
             todo=f"describe it there, or use one of {', '.join(sorted({**KNOWN, **own}))}",
         )
-    address = urlsplit(found.url)
-    if address.scheme not in ("http", "https") or not address.hostname:
-        raise BadInput(f"model endpoint {name!r} has no http address: {found.url!r}")
+    for url in (found.url, *found.replicas):
+        check_address(url, f"model endpoint {name!r}")
     unknown = set(found.formats) - set(BY_NAME)
     if unknown or not found.formats:
         raise BadInput(f"model endpoint {name!r} names no wire format of {', '.join(BY_NAME)}")
     return found
+
+
+def check_address(url: str, what: str) -> None:
+    """``BadInput`` for what is no HTTP address."""
+    try:
+        address = urlsplit(url)
+    except ValueError:
+        address = urlsplit("")
+    if address.scheme not in ("http", "https") or not address.hostname:
+        raise BadInput(f"{what} has no http address: {url!r}")
 
 
 def key_of(name: str, endpoint: ModelEndpoint) -> str | None:

@@ -75,7 +75,7 @@ class MeterRun:
         if self.ledger is None:
             return None, ""
         price = self.price(model)
-        entry = self.ledger.hold(None if price is None else _estimate(wire, body, price))
+        entry = self.ledger.hold(None if price is None else estimate_usd(wire, body, price))
         if entry is not None:
             return entry, ""
         if price is None:
@@ -117,13 +117,19 @@ def _whole(value: Any) -> Any:
     return value.encode("utf-8", "replace").decode() if isinstance(value, str) else value
 
 
-def _estimate(wire: Wire, body: Mapping[str, Any], price: Price) -> float:
-    """What a request may cost before anything is known of it: its text at four characters a token, a flat number of
-    tokens a picture, and its own output limit up to 8,192 tokens."""
+def estimate_usd(wire: Wire, body: Mapping[str, Any], price: Price) -> float:
+    """What a request may cost before anything is known of it, at the dearest price of its input."""
+    read, written = estimate_tokens(wire, body)
+    dearest = max(price.input, price.cache_write or 0, price.cache_write_1h or 0)
+    return (read * dearest + written * price.output) / MILLION
+
+
+def estimate_tokens(wire: Wire, body: Mapping[str, Any]) -> tuple[float, int]:
+    """Tokens that a request may read and write: its text at four characters a token, a flat number of tokens a picture,
+    and its own output limit up to 8,192 tokens."""
     characters, pictures = _size(body)
     output = min(wire.most_output(body) or ASSUMED_OUTPUT_TOKENS, ASSUMED_OUTPUT_TOKENS)
-    dearest = max(price.input, price.cache_write or 0, price.cache_write_1h or 0)
-    return ((characters / CHARACTERS_A_TOKEN + pictures * PICTURE_TOKENS) * dearest + output * price.output) / MILLION
+    return characters / CHARACTERS_A_TOKEN + pictures * PICTURE_TOKENS, output
 
 
 def _size(value: Any) -> tuple[int, int]:

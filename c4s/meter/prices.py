@@ -6,9 +6,9 @@ a model and day that both name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-from datetime import date
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, date, datetime
 from pathlib import Path
 
 from pydantic import Field
@@ -50,12 +50,18 @@ class PriceFile(Record):
     prices: list[Price]
 
 
+COST_CLASSES = ("fresh_input", "cache_read", "cache_write", "output")
+"""What is priced apart."""
+
+
 @dataclass(frozen=True)
 class Cost:
     """US dollars; None is unknown, and ``reason`` says why."""
 
     usd: float | None
     reason: str = ""
+    classes: Mapping[str, float] = field(default_factory=dict)
+    """US dollars of each of ``COST_CLASSES``; empty where the cost is unknown."""
 
 
 class PriceTable:
@@ -84,22 +90,25 @@ class PriceTable:
         return next((row for row in reversed(found) if row.valid_from == newest), None)
 
 
+def price_today(model: str | None) -> Price | None:
+    """The row in force today, of the shipped table or the operator's; None where there is none."""
+    return PriceTable.load().price(model, datetime.now(UTC).date())
+
+
 def cost_of(usage: Usage, price: Price | None) -> Cost:
     """The cost of a request. Unknown where a class that matters is unknown; a class with 0 tokens never matters."""
     if price is None:
         return Cost(None, "no price for this model")
     if usage.output_tokens is None:
         return Cost(None, "output tokens are unknown")
-    total = usage.output_tokens * price.output
+    output = usage.output_tokens * price.output
     one_price = price.cache_read is None and price.cache_write is None and price.cache_write_1h is None
     if one_price and usage.input_tokens is not None:
-        return Cost((total + usage.input_tokens * price.input) / MILLION)
+        return _cost(usage.input_tokens * price.input, 0.0, 0.0, output)
     if usage.fresh_input_tokens is None:
         return Cost(None, "fresh input is unknown")
-    total += usage.fresh_input_tokens * price.input
     if usage.cache_read_tokens is None:
         return Cost(None, "cache reads are unknown")
-    total += usage.cache_read_tokens * _or(price.cache_read, price.input)
     if usage.cache_write_tokens is None:
         return Cost(None, "cache writes are unknown")
     short = _or(price.cache_write, price.input)
@@ -107,7 +116,18 @@ def cost_of(usage: Usage, price: Price | None) -> Cost:
     kept = usage.cache_write_1h_tokens
     if kept is None and hour != short:
         return Cost(None, "the lifetime of cache writes is unknown")
-    return Cost((total + (usage.cache_write_tokens - (kept or 0)) * short + (kept or 0) * hour) / MILLION)
+    return _cost(
+        usage.fresh_input_tokens * price.input,
+        usage.cache_read_tokens * _or(price.cache_read, price.input),
+        (usage.cache_write_tokens - (kept or 0)) * short + (kept or 0) * hour,
+        output,
+    )
+
+
+def _cost(*micro_usd: float) -> Cost:
+    """From millionths of a dollar of each of ``COST_CLASSES``."""
+    parts = dict(zip(COST_CLASSES, micro_usd, strict=True))
+    return Cost(sum(micro_usd) / MILLION, classes={name: part / MILLION for name, part in parts.items()})
 
 
 def _or(price: float | None, other: float) -> float:

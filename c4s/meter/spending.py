@@ -21,6 +21,9 @@ from typing import BinaryIO
 from c4s.errors import MachineryFault
 from c4s.files import add_line
 
+UNPRICED = "add it to C4S_HOME/prices.yaml (docs/agents.md), or give --judge-tokens in place of --judge-spend"
+"""What to do where a limit in dollars meets a model without a price."""
+
 
 class SpendingLimitReached(MachineryFault):
     """The run may spend no more on models. The trial stays pending."""
@@ -33,11 +36,23 @@ class Spent:
     settled_usd: float
     held_usd: float
     unknown: int
+    tokens: int = 0
+    """Of the requests that tell theirs, and what was assumed of the others; where the file's requests are counted
+    so."""
+    held_tokens: int = 0
+    """Those of ``tokens`` that are assumed of requests that have not told theirs yet."""
 
     @property
     def total_usd(self) -> float:
         """What counts against the limit."""
         return self.settled_usd + self.held_usd
+
+    def told(self) -> str:
+        """In words, what is assumed of open requests apart from what was used."""
+        used = f"{self.settled_usd:.4f} USD, {self.tokens - self.held_tokens} tokens"
+        if not self.held_usd and not self.held_tokens:
+            return used
+        return f"{used}, and up to {self.held_usd:.4f} USD, {self.held_tokens} tokens of requests not yet accounted for"
 
 
 class _Book:
@@ -47,10 +62,12 @@ class _Book:
         self._offset = 0
         self._held: dict[str, float] = {}
         self._settled, self._unknown = 0.0, 0
+        self._tokens, self._held_tokens = 0, dict[str, int]()
 
     def sums(self) -> Spent:
         """What was read so far adds up to."""
-        return Spent(self._settled, sum(self._held.values()), self._unknown)
+        held_tokens = sum(self._held_tokens.values())
+        return Spent(self._settled, sum(self._held.values()), self._unknown, self._tokens, held_tokens)
 
     def read(self, lines: BinaryIO) -> None:
         """Take in the whole lines that were added."""
@@ -69,7 +86,13 @@ class _Book:
             return
         if "hold" in entry:
             self._held[entry["hold"]] = entry["usd"] or 0.0
-        elif entry["usd"] is None:
+            self._held_tokens[entry["hold"]] = assumed = entry.get("tokens") or 0
+            self._tokens += assumed
+            return
+        assumed = self._held_tokens.pop(entry["settle"], 0)
+        told = entry.get("tokens")
+        self._tokens += 0 if told is None else told - assumed
+        if entry["usd"] is None:
             self._unknown += 1
         else:
             self._settled += entry["usd"]
@@ -83,10 +106,13 @@ class Ledger:
         path: the file of this machine, or of all that share its folder.
         limit_usd: what the run may spend; None for no limit.
         elsewhere: folder with a folder for each machine that has a spending file of its own, as it was last fetched.
+        limit_tokens: how many tokens the run may use; None for no limit.
     """
 
-    def __init__(self, path: Path, limit_usd: float | None, elsewhere: Path | None = None) -> None:
-        self.path, self.limit_usd, self._elsewhere = path, limit_usd, elsewhere
+    def __init__(
+        self, path: Path, limit_usd: float | None, elsewhere: Path | None = None, *, limit_tokens: int | None = None
+    ) -> None:
+        self.path, self.limit_usd, self.limit_tokens, self._elsewhere = path, limit_usd, limit_tokens, elsewhere
         self._own = _Book()
         self._others: dict[Path, _Book] = {}
 
@@ -95,19 +121,30 @@ class Ledger:
         """Whether any machine has spent on models."""
         return self.path.is_file() or any(self._files_elsewhere())
 
-    def hold(self, estimate_usd: float | None) -> str | None:
-        """Enter a request: its entry, or None when the limit is reached or the estimate is unknown under a limit."""
+    def hold(self, estimate_usd: float | None, tokens: int = 0) -> str | None:
+        """Enter a request: its entry, or None when a limit is reached or the estimate is unknown under one in dollars.
+
+        ``tokens`` is what it is assumed to use.
+        """
         with self._opened() as lines:
-            if self.limit_usd is not None and (estimate_usd is None or self._sums().total_usd >= self.limit_usd):
+            unlimited = self.limit_usd is None and self.limit_tokens is None
+            if not unlimited and self._reached(self._sums(), estimate_usd):
                 return None
             entry = uuid.uuid4().hex
-            add_line(lines, json.dumps({"hold": entry, "usd": estimate_usd}).encode())
+            counted = {"tokens": tokens} if tokens else {}
+            add_line(lines, json.dumps({"hold": entry, "usd": estimate_usd, **counted}).encode())
             return entry
 
-    def settle(self, entry: str, cost_usd: float | None) -> None:
-        """Enter what the request cost; None keeps the hold as its cost."""
+    def _reached(self, spent: Spent, estimate_usd: float | None) -> bool:
+        if self.limit_tokens is not None and spent.tokens >= self.limit_tokens:
+            return True
+        return self.limit_usd is not None and (estimate_usd is None or spent.total_usd >= self.limit_usd)
+
+    def settle(self, entry: str, cost_usd: float | None, tokens: int | None = None) -> None:
+        """Enter what the request cost and used; None keeps what was held."""
+        counted = {} if tokens is None else {"tokens": tokens}
         with self._opened() as lines:
-            add_line(lines, json.dumps({"settle": entry, "usd": cost_usd}).encode())
+            add_line(lines, json.dumps({"settle": entry, "usd": cost_usd, **counted}).encode())
 
     def spent(self) -> Spent:
         """The sums over the files."""
@@ -125,6 +162,8 @@ class Ledger:
             sum(book.settled_usd for book in books),
             sum(book.held_usd for book in books),
             sum(book.unknown for book in books),
+            sum(book.tokens for book in books),
+            sum(book.held_tokens for book in books),
         )
 
     def _files_elsewhere(self) -> list[Path]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Final
 
 from pydantic import Field
 
 from c4s.records.base import Record
 
+MOST_OF_ONE: Final = 1_000_000_000
+"""Tokens of one request; what tells more is not believed, lest one answer use up a run's limit."""
 Count = Field(default=None, ge=0)
 
 
@@ -58,8 +60,9 @@ def tokens(parent: Mapping[str, Any], name: str, default: int | None = None) -> 
     value = parent.get(name)
     if value is None:
         return default
-    if isinstance(value, bool) or not isinstance(value, int | float) or value != int(value) or value < 0:
-        raise MalformedUsage(f"{name} is {value!r}, not a token count")
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not number or not 0 <= value <= MOST_OF_ONE or value != int(value):
+        raise MalformedUsage(f"{name} is {str(value)[:100]}, not a token count")
     return int(value)
 
 

@@ -32,6 +32,8 @@ class Entity:
     kind: str
     grounding: str
     collection: bool
+    members: tuple[str, ...] = ()
+    """Entity ids that an or-list is made of; empty for anything else."""
 
     @property
     def is_object(self) -> bool:
@@ -153,6 +155,7 @@ def _entity(node: Mapping[str, Any]) -> Entity:
         kind=str(node.get("entity_type") or "object"),
         grounding=str(node.get("grounding_mode") or "actor"),
         collection=node.get("referent_kind") == "collection",
+        members=tuple(_id(member) for member in _list(node.get("member_ids") or ())),
     )
 
 

@@ -15,6 +15,8 @@ from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, TEXT_TO_SCENE, 
 
 GATE: Final = "integrity"
 """The verifier that decides whether a submission is measured at all."""
+NO_SUBMISSION: Final = "no_submission"
+"""Reason code of an attempt that saved no scene."""
 T2S_POLICY: Final = "text-to-scene-human-aligned"
 I2S_POLICY: Final = "i2s-actor-f1-0.8-physics-0.2-case-macro.v1"
 MODEL_POLICY: Final = "t2s-0.5-i2s-0.5-pooled-case-macro.v2"
@@ -142,6 +144,8 @@ PROXY_SHARE: Final = 0.05
 
 INTEGRITY_POLICY: Final = "c4s.integrity.v1"
 OVERVIEW_RULE_POLICY: Final = "overview-rule-judge.v1"
+OVERVIEW_MODEL_POLICY: Final = "overview-two-calls.v1"
+"""Ids of how the parts of an overview came about: by rules, or by the two calls of a model."""
 
 UNUSABLE_STATUSES: Final = frozenset({"blocked", "error", "invalid", "not_evaluated", "refused", "unavailable"})
 """A semantic report with such a status (any case) has no score; all other statuses are used."""

@@ -28,7 +28,7 @@ class Backup(Sealed):
     made: str
     """When: UTC, ISO 8601."""
     parts: list[str]
-    """Folders of the home: ``runs``, ``suites``, ``warehouse``, ``packs``."""
+    """Folders of the home: ``runs``, ``suites``, ``warehouse``, ``packs``, ``human``."""
     left_out: list[str]
     """Runs that somebody worked on. Their files are those of the backup before, where it had them."""
     files: list[KeptFile]

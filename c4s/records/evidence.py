@@ -12,6 +12,7 @@ from typing import Any, Literal
 
 from c4s.errors import BadInput
 from c4s.files import digest_bytes, parse_json, read_plain
+from c4s.names import file_in
 from c4s.protocol.settings import Setting
 from c4s.records.base import Record
 from c4s.records.pack import MANIFEST, Pack
@@ -25,6 +26,7 @@ EvidenceName = Literal[
     "input_snapshot",
     "truth_snapshot",
     "requirements",
+    "binding",
     "judgements",
 ]
 
@@ -51,6 +53,8 @@ class Evidence:
     """Pack folders of the case, for what an asset is called and made of."""
     noted: Mapping[EvidenceName, str] = field(default_factory=dict)
     """The digests that these files had when they were made; any other is refused."""
+    noted_files: Mapping[Path, str] | None = None
+    """The digests that the pictures beside the captures had when they were made; None where nobody kept them."""
     minimum_actors: int = 1
     """Of the case: fewer make a scene invalid."""
     manifest: ManifestDigests | None = None
@@ -88,15 +92,21 @@ class Evidence:
         self.note(name, digest_bytes(data))
         return value
 
+    def beside_captures(self, file: str) -> bytes:
+        """A picture or actor mask of the captures. ``BadInput`` where it is missing, or not the one that was made."""
+        path = file_in(self.path("captures").parent, file)
+        data = read_plain(path, "picture")
+        sha256 = digest_bytes(data)
+        if self.noted_files is not None and self.noted_files.get(path) != sha256:
+            raise _changed(path)
+        self.digests[f"captures/{file}"] = sha256
+        return data
+
     def note(self, name: str, sha256: str) -> None:
         """Note what was read. ``BadInput`` when the file is not the one that was made."""
         for known, path in self.files.items():
             if known == name and known in self.noted and self.noted[known] != sha256:
-                raise BadInput(
-                    "the file has changed since it was written",
-                    where=str(path),
-                    todo="restore the file, or run this trial again under another --run-id",
-                )
+                raise _changed(path)
         self.digests[name] = sha256
 
     def catalog(self) -> dict[str, dict[str, Any]]:
@@ -104,6 +114,14 @@ class Evidence:
         packs = [Pack.read(folder / MANIFEST) for folder in self.packs]
         self.digests.update({f"pack {pack.pack_id}": pack.sha256() for pack in packs})
         return catalog_facts(packs)
+
+
+def _changed(path: Path) -> BadInput:
+    return BadInput(
+        "the file has changed since it was written",
+        where=str(path),
+        todo="restore the file, or run this trial again under another --run-id",
+    )
 
 
 def catalog_facts(packs: Iterable[Pack]) -> dict[str, dict[str, Any]]:

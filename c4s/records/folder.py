@@ -163,6 +163,10 @@ class TrialFolder:
         """What a judge said of the retained submission."""
         return self.judged / f"{judge}.json"
 
+    def exchanges(self, judge: str) -> Path:
+        """Folder of what a judge asked a model and what it answered: files by their digest."""
+        return self.judged / judge
+
     def verdict(self, verifier: str) -> Path:
         """A verifier's report."""
         return self.root / "verdicts" / f"{verifier}.json"
@@ -198,6 +202,39 @@ class TrialFolder:
         return self.root / "stages.jsonl"
 
 
+class RepeatsFolder:
+    """Repeats of what a run's judge said: ``<run>/repeatability/<study>``."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+
+    @property
+    def record(self) -> Path:
+        """What the repeats came to; written last."""
+        return self.root / "repeatability.json"
+
+    @property
+    def picture(self) -> Path:
+        """How far each repeat deviates."""
+        return self.root / "deviations.svg"
+
+    def scene(self, trial: Path) -> Path:
+        """Folder of a scene, by the name of its trial below the run."""
+        return self.root / "scenes" / trial
+
+    def repeat(self, trial: Path, number: int) -> Path:
+        """What a judge said of a scene in one repeat; repeats count from 1."""
+        return self.scene(trial) / f"repeat-{number}.json"
+
+    def answers(self, trial: Path, number: int) -> Path:
+        """Answers of a repeat in work."""
+        return self.scene(trial) / f"repeat-{number}"
+
+    def exchanges(self, trial: Path) -> Path:
+        """What was asked and answered in the repeats of a scene: files by their digest."""
+        return self.scene(trial) / "exchanges"
+
+
 class RunFolder:
     """``runs/<run-id>``."""
 
@@ -224,6 +261,11 @@ class RunFolder:
         return self.root / "spending.jsonl"
 
     @property
+    def judging(self) -> Path:
+        """What the whole run has spent on its judge, against its limits."""
+        return self.root / "judging.jsonl"
+
+    @property
     def elsewhere(self) -> Path:
         """What other machines sent of the run: a folder each, laid out as this one."""
         return self.root / "elsewhere"
@@ -231,6 +273,15 @@ class RunFolder:
     def of_machine(self, name: str) -> Path:
         """What one of the other machines sent."""
         return self.elsewhere / name
+
+    @property
+    def repeatability(self) -> Path:
+        """Folder of the studies of repeats."""
+        return self.root / "repeatability"
+
+    def repeats(self, study: str) -> RepeatsFolder:
+        """Folder of a study."""
+        return RepeatsFolder(self.repeatability / study)
 
     @property
     def guards(self) -> Path:
@@ -261,8 +312,8 @@ class RunFolder:
     def own_names(cls) -> frozenset[str]:
         """What directly below a run is no folder of a configuration."""
         run = cls(Path())
-        files = (run.plan, run.spending, run.guards, run.asked, run.status_page)
-        folders = (run.earlier_plan(""), run.leases, run.journals, run.logs, run.elsewhere)
+        files = (run.plan, run.spending, run.judging, run.guards, run.asked, run.status_page)
+        folders = (run.earlier_plan(""), run.leases, run.journals, run.logs, run.elsewhere, run.repeatability)
         return frozenset(path.parts[0] for path in (*files, *folders))
 
     @classmethod

@@ -22,6 +22,12 @@ class Guards(Record):
     """No attempt starts after it: Unix time, seconds."""
     spend_usd: float | None = Field(default=None, ge=0)
     """US dollars that the whole run may spend on models."""
+    judge_usd: float | None = Field(default=None, ge=0)
+    """US dollars that the whole run may spend on its judge."""
+    judge_tokens: int | None = Field(default=None, ge=0)
+    """Tokens that the whole run's judge may use."""
+    accept_faults: bool = False
+    """Whether a claim whose request fails for good is put on record as an error, worth 0."""
     most_faults: int = Field(ge=1)
     """So many trials in a row may fail for one cause."""
 

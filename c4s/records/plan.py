@@ -9,6 +9,7 @@ from pydantic import Field
 from c4s.names import Name
 from c4s.protocol.settings import SETTING_ALIASES, Setting
 from c4s.records.base import Record, Sealed
+from c4s.records.judge import RULE_JUDGE, JudgeConfiguration
 
 
 class Substitute(Record):
@@ -88,7 +89,10 @@ class Plan(Sealed):
     repeats: int = 1
     policy: str
     judge: str
-    """``rule`` for the offline rule judge, else the judge model's id."""
+    """Name of the judge: ``rule`` for the offline rule judge, else what its configuration is called."""
+    judge_configuration: JudgeConfiguration = RULE_JUDGE
+    judge_version: str = ""
+    """Digest of that configuration, its prompts and the code that judges. Another one is another judge."""
     engine: str
     """``headless`` or ``unreal``."""
     versions: dict[str, str]

@@ -11,12 +11,25 @@ from pathlib import Path
 from pydantic import BaseModel
 
 from c4s.files import write_json
+from c4s.records.asking import Access, CaseReview
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.backup import Backup
 from c4s.records.base import SEAL, Sealed
+from c4s.records.binding import Binding, ReviewedBindings
+from c4s.records.captures import Captures
 from c4s.records.guards import Guards, Instruction
 from c4s.records.handover import Handover
+from c4s.records.human import (
+    AnnotatorSheet,
+    FrozenFit,
+    HoldoutOpened,
+    HumanEvaluation,
+    HumanRanking,
+    HumanStudy,
+    SavedCandidates,
+)
 from c4s.records.journal import Event
+from c4s.records.judge import JudgeConfiguration
 from c4s.records.judgement import Judgements
 from c4s.records.lease import Lease
 from c4s.records.level import Level
@@ -24,6 +37,7 @@ from c4s.records.pack import Pack
 from c4s.records.plan import Configuration, Plan
 from c4s.records.policy import ScorePolicy
 from c4s.records.progress import Snapshot
+from c4s.records.repeatability import Repeatability
 from c4s.records.score import TrialScore
 from c4s.records.snapshot import SceneSnapshot
 from c4s.records.suite import AgentCase, Suite, WithheldCase
@@ -38,10 +52,15 @@ FORMATS: dict[str, type[BaseModel]] = {
     "suite": Suite,
     "agent-case": AgentCase,
     "withheld-case": WithheldCase,
+    "binding": Binding,
+    "reviewed-bindings": ReviewedBindings,
     "plan": Plan,
     "configuration": Configuration,
     "attempt-outcome": AttemptOutcome,
+    "captures": Captures,
+    "judge": JudgeConfiguration,
     "judgements": Judgements,
+    "repeatability": Repeatability,
     "verdict": Verdict,
     "policy": ScorePolicy,
     "trial-score": TrialScore,
@@ -52,6 +71,15 @@ FORMATS: dict[str, type[BaseModel]] = {
     "journal": Event,
     "progress": Snapshot,
     "backup": Backup,
+    "human-study": HumanStudy,
+    "human-sheet": AnnotatorSheet,
+    "human-ranking": HumanRanking,
+    "human-components": SavedCandidates,
+    "human-fit": FrozenFit,
+    "human-opened": HoldoutOpened,
+    "human-evaluation": HumanEvaluation,
+    "access": Access,
+    "case-review": CaseReview,
 }
 
 

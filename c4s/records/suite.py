@@ -12,7 +12,9 @@
     <suite>/withheld/<case>/input.snapshot.json    exported from start.level.json (image-to-scene)
     <suite>/withheld/<case>/truth.snapshot.json    exported from truth.level.json
     <suite>/withheld/<case>/views/{start,truth}/*.png   what the reports show beside a submission
+    <suite>/withheld/<case>/binding.json, bindings.reviewed.json   which assets the prompt's entities are (Binding)
     <suite>/withheld/<case>/recipe.json, cameras.json, requirements.bundle.json   in the published formats
+    <suite>/withheld/<case>/target-cameras.json    held-out cameras on what was changed (image-to-scene)
 
 ``agent/`` and ``withheld/`` are two trees that are never under one mount. An agent meets a case under its alias, which
 tells nothing; the readable id and title are for people, in the withheld tree and in what is made of a run. Packs are
@@ -22,7 +24,7 @@ named by id and digest and lie under ``c4s.home.packs_root()``.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import ClassVar, Literal
+from typing import ClassVar, Final, Literal
 
 from pydantic import Field
 
@@ -77,6 +79,10 @@ class AgentCase(Record):
     """Files relative to the case's agent folder."""
 
 
+Visibility = Literal["public", "private"]
+"""Which panel a case belongs to: of private cases nothing is published but sums over all of them."""
+
+
 class WithheldCase(Record):
     """What only the evaluator sees of a case."""
 
@@ -94,6 +100,7 @@ class WithheldCase(Record):
     difficulty: Literal["easy", "medium", "hard"] | None = None
     proxy_assets: bool = False
     """The catalog's assets stand in for content that is not here."""
+    visibility: Visibility = "public"
 
 
 class SuiteCase(Record):
@@ -116,6 +123,10 @@ class Suite(Sealed):
     description: str = ""
     packs: list[PackRef]
     cases: list[SuiteCase]
+
+
+TARGET_CAMERAS: Final = "c4s.target-cameras.v1"
+"""Schema of the record of a repair's held-out cameras: ``views`` as engines take them."""
 
 
 class WithheldFolder:
@@ -141,13 +152,28 @@ class WithheldFolder:
 
     @property
     def cameras(self) -> Path:
-        """The held-out cameras of a repair."""
+        """The cameras of a repair's reference pictures."""
         return self.root / "cameras.json"
+
+    @property
+    def target_cameras(self) -> Path:
+        """The held-out cameras of a repair: its agent saw nothing from there."""
+        return self.root / "target-cameras.json"
 
     @property
     def requirements(self) -> Path:
         """The requirement bundle."""
         return self.root / "requirements.bundle.json"
+
+    @property
+    def binding(self) -> Path:
+        """Which assets the entities of the requirement bundle are bound to."""
+        return self.root / "binding.json"
+
+    @property
+    def reviewed(self) -> Path:
+        """What the case's author says of the binding; where there is nothing to say, there is no file."""
+        return self.root / "bindings.reviewed.json"
 
     def views(self, role: str) -> Path:
         """Folder of the pictures of the ``start`` or the ``truth`` that reports show."""

@@ -99,7 +99,7 @@ def inner(function: _Kernel) -> _Kernel:
     allocate; a ``kernel`` must stand between it and Python.
     """
     compile_: Any = numba.njit
-    return cast(_Kernel, compile_(nogil=True, _nrt=False, error_model="numpy")(function))
+    return cast(_Kernel, compile_(nogil=True, _nrt=False, error_model="numpy", forceinline=True)(function))
 
 
 def callback(signature: Any, function: Callable[..., Any]) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,10 @@ MOST_LABEL = 200
 """Characters of a label in a mask: its table takes the longest for each actor."""
 LEAST_VOLUME = 1e-9
 """Determinant of the smallest placement that is drawn."""
+_NPZ_LEVEL = 1
+"""Half the time of numpy's, a tenth more bytes."""
+NEAR_CM = 40.0
+"""What is nearer to the eye than this stands in the way."""
 
 
 def camera_of(view: Mapping[str, Any]) -> Camera:
@@ -30,17 +35,35 @@ def mask_name(view: str) -> str:
 
 def write_mask(path: Path, picture: Picture, names: Sequence[str], labels: Sequence[str]) -> None:
     """Write the actor mask and depth of a picture with the table of its actors, which the mask's numbers count."""
-    with path.open("wb") as file:
-        np.savez_compressed(
-            file,
-            actor=picture.actor,
-            depth_cm=picture.depth_cm.astype(np.float32),
-            names=np.array(names, dtype=np.str_),
-            labels=np.array([label[:MOST_LABEL] for label in labels], dtype=np.str_),
-        )
+    tables = {
+        "actor": picture.actor,
+        "depth_cm": picture.depth_cm.astype(np.float32),
+        "names": np.array(names, dtype=np.str_),
+        "labels": np.array([label[:MOST_LABEL] for label in labels], dtype=np.str_),
+    }
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=_NPZ_LEVEL) as archive:
+        for name, table in tables.items():
+            with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
+                np.lib.format.write_array(file, table, allow_pickle=False)
 
 
 def visible(picture: Picture, names: Sequence[str]) -> dict[str, int]:
     """Pixels of each actor that the picture shows, by object name."""
     indices, counts = np.unique(picture.actor[picture.actor >= 0], return_counts=True)
     return {names[index]: int(count) for index, count in zip(indices, counts, strict=True)}
+
+
+def glimpse(picture: Picture, names: Sequence[str]) -> dict[str, Any]:
+    """What a picture shows, without the picture.
+
+    ``visible``: pixels of each actor by object name; ``edge``: the names of those that touch the picture's border;
+    ``near_share``: share of the pixels that show something right before the eye; ``empty_share``: that show nothing.
+    """
+    mask = picture.actor
+    border = np.unique(np.concatenate([mask[0], mask[-1], mask[:, 0], mask[:, -1]]))
+    return {
+        "visible": visible(picture, names),
+        "edge": [names[index] for index in border.tolist() if index >= 0],
+        "near_share": float((picture.depth_cm < NEAR_CM).mean()),
+        "empty_share": float((mask < 0).mean()),
+    }

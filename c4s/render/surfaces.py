@@ -44,8 +44,8 @@ def texel(
     y = (v - math.floor(v)) * height - 0.5
     left, top = math.floor(x), math.floor(y)
     fx, fy = x - left, y - top
-    x0, x1 = left % width, (left + 1) % width
-    y0, y1 = top % height, (top + 1) % height
+    x0, x1 = left if left >= 0 else width - 1, left + 1 if left + 1 < width else 0
+    y0, y1 = top if top >= 0 else height - 1, top + 1 if top + 1 < height else 0
     for channel in range(4):
         row = textures.coding[texture] if channel < 3 else 1
         a = textures.decode[row, textures.texels[first + y0 * width + x0, channel]]

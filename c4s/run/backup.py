@@ -1,4 +1,4 @@
-"""Copies of a home's runs, suites, packs and warehouse parts, each file under its digest; and the way back.
+"""Copies of a home's runs, suites, packs, warehouse parts and human studies, each file under its digest, and back.
 
 Both go on where they were cut off: bytes that are there are not copied again. The manifest is replaced last, in one
 step, and only then is what it no longer names removed: a backup that is cut off leaves the one before. What is derived
@@ -27,7 +27,7 @@ from c4s.records.backup import Backup, KeptFile
 from c4s.records.folder import RunFolder
 from c4s.run.lease import at_work
 
-Part = Literal["runs", "suites", "packs", "warehouse"]
+Part = Literal["runs", "suites", "packs", "warehouse", "human"]
 PARTS: Final[tuple[Part, ...]] = get_args(Part)
 MANIFEST = "backup.json"
 _BYTES = "files"

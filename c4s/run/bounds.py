@@ -11,6 +11,7 @@ _PARTS = re.compile(r"(?:(\d+)d)?(?:(\d+)h)?(?:(\d+)m)?(?:(\d+)s)?")
 _CLOCK = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)")
 MOST_DAYS = 366
 MOST_REPEATS, MOST_SLOTS, MOST_FAULTS = 1000, 1024, 1_000_000
+MOST_TOKENS = 10**15
 
 
 def moment(text: str, option: str) -> float:
@@ -43,10 +44,10 @@ def amount(usd: float, option: str) -> float:
     return usd
 
 
-def count(value: int, most: int, option: str) -> int:
-    """A count of 1 to ``most``; ``BadInput``, which names ``option``, for another."""
-    if value < 1:
-        raise BadInput("Input should be greater than or equal to 1", where=option)
+def count(value: int, most: int, option: str, *, least: int = 1) -> int:
+    """A count of ``least`` to ``most``; ``BadInput``, which names ``option``, for another."""
+    if value < least:
+        raise BadInput(f"Input should be greater than or equal to {least}", where=option)
     if value > most:
         raise BadInput(f"Input should be less than or equal to {most}", where=option)
     return value

@@ -9,21 +9,21 @@ from c4s.agents.base import ModelClient, agent_of
 from c4s.engine import engine_kinds
 from c4s.engine.confine.sandbox import backend
 from c4s.errors import BadInput, unknown
-from c4s.judge.names import JUDGE_NAMES
+from c4s.judge.registry import is_online
 from c4s.meter.endpoints import key_of, spending_limit
-from c4s.protocol.baselines import BASELINES, CHEATS
+from c4s.meter.spending import UNPRICED
+from c4s.protocol.baselines import BASELINES, CHEATS, ORACLE
 from c4s.protocol.settings import SETTING_ALIASES, SETTINGS
 from c4s.records.folder import RunFolder
-from c4s.records.plan import Configuration
+from c4s.records.plan import Configuration, Plan
+from c4s.records.suite import SuiteCase, SuiteFolder, WithheldFolder
 from c4s.score.policies import POLICIES
 
 
-def check_labels(engine: str, judge: str, policy: str) -> None:
-    """``BadInput``, with the choices, for an engine, judge or policy that is not there, needed by a case or not."""
+def check_labels(engine: str, policy: str) -> None:
+    """``BadInput``, with the choices, for an engine or policy that is not there, needed by a case or not."""
     if engine not in engine_kinds():
         raise unknown("engine", engine, engine_kinds())
-    if judge not in JUDGE_NAMES:
-        raise unknown("judge", judge, JUDGE_NAMES)
     if policy not in POLICIES:
         raise unknown("policy", policy, POLICIES)
 
@@ -62,6 +62,46 @@ def check_substitutes(configurations: Sequence[Configuration], cases: Collection
         for key in chosen.per_case:
             if key not in cases and key not in SETTING_ALIASES:
                 raise unknown("case or setting", key, [*SETTINGS, *cases], where=f"per_case of {chosen.name}, {where}")
+
+
+def baselines_of(suite: SuiteFolder, cases: Collection[str]) -> tuple[str, ...]:
+    """The baselines that can work on the named cases of a suite (all where none is named): the oracle needs an original
+    of every case, and text tasks by others have none."""
+    chosen = (case for case in suite.suite().cases if not cases or case.case_id in cases)
+    complete = all(_has_original(suite, case) for case in chosen)
+    return BASELINES if complete else tuple(name for name in BASELINES if name != ORACLE)
+
+
+def check_originals(configurations: Sequence[Configuration], suite: SuiteFolder, cases: Sequence[SuiteCase]) -> None:
+    """``BadInput`` where the oracle would have to save the original of a case that has none."""
+    for chosen in configurations:
+        for case in cases:
+            if chosen.on(case.case_id, case.setting).client == ORACLE and not _has_original(suite, case):
+                raise BadInput(
+                    f"the case {case.case_id!r} came without an original scene, so the oracle has nothing to save",
+                    where=f"agent {chosen.name}",
+                    todo="leave it out: name the agents, such as -a planner",
+                )
+
+
+def _has_original(suite: SuiteFolder, case: SuiteCase) -> bool:
+    return WithheldFolder(suite.withheld(case.case_id)).truth_level.is_file()
+
+
+def check_judge(plan: Plan, limit_usd: float | None = None) -> None:
+    """``BadInput`` where the plan's judge asks a model whose endpoint or key is not there, where a price file cannot
+    be read, and where a limit in dollars is set for a model without a price."""
+    if is_online(plan.judge_configuration):
+        from c4s.judge.model.endpoints import served
+        from c4s.meter.prices import price_today
+
+        served(plan.judge_configuration)
+        model = plan.judge_configuration.model
+        if price_today(model) is None and limit_usd is not None:
+            raise BadInput(
+                f"the judge's spending limit of {limit_usd:.2f} USD cannot be kept: no price for model {model!r}",
+                todo=UNPRICED,
+            )
 
 
 def check_ready(configurations: Sequence[Configuration]) -> None:

@@ -9,14 +9,15 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from c4s.evidence import open_level, overview_cameras
+from c4s.evidence import open_level
 from c4s.files import write_json
-from c4s.judge.registry import judge_named, make_judgements
+from c4s.judge.registry import is_online, make_judgements
 from c4s.protocol.rules import GATE
 from c4s.records.folder import EvidenceFolder
 from c4s.records.plan import Plan
 from c4s.run.inputs import TrialInputs, evidence_in
 from c4s.run.limits import Stage
+from c4s.run.looking import cameras_for
 from c4s.run.plan import Trial
 from c4s.verify.registry import make_verdict, measure, verifier_named
 
@@ -33,12 +34,12 @@ def same_for_the_start_level(
         with open_level(engine=plan.engine, packs=given.packs, level=level) as clean:
             clean.export(exported.root)
             if judged or stage in ("attempt", "look") or "captures" in needs:
-                clean.look(exported.root, overview_cameras)
+                clean.look(exported.root, cameras_for(given))
         kept = trial.folder.judgements(plan.judge)
         judgements = kept if kept.is_file() else Path(name) / kept.name
         shown = evidence_in(exported, given, judgements)
-        if judged and not shown.has("judgements") and not judge_named(plan.judge).online:
-            make_judgements(plan.judge, shown).write(judgements)
+        if judged and not shown.has("judgements") and not is_online(plan.judge_configuration):
+            make_judgements(plan.judge_configuration, shown).write(judgements)
         if stage == "verify":
             for measured, record in measure(verifier, shown).items():
                 write_json(shown.path(measured), record, indent=None)

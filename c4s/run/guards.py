@@ -85,10 +85,25 @@ def asked_of(run: RunFolder, guards: Guards | None) -> Instruction | None:
 
 
 def set_guards(
-    run: RunFolder, *, deadline: float | None = None, spend_usd: float | None = None, most_faults: int = MOST_IN_A_ROW
+    run: RunFolder,
+    *,
+    deadline: float | None = None,
+    spend_usd: float | None = None,
+    most_faults: int = MOST_IN_A_ROW,
+    judge_usd: float | None = None,
+    judge_tokens: int | None = None,
+    accept_faults: bool = False,
 ) -> Guards:
     """Give a run its bounds from now on. What was asked of it before no longer holds."""
-    guards = Guards(since=time.time(), deadline=deadline, spend_usd=spend_usd, most_faults=most_faults)
+    guards = Guards(
+        since=time.time(),
+        deadline=deadline,
+        spend_usd=spend_usd,
+        judge_usd=judge_usd,
+        judge_tokens=judge_tokens,
+        accept_faults=accept_faults,
+        most_faults=most_faults,
+    )
     guards.write(run.guards)
     open_store().push_files(run.guards)
     run.asked.unlink(missing_ok=True)
@@ -110,6 +125,7 @@ class Watchman:
         self._last: dict[str, tuple[str, str]] = {}
         """Trial and reason of the last failure, by cause."""
         self._ledger = Ledger(run.spending, None, run.elsewhere)
+        self._judging = Ledger(run.judging, None, run.elsewhere)
 
     def look(self) -> tuple[bool, StoppedByGuard | None]:
         """Whether the run is to pause, and what stops it, if anything does."""
@@ -120,7 +136,7 @@ class Watchman:
         asked = asked_of(self._run, guards)
         if asked is not None and asked.word == "drain":
             return False, stop("drain", f"{asked.by} asked it to drain")
-        found = self._deadline(guards) or self._spending(guards) or self._faults(guards)
+        found = self._deadline(guards) or self._spending(guards) or self._judge(guards) or self._faults(guards)
         return asked is not None and asked.word == "pause", found
 
     def _deadline(self, guards: Guards) -> StoppedByGuard | None:
@@ -140,6 +156,19 @@ class Watchman:
             f"its spending limit is reached: {spent:.4f} of {guards.spend_usd:.4f} USD",
             "raise the limit and run the same command again",
         )
+
+    def _judge(self, guards: Guards) -> StoppedByGuard | None:
+        if (guards.judge_usd is None and guards.judge_tokens is None) or not self._judging.begun:
+            return None
+        spent = self._judging.spent()
+        todo = "raise --judge-spend or --judge-tokens and run the same command again"
+        if guards.judge_usd is not None and spent.total_usd >= guards.judge_usd:
+            told = f"{spent.total_usd:.4f} of {guards.judge_usd:.4f} USD"
+        elif guards.judge_tokens is not None and spent.tokens >= guards.judge_tokens:
+            told = f"{spent.tokens} of {guards.judge_tokens} tokens"
+        else:
+            return None
+        return stop("spending", f"its judge's limit is reached: {told}", todo)
 
     def _faults(self, guards: Guards) -> StoppedByGuard | None:
         for cause, times in self._in_a_row.items():

@@ -11,6 +11,7 @@ from c4s.records.evidence import Evidence, EvidenceName, ManifestDigests
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
 from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase, WithheldFolder
+from c4s.run.grounds import check_grounds
 from c4s.run.plan import Trial
 
 
@@ -26,15 +27,17 @@ class TrialInputs:
 
 
 def inputs(trial: Trial) -> TrialInputs:
-    """Open the case package; ``BadInput`` where it or one of its packs is not as the plan froze it."""
+    """Open the case package; ``BadInput`` where it or one of its packs is not as the plan froze it, or unsound."""
     suite = SuiteFolder(trial.suite)
     case, folders = check_case(suite, trial.case)
+    withheld = WithheldFolder(suite.withheld(trial.case.case_id))
+    check_grounds(withheld, folders)
     return TrialInputs(
         case=case,
         withheld=suite.withheld_case(trial.case.case_id),
         packs=folders,
         agent_folder=suite.agent(case.alias),
-        withheld_folder=WithheldFolder(suite.withheld(trial.case.case_id)),
+        withheld_folder=withheld,
     )
 
 
@@ -70,11 +73,13 @@ def evidence_in(
             "input_snapshot": withheld.input_snapshot,
             "truth_snapshot": withheld.truth_snapshot,
             "requirements": withheld.requirements,
+            "binding": withheld.binding,
             "judgements": judgements,
         },
         noted={}
         if noted is None
         else {name: noted.get(path.relative_to(exported.root).as_posix(), "") for name, path in made.items()},
+        noted_files=None if noted is None else {exported.root / name: sha256 for name, sha256 in noted.items()},
         packs=given.packs,
         minimum_actors=given.withheld.minimum_actors,
         manifest=manifest,

@@ -43,11 +43,17 @@ def _labels(trial: Trial, plan: Plan) -> Iterator[Said]:
         yield folder.evidence.captures_index, "engine", read_json(folder.evidence.captures_index)["engine"], plan.engine
     judgements = folder.judgements(plan.judge)
     if judgements.is_file():
-        yield judgements, "judge", Judgements.read(judgements).judge, plan.judge
+        said = Judgements.read(judgements)
+        yield judgements, "judge", said.judge, plan.judge
+        if plan.judge_version:
+            yield judgements, "judge version", said.judge_version, plan.judge_version
     for name, path in folder.verdicts.items():
         verdict = Verdict.read(path)
         yield path, "verifier", verdict.verifier, name
         yield path, "judge", verdict.measurements.get("judge", plan.judge), plan.judge
+        if plan.judge_version:
+            version = verdict.measurements.get("judge_version", plan.judge_version)
+            yield path, "judge version", version, plan.judge_version
     if folder.score.is_file():
         score = TrialScore.read(folder.score)
         yield folder.score, "engine", score.engine, plan.engine

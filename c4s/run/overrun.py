@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from c4s.evidence.clean import CAPTURES_VERSION
-from c4s.files import write_json
 from c4s.folders import remove_tree
 from c4s.protocol.rules import GATE
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.captures import Captures
 from c4s.records.evidence_digests import SEEN, note_digests
 from c4s.records.plan import Plan
 from c4s.records.verdict import Verdict
@@ -28,15 +27,8 @@ def write_not_looked(trial: Trial, plan: Plan, reason: SceneFault) -> None:
     evidence, kept = trial.folder.evidence, retained(trial)
     remove_tree(evidence.captures, inside=evidence.root, at_best=True)
     package = AttemptOutcome.read(trial.folder.attempt(kept or 1).outcome).submission
-    write_json(
-        evidence.captures_index,
-        {
-            "schema_version": CAPTURES_VERSION,
-            "engine": plan.engine,
-            "package": package,
-            "views": [],
-            "not_taken": f"{reason.code}: {reason.line()}",
-        },
+    Captures(engine=plan.engine, package=package, not_taken=f"{reason.code}: {reason.line()}").write(
+        evidence.captures_index
     )
     note_digests(evidence, SEEN, [evidence.captures_index])
 

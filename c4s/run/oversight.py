@@ -39,6 +39,10 @@ class RunBounds:
     """Unix time, seconds."""
     spend_usd: float | None = None
     """None: what ``C4S_SPENDING_LIMIT_USD`` or the operator's file says."""
+    judge_usd: float | None = None
+    """None: no limit, as with tokens."""
+    judge_tokens: int | None = None
+    accept_faults: bool = False
     most_faults: int = MOST_IN_A_ROW
     notify: str | None = None
     """None: what ``C4S_NOTIFY`` says."""
@@ -68,7 +72,15 @@ def overseen(
     folder, to = RunFolder(run), None
     if bounds is not None:
         spend = spending_limit() if bounds.spend_usd is None else bounds.spend_usd
-        set_guards(folder, deadline=bounds.deadline, spend_usd=spend, most_faults=bounds.most_faults)
+        set_guards(
+            folder,
+            deadline=bounds.deadline,
+            spend_usd=spend,
+            most_faults=bounds.most_faults,
+            judge_usd=bounds.judge_usd,
+            judge_tokens=bounds.judge_tokens,
+            accept_faults=bounds.accept_faults,
+        )
         to = notifier(bounds.notify, print_line)
     else:
         fetch_guards(folder)

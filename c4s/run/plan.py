@@ -9,11 +9,13 @@ from pathlib import Path
 
 from c4s.errors import BadInput, unknown
 from c4s.files import digest
+from c4s.judge.names import judge_configuration
 from c4s.packs.suite_check import check_case
 from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
-from c4s.records.suite import SuiteFolder
-from c4s.run.choices import check_configurations, check_labels, check_substitutes
+from c4s.records.suite import SuiteFolder, WithheldFolder
+from c4s.run.choices import check_configurations, check_labels, check_originals, check_substitutes
+from c4s.run.grounds import check_grounds
 
 _FIXED = {
     "run_id": "--run-id",
@@ -21,9 +23,11 @@ _FIXED = {
     "suite_digest": "content of its suite",
     "policy": "policy",
     "judge": "judge",
+    "judge_version": "version of its judge",
     "engine": "engine",
 }
 """What no run changes, and what it is called."""
+_JUDGE_AGAIN = "judge what it holds by this version (the flow `rejudge`: docs/judge.md), or choose another --run-id"
 VERSIONED = ("prefect", "numpy", "scipy", "embreex", "python-fcl", "coal", "trimesh", "mcp", "duckdb", "pyarrow")
 
 
@@ -54,7 +58,8 @@ class Trial:
 
 
 def trial_id(plan: Plan, trial: Trial) -> str:
-    """Identity of a trial (16 hex) by content only: suite, case, configuration, repeat, policy, judge, engine."""
+    """Identity of a trial (16 hex) by content only: suite, case, configuration, repeat, policy, judge with its version,
+    engine."""
     return digest(
         [
             plan.suite_digest,
@@ -63,6 +68,7 @@ def trial_id(plan: Plan, trial: Trial) -> str:
             trial.repeat,
             plan.policy,
             plan.judge,
+            plan.judge_version,
             plan.engine,
         ]
     )[:16]
@@ -92,12 +98,14 @@ def make_plan(
 ) -> Plan:
     """A plan over the suite's cases (all, or those named).
 
-    Raises ``BadInput`` for an unknown case, for a case or pack that is not as it was frozen, and for an engine, judge,
-    policy or configuration that cannot be obeyed (``c4s.run.choices``).
+    ``judge`` is a name or the YAML file of one. Raises ``BadInput`` for an unknown case, for a case or pack that is
+    not as it was frozen, and for an engine, judge, policy or configuration that cannot be obeyed (``c4s.run.choices``).
     """
+    from c4s.judge.registry import judge_version
     from c4s.run.host import this_host
 
-    check_labels(engine, judge, policy)
+    check_labels(engine, policy)
+    judging = judge_configuration(judge)
     check_configurations(configurations)
     if repeats < 1:
         raise BadInput(f"{repeats} repeats are no plan", todo="give 1 or more")
@@ -111,7 +119,9 @@ def make_plan(
         raise BadInput("this suite has no cases", where=str(suite.record))
     chosen = [case for case in record.cases if not cases or case.case_id in cases]
     for case in chosen:
-        check_case(suite, case)
+        _, packs = check_case(suite, case)
+        check_grounds(WithheldFolder(suite.withheld(case.case_id)), packs)
+    check_originals(configurations, suite, chosen)
     planned = [
         PlannedCase(
             case_id=case.case_id,
@@ -131,7 +141,9 @@ def make_plan(
         cases=planned,
         repeats=repeats,
         policy=policy,
-        judge=judge,
+        judge=judging.name,
+        judge_configuration=judging,
+        judge_version=judge_version(judging),
         engine=engine,
         versions=versions(),
         host=this_host(),
@@ -157,11 +169,24 @@ def open_run(root: Path, plan: Plan) -> Plan:
     return grown
 
 
+def judged_now(root: Path, plan: Plan) -> Plan:
+    """A run's plan with the version that its judge has now. The frozen one is kept beside it, under its digest."""
+    from c4s.judge.registry import judge_version
+
+    now = plan.model_copy(update={"judge_version": judge_version(plan.judge_configuration)})
+    if now != plan:
+        folder = RunFolder(root)
+        plan.write(folder.earlier_plan(plan.sha256()))
+        now.write(folder.plan)
+    return now
+
+
 def _grown(frozen: Plan, asked: Plan, where: str) -> Plan:
     """The frozen plan with the configurations, cases and repeats that are asked for beside its own."""
     for name, label in _FIXED.items():
         if getattr(frozen, name) != getattr(asked, name):
-            raise BadInput(f"this run was started with another {label}", where=where, todo="choose another --run-id")
+            todo = _JUDGE_AGAIN if name == "judge_version" else "choose another --run-id"
+            raise BadInput(f"this run was started with another {label}", where=where, todo=todo)
     configurations = {chosen.name: chosen for chosen in frozen.configurations}
     for chosen in asked.configurations:
         if configurations.setdefault(chosen.name, chosen) != chosen:

@@ -17,7 +17,7 @@ from types import TracebackType
 from typing import Self, TypeVar, TypeVarTuple
 
 from c4s.errors import OverLimit, Unforeseen
-from c4s.judge.registry import judge_named
+from c4s.judge.registry import is_online
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.faults import SceneFault, may_be_the_scenes, of_scene
@@ -105,7 +105,7 @@ class Pool:
         if stage == "attempt":
             budget = SuiteFolder(trial.suite).agent_case(trial.case.alias).budget
             return Limit(found.kind, found.seconds + 60.0 * budget.wall_minutes, found.of_scene, found.memory_bytes)
-        return ONLINE_JUDGE if stage == "judge" and judge_named(plan.judge).online else found
+        return ONLINE_JUDGE if stage == "judge" and is_online(plan.judge_configuration) else found
 
     @asynccontextmanager
     async def turn(self, stage: Stage, trial: Trial, plan: Plan, rank: int) -> AsyncIterator[None]:

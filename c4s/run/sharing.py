@@ -58,7 +58,7 @@ class Sharing:
 
     def send(self) -> None:
         """Send what has grown."""
-        for path in (self._journal, self._run.spending):
+        for path in (self._journal, self._run.spending, self._run.judging):
             if path.is_file() and self._sent.get(path) != (sha256 := digest_file(path)):
                 open_store().put(path, self._run.of_machine(machine()) / path.relative_to(self._run.root))
                 self._sent[path] = sha256

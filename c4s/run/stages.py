@@ -14,8 +14,7 @@ from typing import Any
 from c4s.errors import MachineryFault
 from c4s.files import append_json_line, digest_file, read_json, write_json
 from c4s.protocol.baselines import ORACLE
-from c4s.protocol.rules import DEFAULT_POLICY, GATE
-from c4s.protocol.settings import is_construction
+from c4s.protocol.rules import DEFAULT_POLICY, GATE, NO_SUBMISSION
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.evidence import Evidence, ManifestDigests
 from c4s.records.evidence_digests import EXPORTED, MEASURED, SEEN, note_digests
@@ -26,6 +25,7 @@ from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.run.check import LISTING, check_submission, judged_digests, noted_digests
+from c4s.run.desk import desk
 from c4s.run.faults import of_machinery
 from c4s.run.inputs import TrialInputs, evidence_in, inputs, offered
 from c4s.run.limits import Stage
@@ -77,13 +77,20 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
     was cut off, ``look`` takes them. ``SceneUnreadable`` where it does not load, export or draw the scene.
     """
     from c4s.evidence import open_clean
+    from c4s.run.looking import cameras_for
 
     folder = trial.folder.attempt(number)
     if folder.integrity.is_file():
         return Verdict.read(folder.integrity).status == "valid"
     outcome = AttemptOutcome.read(folder.outcome)
     if outcome.submission is None:
-        missing = Verdict(verifier=GATE, status="invalid", policy=plan.policy, reason="no submission was saved")
+        missing = Verdict(
+            verifier=GATE,
+            status="invalid",
+            policy=plan.policy,
+            measurements={"reason_code": NO_SUBMISSION},
+            reason="no submission was saved",
+        )
         missing.write(folder.integrity)
         return False
     given = inputs(trial)
@@ -105,7 +112,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
             verdict.write(folder.integrity)
         if verdict.status == "valid":
             with timed(trial, "look"):
-                clean.look(trial.folder.evidence.root, _cameras(trial, given))
+                clean.look(trial.folder.evidence.root, cameras_for(given))
     return verdict.status == "valid"
 
 
@@ -141,6 +148,7 @@ def look(trial: Trial, plan: Plan) -> None:
     Their list of digests is written last, so pictures without it are a part of what was being put there.
     """
     from c4s.evidence import collect
+    from c4s.run.looking import cameras_for
 
     if trial.folder.evidence.digests(SEEN).is_file():
         return
@@ -155,18 +163,9 @@ def look(trial: Trial, plan: Plan) -> None:
             submission_content=folder.submission,
             package=str(AttemptOutcome.read(folder.outcome).submission),
             out=trial.folder.evidence.root,
-            cameras=_cameras(trial, given),
+            cameras=cameras_for(given),
             offered=offered(given.case, given.agent_folder),
         )
-
-
-def _cameras(trial: Trial, given: TrialInputs) -> list[dict[str, Any]]:
-    """The held-out cameras of a repair; of a construction the four overview cameras of what was built."""
-    from c4s.evidence.cameras import SIZE_PX, overview_cameras
-
-    if is_construction(given.case.setting):
-        return overview_cameras(read_json(trial.folder.evidence.snapshot))
-    return [{**view, **SIZE_PX} for view in read_json(given.withheld_folder.cameras)["views"]]
 
 
 def retained(trial: Trial) -> int | None:
@@ -185,7 +184,8 @@ def judge(trial: Trial, plan: Plan) -> Judgements:
     if path.is_file():
         return Judgements.read(path)
     with timed(trial, "judge"):
-        made = make_judgements(plan.judge, evidence(trial, plan, inputs(trial)))
+        given = evidence(trial, plan, inputs(trial))
+        made = make_judgements(plan.judge_configuration, given, desk(trial, plan))
         made.write(path)
     return made
 

@@ -10,7 +10,7 @@ from c4s.protocol.rules import CASE_POLICY, GATE, I2S_WEIGHTS, T2S_WEIGHTS
 from c4s.protocol.settings import Setting, is_construction
 from c4s.records.score import CaseStatus, TrialScore
 from c4s.records.verdict import Verdict
-from c4s.verify.registry import headlines_of, verifiers_of
+from c4s.verify.registry import headlines_of, weighed_of
 
 
 def case_score(
@@ -36,7 +36,7 @@ def case_score(
 
     Args:
         submitted: whether the retained attempt saved a scene.
-        verdicts: by verifier name: the gate's, and those of the setting (``c4s.verify.registry``).
+        verdicts: by verifier name: the gate's, and those of the setting that have a weight (``c4s.verify.registry``).
         missing_result: the operator's final word that no result will come.
         policy: id to record; the setting's published policy when None.
         weights: of the setting's components; the published ones when None.
@@ -60,7 +60,7 @@ def case_score(
         return _pending(base, GATE, gate)
     if gate.status == "invalid":
         return _zero(base, "zero_invalid_candidate", gate.reason or "invalid")
-    for verifier in verifiers_of(setting):
+    for verifier in weighed_of(setting):
         verdict = verdicts.get(verifier.name)
         if verdict is None or verdict.status in ("error", "valid", "invalid"):
             return _pending(base, verifier.name, verdict)
@@ -79,9 +79,9 @@ def _zero(base: dict[str, Any], status: CaseStatus, reason: str) -> TrialScore:
 
 
 def _measured(base: dict[str, Any], verdicts: Mapping[str, Verdict], weights: Mapping[str, float]) -> TrialScore:
-    rows = verifiers_of(base["setting"])
-    values = {row.weighed_as: verdicts[row.name].score for row in rows if row.weighed_as}
-    missing = [row.name for row in rows if row.weighed_as and values[row.weighed_as] is None]
+    rows = weighed_of(base["setting"])
+    values = {row.weighed_as: verdicts[row.name].score for row in rows}
+    missing = [row.name for row in rows if values[row.weighed_as] is None]
     used = {name: value or 0.0 for name, value in values.items()}
     made = (t2s_case if is_construction(base["setting"]) else i2s_case)(valid=True, weights=weights, **used)
     components: dict[str, float | None] = {

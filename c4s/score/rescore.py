@@ -22,7 +22,7 @@ from c4s.records.policy import ScorePolicy
 from c4s.records.score import TrialScore
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
-from c4s.verify.registry import verifier_named, verifiers_of
+from c4s.verify.registry import verifier_named, weighed_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +89,7 @@ def read_verdicts(folder: TrialFolder, stored: TrialScore) -> dict[str, Verdict]
     """The verdicts that a stored score was made from; none for a zero by rule."""
     if stored.status.startswith("zero_"):
         return {}
-    names = (GATE, *(verifier.name for verifier in verifiers_of(stored.setting)))
+    names = (GATE, *(verifier.name for verifier in weighed_of(stored.setting)))
     return {name: Verdict.read(folder.verdict(name)) for name in names}
 
 

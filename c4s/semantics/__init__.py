@@ -1,3 +1,17 @@
 """What a scene holds in words and measures: pure, for judges."""
 
-__all__ = ["boxes", "inventory", "kinds", "looks", "measures", "quantities", "views"]
+__all__ = [
+    "binding",
+    "boxes",
+    "decision",
+    "inventory",
+    "kinds",
+    "looks",
+    "quantities",
+    "relations",
+    "shades",
+    "sight",
+    "state",
+    "substance",
+    "views",
+]

@@ -27,19 +27,20 @@ _BITS = 10
 
 @dataclass(frozen=True)
 class Boxes:
-    """Boxes as rows: corners, height, larger plan side, volume and the number of the actor."""
+    """Boxes as rows: corners, height, larger plan side, volume, number of the owner, smaller plan side."""
 
     table: Array
 
     @classmethod
     def of(cls, things: Sequence[Thing]) -> Boxes:
         """The boxes of things, in their order."""
-        numbers: dict[str, int] = {}
-        owners = [numbers.setdefault(thing.actor, len(numbers)) for thing in things]
+        numbers: dict[tuple[str, str], int] = {}
+        owners = [numbers.setdefault((thing.actor, thing.kind.asset), len(numbers)) for thing in things]
         low, high = (np.array([getattr(thing, side) for thing in things]).reshape(-1, 3) for side in ("low", "high"))
         size = high - low
         thick = np.maximum(size, SMALLEST_CM)
-        columns = (low, high, size[:, 2], size[:, :2].max(axis=1), thick[:, 0] * thick[:, 1] * thick[:, 2], owners)
+        volume = thick[:, 0] * thick[:, 1] * thick[:, 2]
+        columns = (low, high, size[:, 2], size[:, :2].max(axis=1), volume, owners, size[:, :2].min(axis=1))
         return cls(np.column_stack(columns))
 
     def take(self, rows: Rows | Flags) -> Boxes:
@@ -78,8 +79,13 @@ class Boxes:
 
     @property
     def owner(self) -> Array:
-        """Numbers of the actors."""
+        """Numbers of the owners: things of one actor and one asset, such as instances, have one."""
         return self.table[:, 9]
+
+    @property
+    def thickness(self) -> Array:
+        """The smaller of the extents along x and y (cm)."""
+        return self.table[:, 10]
 
 
 Relation: TypeAlias = Callable[[Boxes, Boxes, Boxes], Flags]

@@ -1,16 +1,19 @@
-"""What is known of an asset, and which assets a name of the prompt stands for."""
+"""What is known of an asset."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
-from c4s.protocol.words import head, phrases_of, spoken, tokens
+from c4s.protocol.words import CUTS, head, spoken, tokens
 
 Facts: TypeAlias = Mapping[str, Any]
 Phrase: TypeAlias = tuple[str, ...]
+_OF_PARTS: Final = CUTS - {"and"}
+"""A description tells of the whole thing before the first of these, or of a comma."""
 
 
 def leaf(path: str) -> str:
@@ -46,47 +49,26 @@ class ThingKind:
         return head(str(self._own.get("name") or leaf(self.asset)))
 
     @cached_property
-    def labels(self) -> list[Phrase]:
-        """Its category and tags, each of which can name it alone."""
-        return phrases_of([str(self._own.get("category") or ""), *map(str, self._own.get("tags") or [])])
-
-    @cached_property
     def _texts(self) -> list[str]:
         facts = self.facts or {"name": leaf(self.asset) if self.named else ""}
         texts = [str(facts.get("name") or ""), str(facts.get("description") or ""), *map(str, facts.get("tags") or [])]
         return [spoken(tokens(text)) for text in texts]
 
+    @cached_property
+    def _whole(self) -> list[str]:
+        facts = self.facts or {}
+        words = tokens(re.split(r"[,.;:(]", str(facts.get("description") or ""), maxsplit=1)[0])
+        end = next((place for place, word in enumerate(words) if word in _OF_PARTS), len(words))
+        name, _, *tags = self._texts
+        return [name, spoken(words[:end]), *tags]
+
+    def says_of_all(self, phrase: Phrase) -> bool:
+        """As ``says``, but of the whole thing: not what its description tells of a part (``a kettle with a black
+        handle``)."""
+        wanted = spoken(phrase)
+        return not phrase or any(wanted in text for text in self._whole)
+
     def says(self, phrase: Phrase) -> bool:
         """Whether the asset's own text (name, tags, description) holds the phrase as whole words in a row."""
         wanted = spoken(phrase)
         return not phrase or any(wanted in text for text in self._texts)
-
-
-class KindIndex:
-    """Kinds by the phrases that name them: the ends of their head noun phrase, their category, their tags."""
-
-    def __init__(self, kinds: Iterable[ThingKind]) -> None:
-        self._kinds = list(kinds)
-        self._labels: dict[Phrase, list[int]] = {}
-        for number, kind in enumerate(self._kinds):
-            for label in kind.labels:
-                self._labels.setdefault(label, []).append(number)
-        self._ends: dict[int, dict[Phrase, list[int]]] = {}
-
-    def find(self, phrases: Iterable[Phrase]) -> list[ThingKind]:
-        """The kinds that any of the phrases names, in order: a ``table lamp`` is a lamp and no table."""
-        found: set[int] = set()
-        for phrase in phrases:
-            if phrase:
-                found.update(self._labels.get(phrase, ()))
-                found.update(self._ending(len(phrase)).get(phrase, ()))
-        return [self._kinds[number] for number in sorted(found)]
-
-    def _ending(self, length: int) -> dict[Phrase, list[int]]:
-        """Numbers of the kinds by the last ``length`` words of their noun."""
-        if length not in self._ends:
-            ends = self._ends[length] = {}
-            for number, kind in enumerate(self._kinds):
-                if len(kind.noun) >= length:
-                    ends.setdefault(kind.noun[-length:], []).append(number)
-        return self._ends[length]

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from c4s.records.captures import OVERVIEW
 from c4s.semantics.inventory import Thing
 
 SEEN_SHARE = 5e-5
@@ -52,7 +53,7 @@ def read_views(captures: Mapping[str, Any] | None) -> Views | None:
     count = 0
     for view in views if isinstance(views, list) else []:
         visible = view.get("visible") if isinstance(view, Mapping) else None
-        if not isinstance(visible, Mapping):
+        if not isinstance(visible, Mapping) or view.get("purpose", OVERVIEW) != OVERVIEW:
             continue
         count += 1
         camera = view.get("camera") or {}

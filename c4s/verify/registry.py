@@ -14,13 +14,14 @@ from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.verdict import Verdict
 from c4s.records.version import code_version
 from c4s.verify.integrity.verifier import INTEGRITY
+from c4s.verify.paired.verifier import PAIRED
 from c4s.verify.physics.verifier import PHYSICS
 from c4s.verify.repair.verifier import REPAIR
 from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
 from c4s.verify.verifier import Verifier
 
 VERIFIERS: Final[dict[str, Verifier]] = {
-    verifier.name: verifier for verifier in (INTEGRITY, REPAIR, DETAILED, OVERVIEW, PHYSICS)
+    verifier.name: verifier for verifier in (INTEGRITY, REPAIR, DETAILED, OVERVIEW, PHYSICS, PAIRED)
 }
 """By name, in the order in which tables and pages show them."""
 DECIDE: Final = ("verify", "semantics", "protocol", "collision", "geometry", "records")
@@ -39,6 +40,11 @@ def verifiers_of(setting: Setting) -> list[Verifier]:
     return [verifier for verifier in VERIFIERS.values() if setting in verifier.settings and not verifier.gate]
 
 
+def weighed_of(setting: Setting) -> list[Verifier]:
+    """The verifiers of a setting whose scores the trial's score is made of; the others are reported."""
+    return [verifier for verifier in verifiers_of(setting) if verifier.weighed_as]
+
+
 def is_judged(setting: Setting) -> bool:
     """Whether a verifier of the setting reads judgements."""
     return any("judgements" in verifier.needs for verifier in verifiers_of(setting))
@@ -46,7 +52,7 @@ def is_judged(setting: Setting) -> bool:
 
 def headlines_of(setting: Setting) -> list[str]:
     """Names of the numbers that a trial's score of this setting shows."""
-    return [name for verifier in verifiers_of(setting) for name in verifier.headlines]
+    return [name for verifier in weighed_of(setting) for name in verifier.headlines]
 
 
 def measure(name: str, evidence: Evidence) -> dict[EvidenceName, Mapping[str, Any]]:

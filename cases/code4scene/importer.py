@@ -12,10 +12,11 @@ from c4s.errors import BadInput
 from c4s.files import digest, read_json, write_json, write_text
 from c4s.folders import beside, put_folder
 from c4s.names import check_written
-from c4s.protocol.bundle import read_requirements
+from c4s.protocol.graph.check import check_bundle
 from c4s.protocol.settings import is_construction
 from c4s.records.level import Level
-from c4s.records.suite import SUITE, AgentCase, PackRef, SuiteFolder, WithheldCase
+from c4s.records.suite import SUITE, AgentCase, PackRef, SuiteFolder, WithheldCase, WithheldFolder
+from cases.binding import freeze_binding, reviewed_beside
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
 from cases.settle import to_build
 from cases.veil import Veil
@@ -39,12 +40,10 @@ def import_code4scene(
     for name, times in Counter(task.case_id.lower() for task in tasks).items():
         if times > 1:
             raise BadInput(f"task id {name!r} occurs twice, letter case aside", where=str(folder))
-    for task in tasks:
-        if task.bundle is not None:
-            read_requirements(read_json(task.bundle, what="requirement bundle"), where=str(task.bundle))
+    notes = {task.case_id: _checked_bundle(task) for task in tasks}
     with beside(out) as made, beside(packs_root / out.name) as made_packs:
         fresh = SuiteFolder(made / out.name)
-        rows, packs = _cases(tasks, fresh, made_packs, progress)
+        rows, packs = _cases(tasks, notes, fresh, made_packs, progress)
         if not packs:
             raise BadInput(
                 "none of these tasks can be run without its content",
@@ -67,8 +66,22 @@ def import_code4scene(
     }
 
 
+def _checked_bundle(task: Task) -> str:
+    """What the report says of a task's bundle; ``BadInput`` for one that cannot be used, or of another prompt."""
+    if task.bundle is None:
+        return "no requirement bundle, so Detailed Alignment is not evaluated"
+    bundle = read_json(task.bundle, what="requirement bundle")
+    report = check_bundle(bundle)
+    report.refuse(where=str(task.bundle))
+    if bundle["graph"]["prompt"].strip() != task.prompt.strip():
+        raise BadInput("this requirement bundle is of another prompt than its task", where=str(task.bundle))
+    warnings = [f"{warning.place}: {warning.message}" for warning in report.warnings]
+    more = f" and {len(warnings) - 1} more" if len(warnings) > 1 else ""
+    return f"bundle warning: {warnings[0]}{more}" if warnings else ""
+
+
 def _cases(
-    tasks: list[Task], suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
+    tasks: list[Task], notes: dict[str, str], suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
 ) -> tuple[list[dict[str, Any]], list[PackRef]]:
     """Write the cases that can be run, and their packs under ``packs_root``; a report row a task."""
     veil = Veil(digest([task.case_id for task in tasks]))
@@ -84,9 +97,7 @@ def _cases(
                     "setting": task.setting,
                     "assets": count,
                     "runnable": True,
-                    "note": "proxy assets"
-                    if task.bundle
-                    else "proxy assets; no requirement bundle, so Detailed Alignment is not evaluated",
+                    "note": "; ".join(filter(None, ("proxy assets", notes[task.case_id]))),
                 }
             )
         else:
@@ -130,6 +141,9 @@ def _text_case(
     ).write(withheld / "case.json")
     write_text(withheld / "prompt.txt", task.prompt)
     if task.bundle is not None:
-        shutil.copyfile(task.bundle, withheld / "requirements.bundle.json")
+        folder = WithheldFolder(withheld)
+        shutil.copyfile(task.bundle, folder.requirements)
+        bundle = read_json(folder.requirements, what="requirement bundle")
+        freeze_binding(folder, bundle, [pack], reviewed_beside(task.bundle))
     write_json(withheld / "source.json", {"layout": "code4scene", "packs": list(task.packs)})
     return reference, len(entries)

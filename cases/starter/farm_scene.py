@@ -85,11 +85,11 @@ def _pasture(p: Plot) -> None:
         p.add("WoodFence", east + 20, y, yaw=-90)
     for x, y, yaw in ((-4200, -3100, 20), (-3600, -1900, 160), (-3900, -2500, -70), (-2300, -3300, 100)):
         p.add("Cow", x, y, yaw=yaw, scale=p.random.uniform(0.95, 1.05))
-    for x, y in ((-2900, -2000), (-2750, -2180), (-2600, -1900), (-3050, -2300), (-2450, -2350), (-2800, -1650)):
+    for x, y in ((-3000, -2000), (-2750, -2180), (-2600, -1900), (-3050, -2300), (-2450, -2350), (-2800, -1650)):
         p.add("Sheep", x, y, yaw=p.random.uniform(-180, 180), scale=p.random.uniform(0.92, 1.08))
     p.add("Horse", -1800, -2600, yaw=140)
     p.add("Horse", -1700, -1800, yaw=-30)
-    p.add("WaterTrough", -2200, -1250)
+    p.add("WaterTrough", -2780, -2030)
     p.add("OakTree", -4400, -1700, yaw=40)
     p.add("OakTree", -2900, -3500, yaw=120, scale=0.85)
     for x, y in ((-4600, -3600), (-3300, -3000), (-1600, -3500)):
@@ -128,7 +128,7 @@ def _yard(p: Plot) -> None:
     p.add("Greenhouse", -1200 + 400, 3200 + 350, yaw=90, scale=0.9)
     p.add("Well", 150, 1050, yaw=15)
     p.add("ChickenCoop", 2500 - 260, 150, yaw=0)
-    for x, y in ((2150, 420), (2260, 500), (2050, 560), (2380, 430), (1900, 400), (2000, 280)):
+    for x, y in ((2470, 240), (2400, 430), (2150, 460), (1960, 280), (2010, 40), (2390, -20)):
         p.add("Hen", x, y, yaw=p.random.uniform(-180, 180))
     for x in (1650, 1950, 2250, 2550):
         p.add("WoodFence", x - 20, 700)
@@ -146,7 +146,7 @@ def _yard(p: Plot) -> None:
     p.add("TractorGreen", 900, -240, yaw=0)
     p.add("HayCart", 380, -240, yaw=0)
     p.add("Plough", 1700, 2250, yaw=30)
-    for x, y, level in ((2250, 2300, 0), (2250, 2300, 1), (2250, 2365, 0), (2250, 2430, 0), (2250, 2365, 1)):
+    for x, y, level in ((2200, 2560, 0), (2200, 2560, 1), (2200, 2625, 0), (2200, 2690, 0), (2200, 2625, 1)):
         p.add("HayBale", x, y, level * (51 + STACK_GAP_CM))
     for x, y in ((2900, -240), (3200, -230), (3500, -250)):
         p.add("RoundBale", x, y, yaw=p.random.uniform(-10, 10))

@@ -36,19 +36,23 @@ OFFICE_REQUIREMENTS = RequirementSpec(
     entities=(
         EntitySpec("office", "An open-plan office", entity_type="region"),
         EntitySpec("walls", "Plain plaster walls", ("wall",), collection=True),
-        EntitySpec("carpet", "grey carpet", ("floor",), entity_type="surface"),
+        EntitySpec("carpet", "grey carpet", ("floor carpet",), entity_type="surface"),
+        EntitySpec("brick wall", "exposed brick", ("brick wall",)),
         EntitySpec("desks", "oak desks", ("desk",), collection=True),
-        EntitySpec("partitions", "low felt partitions", ("partition", "divider"), collection=True),
+        EntitySpec("desk partitions", "low felt partitions", ("felt divider",), collection=True),
         EntitySpec("screens", "a monitor or a laptop", ("monitor", "laptop"), collection=True),
+        EntitySpec("mouse", "mouse", ("computer mouse",), collection=True),
         EntitySpec("task chairs", "blue task chair", ("task chair",), collection=True),
         EntitySpec("meeting room", "glazed meeting room", ("glass partition",), entity_type="region"),
+        EntitySpec("meeting room floor", "wooden floor", ("floor planks",), entity_type="surface"),
         EntitySpec("meeting table", "long walnut meeting table"),
         EntitySpec("meeting chairs", "seven teal chairs", ("conference chair",), collection=True),
         EntitySpec("whiteboard", "whiteboard"),
+        EntitySpec("lounge", "a lounge", entity_type="region"),
         EntitySpec("sofas", "two teal sofas", ("sofa",), collection=True),
         EntitySpec("rug", "striped rug"),
         EntitySpec("low table", "low table", ("side table",)),
-        EntitySpec("plant", "tall plant"),
+        EntitySpec("tall plant", "tall plant"),
         EntitySpec("counter", "reception counter"),
         EntitySpec("door", "entrance door", ("door",)),
         EntitySpec("visitor chairs", "three orange chairs", ("visitor chair",), collection=True),
@@ -61,6 +65,14 @@ OFFICE_REQUIREMENTS = RequirementSpec(
     predicates=(
         PredicateSpec("scene_identity", "open-plan office", "An open-plan office on one floor", "office"),
         PredicateSpec(
+            "attribute",
+            "eighteen by twelve metres",
+            "eighteen by twelve metres",
+            "office",
+            qualifiers=(("attribute", "eighteen by twelve metres"),),
+        ),
+        PredicateSpec("composition", "office without its ceiling", "shown without its ceiling", "office"),
+        PredicateSpec(
             "environment",
             "walls around carpet",
             "Plain plaster walls with large windows enclose a grey carpet",
@@ -69,15 +81,22 @@ OFFICE_REQUIREMENTS = RequirementSpec(
             "encloses",
         ),
         PredicateSpec(
+            "material",
+            "brick in one corner",
+            "one corner has exposed brick",
+            "brick wall",
+            qualifiers=(("material", "brick"),),
+        ),
+        PredicateSpec(
             "quantity", "twenty desks", "About twenty oak desks", "desks", quantity=Quantity("approximately", 20)
         ),
         PredicateSpec("material", "oak desks", "oak desks", "desks", qualifiers=(("material", "oak"),)),
-        PredicateSpec("distribution", "clusters of four", "stand in clusters of four", "desks"),
+        PredicateSpec("distribution", "clusters of four", "stand in clusters of four, two facing two", "desks"),
         PredicateSpec(
             "spatial_relation",
             "partitions between desks",
             "with low felt partitions between them",
-            "partitions",
+            "desk partitions",
             "desks",
             "between",
         ),
@@ -88,10 +107,26 @@ OFFICE_REQUIREMENTS = RequirementSpec(
             "screens",
             quantity=Quantity("approximately", 20),
         ),
+        PredicateSpec("existence", "mouse", "a mouse", "mouse"),
         PredicateSpec(
             "attribute", "blue task chairs", "a blue task chair", "task chairs", qualifiers=(("color", "blue"),)
         ),
-        PredicateSpec("existence", "glazed meeting room", "a glazed meeting room", "meeting room"),
+        PredicateSpec("existence", "glazed meeting room", "In one corner a glazed meeting room", "meeting room"),
+        PredicateSpec(
+            "material",
+            "wooden floor in the meeting room",
+            "a wooden floor",
+            "meeting room floor",
+            qualifiers=(("material", "wooden"),),
+        ),
+        PredicateSpec(
+            "spatial_relation",
+            "table in the meeting room",
+            "holds a long walnut meeting table",
+            "meeting table",
+            "meeting room",
+            "inside",
+        ),
         PredicateSpec(
             "material",
             "walnut meeting table",
@@ -113,16 +148,19 @@ OFFICE_REQUIREMENTS = RequirementSpec(
         PredicateSpec(
             "spatial_relation", "whiteboard on the wall", "a whiteboard hangs on its wall", "whiteboard", "walls", "on"
         ),
+        PredicateSpec(
+            "spatial_relation", "lounge at the brick", "In the brick corner a lounge", "lounge", "brick wall", "near"
+        ),
         PredicateSpec("quantity", "two sofas", "two teal sofas", "sofas", quantity=Quantity(_EXACT, 2)),
         PredicateSpec(
             "spatial_relation", "sofas on the rug", "at right angles on a striped rug", "sofas", "rug", "around"
         ),
         PredicateSpec("existence", "low table", "a low table between them", "low table"),
-        PredicateSpec("existence", "tall plant", "a tall plant", "plant"),
+        PredicateSpec("existence", "tall plant", "a tall plant", "tall plant"),
         PredicateSpec(
             "spatial_relation",
             "counter near the door",
-            "Near the entrance door a reception counter",
+            "Near the entrance door a reception counter faces visitors",
             "counter",
             "door",
             "near",
@@ -134,7 +172,24 @@ OFFICE_REQUIREMENTS = RequirementSpec(
             "visitor chairs",
             quantity=Quantity("at_least", 3),
         ),
-        PredicateSpec("existence", "copier and cabinets", "A copier and filing cabinets", "copier", "filing cabinets"),
+        PredicateSpec(
+            "spatial_relation",
+            "visitor chairs along the wall",
+            "three orange chairs along the wall",
+            "visitor chairs",
+            "walls",
+            "along",
+        ),
+        PredicateSpec("existence", "copier", "A copier", "copier"),
+        PredicateSpec("existence", "filing cabinets", "filing cabinets", "filing cabinets"),
+        PredicateSpec(
+            "spatial_relation",
+            "cabinets along the far wall",
+            "A copier and filing cabinets line the wall on the far side",
+            "filing cabinets",
+            "walls",
+            "along",
+        ),
         PredicateSpec(
             "spatial_relation",
             "water cooler next to the cabinet",
@@ -151,6 +206,11 @@ FLAT_REQUIREMENTS = RequirementSpec(
     entities=(
         EntitySpec("flat", "A furnished flat", entity_type="region"),
         EntitySpec("walls", "White walls", ("wall",), collection=True),
+        EntitySpec("living room", "large living room", entity_type="region"),
+        EntitySpec("bathroom", "The bathroom", entity_type="region"),
+        EntitySpec("bedroom", "The bedroom", entity_type="region"),
+        EntitySpec("child's room", "The child's room", entity_type="region"),
+        EntitySpec("window", "the window", entity_type="region"),
         EntitySpec("floors", "parquet", ("floor",), entity_type="surface"),
         EntitySpec("kitchen tiles", "chequered tiles", ("floor kitchen",), entity_type="surface"),
         EntitySpec("counters", "sage green counters", ("counter",), collection=True),
@@ -182,6 +242,14 @@ FLAT_REQUIREMENTS = RequirementSpec(
     predicates=(
         PredicateSpec("scene_identity", "furnished flat", "A furnished flat for a family", "flat"),
         PredicateSpec(
+            "attribute",
+            "twelve by eight metres",
+            "twelve by eight metres",
+            "flat",
+            qualifiers=(("attribute", "twelve by eight metres"),),
+        ),
+        PredicateSpec("composition", "flat without its ceiling", "seen without its ceiling", "flat"),
+        PredicateSpec(
             "composition",
             "rooms divided by walls",
             "White walls divide it into a large living room, a hall, a small bathroom, a bedroom and a child's room",
@@ -207,6 +275,17 @@ FLAT_REQUIREMENTS = RequirementSpec(
         PredicateSpec("existence", "stove", "a stove", "stove"),
         PredicateSpec("existence", "fridge", "a fridge", "fridge"),
         PredicateSpec(
+            "material", "oak dining table", "An oak dining table", "dining table", qualifiers=(("material", "oak"),)
+        ),
+        PredicateSpec(
+            "spatial_relation",
+            "dining table in the big room",
+            "stands in the middle of the big room",
+            "dining table",
+            "living room",
+            "inside",
+        ),
+        PredicateSpec(
             "quantity",
             "four dining chairs",
             "An oak dining table with four chairs",
@@ -222,7 +301,7 @@ FLAT_REQUIREMENTS = RequirementSpec(
         PredicateSpec(
             "spatial_relation", "television on bench", "a television on a low bench", "television", "bench", "on"
         ),
-        PredicateSpec("existence", "coffee table", "a walnut coffee table", "coffee table"),
+        PredicateSpec("existence", "coffee table", "across a walnut coffee table", "coffee table"),
         PredicateSpec("attribute", "red rug", "a red patterned rug", "red rug", qualifiers=(("color", "red"),)),
         PredicateSpec(
             "spatial_relation",
@@ -231,6 +310,14 @@ FLAT_REQUIREMENTS = RequirementSpec(
             "armchair",
             "red rug",
             "beside",
+        ),
+        PredicateSpec(
+            "spatial_relation",
+            "double bed in the bedroom",
+            "The bedroom has a double bed",
+            "double bed",
+            "bedroom",
+            "inside",
         ),
         PredicateSpec(
             "spatial_relation",
@@ -248,12 +335,29 @@ FLAT_REQUIREMENTS = RequirementSpec(
             quantity=Quantity(_EXACT, 2),
         ),
         PredicateSpec("existence", "wardrobe", "a large wardrobe", "wardrobe"),
-        PredicateSpec("existence", "child bed", "a small bed", "child bed"),
+        PredicateSpec(
+            "spatial_relation",
+            "small bed in the child's room",
+            "The child's room has a small bed",
+            "child bed",
+            "child's room",
+            "inside",
+        ),
+        PredicateSpec(
+            "spatial_relation", "desk under the window", "under the window", "writing desk", "window", "under"
+        ),
         PredicateSpec(
             "spatial_relation", "globe on the desk", "a writing desk with a globe", "globe", "writing desk", "on"
         ),
         PredicateSpec("spatial_relation", "toys on the rug", "toys on a blue rug", "toys", "blue rug", "on"),
-        PredicateSpec("existence", "bathtub", "a bathtub", "bathtub"),
+        PredicateSpec(
+            "spatial_relation",
+            "bathtub in the bathroom",
+            "The bathroom holds a bathtub",
+            "bathtub",
+            "bathroom",
+            "inside",
+        ),
         PredicateSpec("existence", "toilet", "a toilet", "toilet"),
         PredicateSpec("existence", "washbasin", "a washbasin", "washbasin"),
         PredicateSpec("existence", "curtains", "Rust-coloured curtains hang at the windows", "curtains"),

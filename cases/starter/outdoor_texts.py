@@ -46,6 +46,7 @@ def harbour_text() -> TextCase:
         EntitySpec("sailing boats", "sailing boats", ("sailing boat", "yacht"), collection=True),
         EntitySpec("jetty", "wooden jetty", ("jetty planks", "pier"), collection=True),
         EntitySpec("lighthouse", "lighthouse", ("lighthouse",)),
+        EntitySpec("mole", "stone mole", ("breakwater",), "region"),
         EntitySpec("street lamps", "street lamps", ("street lamp", "lantern"), collection=True),
         EntitySpec("benches", "benches", ("bench",), collection=True),
         EntitySpec("trees", "leafy trees", ("street tree", "tree"), collection=True),
@@ -71,8 +72,23 @@ def harbour_text() -> TextCase:
             qualifiers=(("atmosphere", "colourful"),),
         ),
         has("stone quay", "quay"),
+        PredicateSpec(
+            "spatial_relation",
+            "quay along the water",
+            "A long stone quay runs straight along calm blue water",
+            "quay",
+            "water",
+            "along",
+        ),
         has("calm blue water", "water"),
-        has("broad cobbled promenade", "promenade"),
+        PredicateSpec(
+            "spatial_relation",
+            "promenade beside the quay",
+            "a broad cobbled promenade beside it",
+            "promenade",
+            "quay",
+            "beside",
+        ),
         has("asphalt road", "road"),
         has("pavement of pale stone", "pavement"),
         PredicateSpec(
@@ -119,7 +135,14 @@ def harbour_text() -> TextCase:
             "pavement",
             "behind",
         ),
-        has("narrow canal", "canal"),
+        PredicateSpec(
+            "spatial_relation",
+            "canal through the row",
+            "A narrow canal cuts through the row",
+            "canal",
+            "townhouses",
+            "through",
+        ),
         PredicateSpec("quantity", "two bridges", "two stone bridges", "bridges", quantity=Quantity("exact", 2)),
         PredicateSpec(
             "spatial_relation",
@@ -158,12 +181,20 @@ def harbour_text() -> TextCase:
         has("cafe tables", "cafe tables"),
         has("parasols", "parasols"),
         PredicateSpec(
-            "spatial_relation", "cafe next to the kiosk", "next to a green kiosk", "cafe tables", "kiosk", "near"
+            "spatial_relation", "cafe next to the kiosk", "stand next to a green kiosk", "cafe tables", "kiosk", "near"
         ),
         PredicateSpec("attribute", "kiosk is green", "green kiosk", "kiosk", qualifiers=(("color", "green"),)),
         has("tall yellow crane", "crane"),
         PredicateSpec("attribute", "crane is yellow", "yellow crane", "crane", qualifiers=(("color", "yellow"),)),
         has("stacked shipping containers", "containers"),
+        PredicateSpec(
+            "spatial_relation",
+            "containers at the working end",
+            "mark the working end of the quay",
+            "containers",
+            "quay",
+            "near",
+        ),
         PredicateSpec(
             "spatial_relation", "crane beside the warehouse", "beside a brick warehouse", "crane", "warehouse", "beside"
         ),
@@ -180,7 +211,15 @@ def harbour_text() -> TextCase:
         has("sailing boats", "sailing boats"),
         PredicateSpec("spatial_relation", "boats on the water", "float on the water", "fishing boats", "water", "on"),
         PredicateSpec("spatial_relation", "boats along the quay", "along the quay", "fishing boats", "quay", "along"),
-        has("wooden jetty", "jetty"),
+        PredicateSpec(
+            "spatial_relation",
+            "jetty between the boats",
+            "a wooden jetty reaches out between them",
+            "jetty",
+            "fishing boats",
+            "between",
+            references=("sailing boats",),
+        ),
         PredicateSpec("material", "jetty of wood", "wooden jetty", "jetty", qualifiers=(("material", "wooden"),)),
         PredicateSpec(
             "quantity", "one lighthouse", "A red and white lighthouse", "lighthouse", quantity=Quantity("exact", 1)
@@ -191,6 +230,14 @@ def harbour_text() -> TextCase:
             "red and white",
             "lighthouse",
             qualifiers=(("color", "red"), ("color", "white")),
+        ),
+        PredicateSpec(
+            "spatial_relation",
+            "lighthouse on the mole",
+            "stands at the far end of a stone mole",
+            "lighthouse",
+            "mole",
+            "on",
         ),
         has("street lamps", "street lamps"),
         has("benches", "benches"),
@@ -290,7 +337,7 @@ def farm_text() -> TextCase:
         EntitySpec("pond", "pond", ("pond tile",)),
         EntitySpec("boulders", "boulders", ("boulder", "rock"), collection=True),
         EntitySpec("bushes", "bushes", ("bush", "shrub"), collection=True),
-        EntitySpec("tractor", "red tractor", ("tractor red", "tractor")),
+        EntitySpec("red tractor", "red tractor"),
         EntitySpec("hay cart", "hay cart", ("hay cart", "cart")),
         EntitySpec("pigs", "pigs", ("pig",), collection=True),
         EntitySpec("hens", "white hens", ("hen", "chicken"), collection=True),
@@ -309,7 +356,14 @@ def farm_text() -> TextCase:
             "farm",
             qualifiers=(("lighting", "sunny"), ("atmosphere", "late summer")),
         ),
-        has("yard of trodden earth", "yard"),
+        PredicateSpec(
+            "spatial_relation",
+            "yard at the heart of the farm",
+            "At its heart lies a yard of trodden earth",
+            "yard",
+            "farm",
+            "in",
+        ),
         PredicateSpec("quantity", "one well", "a round stone well", "well", quantity=Quantity("exact", 1)),
         PredicateSpec("material", "well of stone", "stone well", "well", qualifiers=(("material", "stone"),)),
         PredicateSpec("spatial_relation", "well in the middle of the yard", "in the middle", "well", "yard", "in"),
@@ -331,7 +385,7 @@ def farm_text() -> TextCase:
         PredicateSpec(
             "spatial_relation",
             "farmhouse north of the yard",
-            "on the north side of the yard",
+            "stands on the north side of the yard",
             "farmhouse",
             "yard",
             "north_of",
@@ -349,7 +403,12 @@ def farm_text() -> TextCase:
         ),
         has("gravel track", "track"),
         PredicateSpec(
-            "spatial_relation", "track south of the yard", "passes south of the yard", "track", "yard", "south_of"
+            "spatial_relation",
+            "track south of the yard",
+            "passes south of the yard from west to east",
+            "track",
+            "yard",
+            "south_of",
         ),
         has("ploughed fields", "fields"),
         PredicateSpec(
@@ -373,7 +432,17 @@ def farm_text() -> TextCase:
         has("pumpkins", "pumpkins"),
         has("patches of golden wheat", "wheat"),
         PredicateSpec("attribute", "wheat is golden", "golden wheat", "wheat", qualifiers=(("color", "golden"),)),
-        has("scarecrow", "scarecrow"),
+        PredicateSpec(
+            "spatial_relation", "scarecrow at the fields", "watched over by a scarecrow", "scarecrow", "fields", "near"
+        ),
+        PredicateSpec(
+            "spatial_relation",
+            "fence south of the track",
+            "South of the track a wooden fence",
+            "fence",
+            "track",
+            "south_of",
+        ),
         PredicateSpec(
             "spatial_relation",
             "fence encloses the pasture",
@@ -407,22 +476,30 @@ def farm_text() -> TextCase:
         PredicateSpec(
             "spatial_relation",
             "orchard east of the pasture",
-            "to the east of the pasture",
+            "forms an orchard to the east of the pasture",
             "apple trees",
             "pasture",
             "east_of",
         ),
-        has("pond", "pond"),
         PredicateSpec(
             "spatial_relation",
-            "boulders at the pond",
-            "a pond with boulders and bushes on its bank",
-            "boulders",
+            "pond between pasture and orchard",
+            "a pond with boulders and bushes on its bank lies between them",
             "pond",
-            "near",
+            "pasture",
+            "between",
+            references=("apple trees",),
         ),
-        PredicateSpec("attribute", "tractor is red", "red tractor", "tractor", qualifiers=(("color", "red"),)),
-        PredicateSpec("spatial_relation", "tractor in the yard", "a red tractor in the yard", "tractor", "yard", "in"),
+        PredicateSpec(
+            "spatial_relation", "boulders at the pond", "boulders and bushes on its bank", "boulders", "pond", "near"
+        ),
+        PredicateSpec(
+            "spatial_relation", "bushes at the pond", "boulders and bushes on its bank", "bushes", "pond", "near"
+        ),
+        PredicateSpec("attribute", "tractor is red", "red tractor", "red tractor", qualifiers=(("color", "red"),)),
+        PredicateSpec(
+            "spatial_relation", "tractor in the yard", "Park a red tractor in the yard", "red tractor", "yard", "in"
+        ),
         PredicateSpec("spatial_relation", "cart on the track", "a hay cart on the track", "hay cart", "track", "on"),
         PredicateSpec("spatial_relation", "pigs in a fenced pen", "pigs in a fenced pen", "pigs", "fence", "inside"),
         has("white hens", "hens"),

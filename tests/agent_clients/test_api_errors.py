@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import random
 from typing import Any
@@ -9,7 +10,11 @@ from typing import Any
 import pytest
 from canned import CannedUpstream, Reply
 
-from c4s.agents.api.chat import TRIES, ChatClient, ChatFailed
+from c4s.chat.client import ChatClient
+from c4s.chat.failures import TRIES, ChatFailed
+from c4s.chat.receiving import MOST_BYTES
+from c4s.chat.replicas import Address, bearer
+from c4s.errors import BadInput
 
 OK = Reply(
     [
@@ -32,8 +37,10 @@ class Clock:
         return len(self.waits) == self._ends_at
 
 
-def client(upstream: CannedUpstream, clock: Clock) -> ChatClient:
-    return ChatClient(upstream.url, "t", wait=clock, jitter=random.Random(0), note=clock.records.append)
+def client(upstream: CannedUpstream, clock: Clock, /, token: str = "t", **more: Any) -> ChatClient:
+    return ChatClient(
+        [Address(upstream.url, bearer(token))], wait=clock, jitter=random.Random(0), note=clock.records.append, **more
+    )
 
 
 def error(status: str, text: str = "no", headers: tuple[str, ...] = ()) -> Reply:
@@ -60,6 +67,8 @@ def test_an_answer() -> None:
         (Reply([b'{"choices": []}']), "malformed"),
         (Reply([b'{"choices": [{"message": {"content": NaN}}]}']), "malformed"),
         (Reply([b"[" * 100_000]), "malformed"),
+        (Reply([b" " * MOST_BYTES, b"{}"]), "malformed"),
+        (Reply([b"no"], status="500 Oops", kind="text/html; charset=hex"), "server"),
         (Reply([b'{"choices": [{"message": {"tool_calls": [{"id": "1"}]}}]}']), "malformed"),
         (Reply([b'{"error": {"code": 503, "message": "busy"}}']), "server"),
         (Reply([b'{"choices": [{"error": {"code": 429, "message": "busy"}}]}']), "rate"),
@@ -118,6 +127,35 @@ def test_what_does_not_pass_is_not_asked_again(reply: Reply, kind: str) -> None:
             client(upstream, clock).ask({})
         assert len(upstream.requests) == 1
     assert failed.value.kind == kind and clock.waits == []
+
+
+def test_an_answer_that_drips_is_late() -> None:
+    clock, ticks = Clock(), itertools.count(step=100)
+    with CannedUpstream(Reply([b" "], then="hold"), OK) as upstream:
+        asked = client(upstream, clock, answer_s=60.0, clock=lambda: float(next(ticks)))
+        with pytest.raises(ChatFailed) as failed:
+            asked.ask({})
+    assert failed.value.kind == "timeout" and "60 s" in failed.value.what
+
+
+def test_a_key_that_an_endpoint_repeats_is_told_to_nobody() -> None:
+    clock, key = Clock(), "sk-not-for-a-record"
+    refused = error("401 No", f"Incorrect API key provided: {key}")
+    said = Reply([json.dumps({"choices": [{"message": {"content": f"I was given {key}"}}]}).encode()])
+    with CannedUpstream(said, refused) as upstream:
+        asked = client(upstream, clock, token=key)
+        assert asked.ask({}).message["content"] == "I was given ***"
+        with pytest.raises(ChatFailed, match=r"provided: \*\*\*") as failed:
+            asked.ask({})
+        assert all(key in head for head, _ in upstream.requests)
+    assert key not in json.dumps(clock.records) + failed.value.line()
+
+
+@pytest.mark.parametrize("key", ["sk-two\nlines", "sk-\u2019quoted", "sk-nul\0", "sk-\x1b[0m"])
+def test_a_key_that_no_header_carries_is_refused_unsaid(key: str) -> None:
+    with pytest.raises(BadInput, match="Authorization") as refused:
+        Address("http://127.0.0.1:9", bearer(key))
+    assert "sk-" not in refused.value.line()
 
 
 def test_waiting_ends_with_the_run() -> None:

@@ -287,7 +287,7 @@ def test_doctor_lists_the_clients_with_their_version_or_how_to_install_them(tmp_
         [sys.executable, "-m", "c4s.cli", "doctor"], env=environment, text=True, capture_output=True, check=False
     ).stdout
     rows = {row.split("│")[0].strip(): row for row in shown.splitlines() if row.startswith("client ")}
-    assert re.search(r"│ +yes │ +no │ 9\.8\.7, .*codex", rows["client codex"])
+    assert re.search(r"│ yes +│ no +│ 9\.8\.7, .*codex", rows["client codex"])
     for name, way in (
         ("claude_code", "npm install"),
         ("gemini", "npm install"),
@@ -295,7 +295,7 @@ def test_doctor_lists_the_clients_with_their_version_or_how_to_install_them(tmp_
         ("hermes", "hermes-agent[mcp]"),
         ("antigravity", "vendor"),
     ):
-        assert re.search(r"│ +no │ +no │.*" + re.escape(way), rows[f"client {name}"])
+        assert re.search(r"│ no +│ no +│.*" + re.escape(way), rows[f"client {name}"])
 
 
 @pytest.mark.parametrize(

@@ -45,7 +45,7 @@ def test_starter_texts_ask_for_all_families_and_for_enough(case: TextCase) -> No
         (PredicateSpec("existence", "x", "poplars", "nobody"), "no entity"),
         (PredicateSpec("existence", "x", "poplars", "farm", reference="nobody"), "no entity"),
         (PredicateSpec("quantity", "x", "four cows", "cows"), "without a quantity"),
-        (PredicateSpec("spatial_relation", "x", "poplars", "farm"), "without a relation"),
+        (PredicateSpec("spatial_relation", "x", "poplars", "farm", "barn"), "without a relation"),
         (PredicateSpec("attribute", "x", "four cows", "cows", qualifiers=(("color", "blue"),)), "does not hold"),
     ],
 )

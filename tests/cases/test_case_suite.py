@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from c4s.errors import BadInput
+from c4s.files import digest
+from c4s.records.binding import Binding
 from c4s.records.pack import Pack
 from c4s.records.suite import SuiteFolder
 from cases.corruption import KINDS, Author, Recipe, apply, id_of
@@ -50,8 +52,16 @@ def small() -> SuiteDefinition:
         [view],
     )
     spec = RequirementSpec(
-        [EntitySpec("cows", "two cows", ("cow",), collection=True)],
-        [PredicateSpec("existence", "cows", "two cows", "cows")],
+        [
+            EntitySpec("cows", "two cows", ("cow",), collection=True),
+            EntitySpec("field", "field", ("grass tile",), "surface"),
+            EntitySpec("barn", "barn"),
+        ],
+        [
+            PredicateSpec("existence", "cows", "two cows", "cows"),
+            PredicateSpec("existence", "field", "A field", "field"),
+            PredicateSpec("existence", "barn", "a barn", "barn"),
+        ],
     )
     text = TextCase(
         "paddock-text", "paddock", "Paddock", TEXT, spec, 20.0, "easy", ground=[farm_scene.PATHS["GrassTile"]]
@@ -106,6 +116,9 @@ def _check_text(folder: SuiteFolder) -> None:
     assert "- cow | Cow | animals | " in case.prompt and "/Game/C4SFarm/Animals/SM_Cow.SM_Cow" in case.prompt
     made = json.loads((folder.withheld("paddock-text") / "requirements.bundle.json").read_text())
     assert made["graph"]["prompt"] + "\n" == case.prompt
+    binding = Binding.read(folder.withheld("paddock-text") / "binding.json")
+    assert [path.rsplit(".", 1)[-1] for path in binding.entities["entity_cows"].assets] == ["SM_Cow"]
+    assert binding.bundle_sha256 == digest(made["graph"])
 
 
 def test_unusable_definitions_are_refused(packs: Path, tmp_path: Path) -> None:

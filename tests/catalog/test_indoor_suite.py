@@ -106,6 +106,6 @@ def test_repair_cases_cover_every_kind_and_chain_length() -> None:
 @pytest.mark.parametrize("case", INDOOR_TEXT_CASES, ids=lambda c: c.case_id)
 def test_text_cases_have_bundles_over_all_families(case: TextCase) -> None:
     assert 80 <= len(case.description.split()) <= 200
-    made = bundle(case.case_id, case.description, case.description + "\n\nrest", case.requirements)
+    made = bundle(case.case_id, case.description, case.description + "\n\n=== ASSET PALETTE ===\nx", case.requirements)
     assert len(made["requirements"]) == len(case.requirements.predicates)
     assert len(families(case.requirements)) == 4

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from c4s.protocol.baselines import BASELINES
+
 
 def _c4s(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
@@ -93,7 +95,7 @@ def test_a_malformed_requirement_bundle_is_not_imported(tmp_path: Path) -> None:
     folder = _task(tmp_path / "tasks/yard", text)
     (folder / "yard.bundle.json").write_text('{"graph": {"prompt": "", "nodes": [], "edges": [7]}, "requirements": []}')
     done = _c4s(tmp_path / "home", "suite", "import", "code4scene", str(folder))
-    assert done.returncode == 2 and "requirement bundle cannot be read" in done.stderr and done.stderr.count("\n") == 1
+    assert done.returncode == 2 and "requirement bundle cannot be used" in done.stderr and done.stderr.count("\n") == 1
     assert "yard.bundle.json" in done.stderr and not (tmp_path / "home" / "suites").exists()
 
 
@@ -113,6 +115,21 @@ def test_an_unknown_agent_and_a_missing_pack_stop_before_anything_runs(tmp_path:
     (pack := next(tmp_path.glob("packs/proxy-*/pack.json"))).unlink()
     missing = _c4s(tmp_path, "run", "yard", "-a", "noop")
     assert missing.returncode == 2 and pack.parent.name in missing.stderr and missing.stderr.count("\n") == 1
+
+
+def test_a_task_without_an_original_has_no_oracle(tmp_path: Path) -> None:
+    folder = _task(tmp_path / "tasks/yard", TASK)
+    assert _c4s(tmp_path, "suite", "import", "code4scene", str(folder), "--id", "yard").returncode == 0
+    for agents in (("noop", "oracle"), ("mixed.yaml",)):
+        (tmp_path / "mixed.yaml").write_text("name: mixed\nclient: noop\nper_case: {yard: {client: oracle}}\n")
+        named = [word for name in agents for word in ("-a", str(tmp_path / name) if name.endswith("yaml") else name)]
+        refused = _c4s(tmp_path, "run", "yard", *named)
+        assert refused.returncode == 2 and "without an original scene" in refused.stderr
+        assert refused.stderr.count("\n") == 1 and not (tmp_path / "runs").exists()
+    done = _c4s(tmp_path, "run", "yard", "--json")
+    assert done.returncode == 0, done.stderr
+    ran = [row["configuration"] for row in json.loads(done.stdout)["leaderboard"]]
+    assert sorted(ran) == sorted(set(BASELINES) - {"oracle"})
 
 
 def test_json_reports(tmp_path: Path) -> None:

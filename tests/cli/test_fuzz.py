@@ -119,6 +119,7 @@ NEVER_DONE = {
     ("run",): ["-c", "nosuch"],
     ("demo",): ["extra"],
     ("agent", "try"): ["--engine", "nosuch"],
+    ("judge", "check"): ["extra"],
     ("suite", "build"): ["extra"],
     ("engine", "conformance"): ["--only", "nosuch"],
 }

@@ -58,7 +58,7 @@ def test_what_is_hidden_is_told_and_not_drawn(
     assert actor["export_diagnostics"]["hidden_in_editor"] is in_editor and "hidden" not in actor
     drawn = take.take([VIEW], [str(tmp_path / "view.png")], "base_color", False)[0]["visible"]
     assert bool(drawn) == (not hidden and not in_editor)
-    assert len(inventory(snapshot, {})) == (not hidden)
+    assert len(inventory(snapshot, {})) == (not hidden and not in_editor)
 
 
 def test_an_actor_is_shown_as_long_as_one_of_its_meshes_is(tmp_path: Path) -> None:

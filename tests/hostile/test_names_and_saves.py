@@ -12,10 +12,9 @@ from prey import Prey
 from c4s.files import digest_file
 from c4s.run.attempt import last_saved
 from c4s.semantics.inventory import inventory
-from c4s.semantics.kinds import KindIndex
 from c4s.semantics.looks import is_made_of, material_index
 from c4s.toolbox.client import CallRefused
-from reports.site import environment as pages
+from reports.frame import environment as pages
 
 SPEECH = (
     "</td></script><script>alert(1)</script><img src=x onerror=alert(2)>{{ 7 * 7 }} "
@@ -80,7 +79,7 @@ print("made", made.static_mesh_component.static_mesh.get_path_name())
     snapshot = prey.engine.call("snapshot.export_snapshot")
     forged = next(thing for thing in inventory(snapshot, catalog) if "grand_piano" in thing.kind.asset)
     assert any("M_marble" in path for path in forged.materials)
-    assert not KindIndex([forged.kind]).find([("piano",)]) and not forged.kind.says(("grand", "piano"))
+    assert not forged.kind.noun and not forged.kind.says(("grand", "piano"))
     assert not is_made_of(forged, "marble", material_index(catalog))
     assert inventory(snapshot, {})[-1].kind.named, "without a catalog the paths are all there is"
 

@@ -23,7 +23,7 @@ from c4s.cli.output import draw, print_json, print_table, say
 from c4s.cli.progress import bars
 from c4s.names import shown
 from c4s.stderr import tell
-from reports.site import environment
+from reports.frame import environment
 from warehouse.database import rebuild
 
 ATTACK = (

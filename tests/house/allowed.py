@@ -13,24 +13,32 @@ SETTINGS: dict[str, set[str]] = {}
 
 VERIFIERS: dict[str, set[str]] = {
     "bench/instant.py": {"integrity"},
+    "bench/leaderboard.py": {"detailed", "overview", "physics"},
+    "bench/made_verdicts.py": {"detailed", "repair"},
+    "bench/made_warehouse.py": {"detailed", "overview", "physics"},
     "bench/night.py": {"integrity"},
     "bench/orchestration.py": {"integrity"},
     "bench/scored_run.py": {"repair"},
     "c4s/bundle/writing.py": {"overview", "physics"},
+    "c4s/judge/model/judging.py": {"overview"},
+    "c4s/judge/model/sights.py": {"overview"},
+    "c4s/records/captures.py": {"overview"},
     "c4s/records/policy.py": {"overview"},
     "c4s/run/drive.py": {"integrity"},
     "c4s/run/limits.py": {"integrity"},
     "c4s/run/part.py": {"integrity"},
     "c4s/run/repeats.py": {"integrity"},
     "c4s/run/trial.py": {"integrity"},
+    "cases/judge_check/probes.py": {"overview"},
     "c4s/score/batch.py": {"detailed", "overview", "physics"},
     "flows/trial.py": {"integrity"},
 }
-"""Not verifiers: the stage ``integrity``; a target's operation; keys of the published bundle, of a policy file and of
-the published rows."""
+"""Not verifiers: the stage ``integrity``; a target's operation; keys of the published bundle, of a policy file, of a
+judgement and of the published rows; the purpose of a view."""
 
 BACKENDS: dict[str, set[str]] = {
     "bench/attacks/trial.py": {"c4s.engine.headless.host.session"},
+    "bench/looks.py": {"c4s.engine.headless.pictures", "c4s.engine.headless.process.boot"},
     "bench/pictures.py": {
         "c4s.engine.headless.pictures",
         "c4s.engine.headless.process.boot",

@@ -204,7 +204,7 @@ def test_an_actor_shows_no_more_things_than_its_pixels_have_room_for() -> None:
     shown: dict[str, Any] = {"views": [{"visible": {"a0": pixels}} for pixels in (47, 100, 0, 46)]}
     found = verify_overview(ALL, {"actors": [one], "c4s": {"meshes": meshes}}, CATALOG, shown)
     parts = {part["name"]: part for part in found.measurements["dimensions"]["completeness_and_polish"]["parts"]}
-    assert parts["visible_things"]["detail"] == {"things": 100, "seen": 3}
+    assert parts["visible_things"]["detail"] == {"things": 100, "seen": 3, "set_aside": 0}
 
 
 def test_an_invisible_component_is_not_placed() -> None:

@@ -189,6 +189,17 @@ def test_a_line_that_a_crash_cut_short_loses_nothing_else(tmp_path: Path) -> Non
     assert Ledger(path, 5).hold(0.1) is None
 
 
+def test_what_open_requests_may_take_is_told_apart_from_what_was_used(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path / "judging.jsonl", None, limit_tokens=10_000)
+    first = ledger.hold(0.05, 9_000)
+    assert first is not None
+    ledger.settle(first, 0.0025, 1_700)
+    assert ledger.spent().told() == "0.0025 USD, 1700 tokens"
+    assert ledger.hold(0.05, 9_000) is not None and ledger.hold(0.05, 9_000) is None
+    told = "0.0025 USD, 1700 tokens, and up to 0.0500 USD, 9000 tokens of requests not yet accounted for"
+    assert ledger.spent().told() == told
+
+
 def _spend(path: str, results: list[bool]) -> None:
     ledger = Ledger(Path(path), 1.0)
     for _ in range(40):

@@ -17,9 +17,11 @@ from pydantic import ValidationError
 import c4s
 from c4s.errors import BadInput
 from c4s.files import digest_file
-from c4s.judge.names import JUDGE_NAMES
-from c4s.judge.registry import JUDGES, Judge, judge_named, make_judgements
+from c4s.judge.desk import Desk
+from c4s.judge.names import JUDGE_NAMES, judge_configuration
+from c4s.judge.registry import JUDGES, Judge, judge_version, make_judgements
 from c4s.records.evidence import Evidence, EvidenceName
+from c4s.records.judge import RULE_JUDGE, JudgeConfiguration
 from c4s.records.judgement import ClaimJudgement, Judgements
 from c4s.records.plan import Configuration
 from c4s.records.score import TrialScore
@@ -67,7 +69,7 @@ def test_unknown_names_are_refused_with_the_choices() -> None:
     with pytest.raises(BadInput, match="physics"):
         verifier_named("taste")
     with pytest.raises(BadInput, match="rule"):
-        judge_named("gpt-9-vlm")
+        judge_configuration("gpt-9-vlm")
 
 
 def test_every_row_of_the_table_adds_the_numbers_that_it_names() -> None:
@@ -112,6 +114,9 @@ def test_a_judge_and_a_verifier_are_given_what_they_may_read_and_nothing_else(
 ) -> None:
     asked: list[EvidenceName] = []
 
+    def look(_: JudgeConfiguration, evidence: Evidence, __: Desk) -> Any:
+        peek(evidence)
+
     def peek(evidence: Evidence) -> Any:
         asked.extend(name for name in get_args(EvidenceName) if name in evidence.files)
         evidence.json("truth_snapshot")
@@ -120,10 +125,10 @@ def test_a_judge_and_a_verifier_are_given_what_they_may_read_and_nothing_else(
     for path in files.values():
         path.write_text("{}")
     evidence = Evidence(setting="text-to-scene", prompt="", files=files)
-    monkeypatch.setitem(JUDGES, "rule", Judge("rule", peek, str))
+    monkeypatch.setitem(JUDGES, "rule", Judge(look, str))
     with pytest.raises(BadInput, match="no truth snapshot"):
-        make_judgements("rule", evidence)
-    assert set(asked) == {"candidate_snapshot", "captures", "requirements"}
+        make_judgements(RULE_JUDGE, evidence)
+    assert set(asked) == {"candidate_snapshot", "captures", "requirements", "binding"}
     for verifier in VERIFIERS.values():
         asked.clear()
         monkeypatch.setitem(VERIFIERS, verifier.name, replace(verifier, verify=peek))
@@ -191,4 +196,6 @@ def test_a_name_that_becomes_a_folder_is_one(name: str) -> None:
 
 
 def test_every_judge_that_can_be_named_is_there() -> None:
-    assert tuple(JUDGES) == JUDGE_NAMES and all(judge.name == name for name, judge in JUDGES.items())
+    found = [judge_configuration(name) for name in JUDGE_NAMES]
+    assert tuple(one.name for one in found) == JUDGE_NAMES and {one.kind for one in found} == set(JUDGES)
+    assert len({judge_version(one) for one in found}) == len(found)

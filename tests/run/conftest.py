@@ -29,10 +29,11 @@ Command = Callable[..., subprocess.CompletedProcess[str]]
 def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A ``C4S_HOME`` with the suite ``small``: a text case and two repairs of the flat. Suite and packs are built once
     a test run."""
-    return apart(tmp_path_factory.mktemp("homes") / "home", built_once(tmp_path_factory, "small-home", _build_small))
+    return apart(tmp_path_factory.mktemp("homes") / "home", built_once(tmp_path_factory, "small-home", build_small))
 
 
-def _build_small(root: Path) -> None:
+def build_small(root: Path) -> None:
+    """The suite ``small`` and its pack, below a home."""
     scene = indoor_cases.scenes()[1]
     texts = [case for case in indoor_cases.INDOOR_TEXT_CASES if case.case_id in KEPT]
     ensure_pack("c4s-home", root / "packs")

@@ -46,8 +46,8 @@ def contents(home: Path) -> Contents:
 
 def test_a_backup_that_is_cut_off_leaves_the_one_before(at: Callable[[str], Path], tmp_path: Path) -> None:
     home, copy = at("home"), tmp_path / "copy"
-    first = {"runs/x/a": b"first", "runs/x/same": b"same", "suites/s/suite.json": b"{}"}
-    second = {"runs/x/a": b"second", "runs/x/large": bytes(3 << 20), "suites/s/suite.json": b"{}"}
+    first = {"runs/x/a": b"first", "runs/x/same": b"same", "human/s/study.json": b"{}"}
+    second = {"runs/x/a": b"second", "runs/x/large": bytes(3 << 20), "human/s/study.json": b"{}"}
     write(home, first)
     back_up(copy, PARTS)
     write(home, second)

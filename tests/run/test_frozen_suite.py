@@ -79,6 +79,11 @@ def _cut(bundle: dict[str, Any]) -> None:
     del predicates[2:]
 
 
+def _unbound(binding: dict[str, Any]) -> None:
+    for entity in binding["entities"].values():
+        entity["assets"] = []
+
+
 def _larger(pack: dict[str, Any]) -> None:
     body = next(asset["collision"][0] for asset in pack["assets"] if asset["collision"])
     body["center"][2] += 10
@@ -104,6 +109,9 @@ KINDS: list[tuple[str, str, Change]] = [
     ("cameras", f"{WITHHELD}/cameras.json", flipped),
     ("view of the truth", f"{WITHHELD}/views/truth/*.png", flipped),
     ("requirement bundle", f"suites/small/withheld/{TEXT}/requirements.bundle.json", edited(_cut)),
+    ("requirement bundle, a byte", f"suites/small/withheld/{TEXT}/requirements.bundle.json", flipped),
+    ("binding", f"suites/small/withheld/{TEXT}/binding.json", edited(_unbound)),
+    ("binding, a byte", f"suites/small/withheld/{TEXT}/binding.json", flipped),
     ("prompt of the bundle", f"suites/small/withheld/{TEXT}/prompt.txt", flipped),
     ("pack manifest", "packs/c4s-home/pack.json", flipped),
     ("collision body", "packs/c4s-home/pack.json", edited(_larger)),

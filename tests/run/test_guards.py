@@ -214,6 +214,20 @@ def test_what_is_booked_stops_the_run_at_its_limit(tmp_path: Path) -> None:
     assert "1.0000 of 1.0000 USD" in error.line() and "raise the limit" in error.line()
 
 
+@pytest.mark.parametrize(
+    ("limit", "told"), [({"judge_usd": 1.0}, "1.0000 of 1.0000 USD"), ({"judge_tokens": 90}, "90 of")]
+)
+def test_what_a_judge_uses_stops_the_run_at_its_limit(tmp_path: Path, limit: dict[str, Any], told: str) -> None:
+    run = RunFolder(tmp_path)
+    set_guards(run, **limit)
+    judging = Ledger(run.judging, None)
+    judging.settle(str(judging.hold(0.5, 100)), 0.5, 45)
+    assert Watchman(run).look() == (False, None)
+    judging.settle(str(judging.hold(0.5, 100)), 0.5, 45)
+    found = Watchman(run).look()[1]
+    assert found is not None and told in found.line() and "--judge-" in found.line() and found.exit_code == 1
+
+
 def test_a_limit_of_nothing_stops_no_run_that_uses_no_model(tmp_path: Path) -> None:
     plan, made = planned(tmp_path, 2)
     set_guards(RunFolder(tmp_path), spend_usd=0.0)

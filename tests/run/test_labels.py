@@ -13,8 +13,7 @@ import pytest
 from c4s.engine import engine_kinds
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import digest, read_json, write_json
-from c4s.judge.names import DEFAULT_JUDGE
-from c4s.judge.registry import JUDGES
+from c4s.judge.names import DEFAULT_JUDGE, JUDGE_NAMES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.evidence_digests import SEEN, note_digests
 from c4s.records.plan import Configuration, Plan
@@ -30,7 +29,7 @@ WRONG = {"engine": "unity", "judge": "gpt-9-vlm", "policy": "my-weights"}
 
 
 def choices(label: str) -> list[str]:
-    return {"engine": list(engine_kinds()), "judge": list(JUDGES), "policy": list(POLICIES)}[label]
+    return {"engine": list(engine_kinds()), "judge": list(JUDGE_NAMES), "policy": list(POLICIES)}[label]
 
 
 @pytest.fixture(scope="module")
@@ -141,7 +140,9 @@ def _set(*keys: str, to: str) -> Callable[[dict[str, Any]], None]:
         ("evidence/snapshot.json", lambda value: value.pop("c4s")),
         ("evidence/captures/captures.json", _set("engine", to="unreal")),
         ("judgements/*.json", _set("judge", to="gpt-9-vlm")),
+        ("judgements/*.json", _set("judge_version", to="0.1.0+000000000000")),
         ("verdicts/overview.json", _set("measurements", "judge", to="gpt-9-vlm")),
+        ("verdicts/detailed.json", _set("measurements", "judge_version", to="0.1.0+000000000000")),
         ("verdicts/physics.json", _set("verifier", to="overview")),
         ("score.json", _set("engine", to="unreal")),
         ("score.json", _set("judge", to="gpt-9-vlm")),

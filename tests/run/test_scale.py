@@ -20,7 +20,7 @@ def test_a_plan_is_made_and_checked_before_its_first_attempt() -> None:
 
 def test_the_leaderboard_is_what_pandas_makes_of_the_same_parts() -> None:
     """The benchmark compares them; here it is small."""
-    assert next(row.name for row in leaderboard.rows(400)).startswith("leaderboard of 1,730 trials")
+    assert next(row.name for row in leaderboard.rows(400)).startswith("leaderboard of 3,990 trials")
 
 
 def test_a_night_keeps_every_slot_busy_and_takes_as_long_as_its_attempts() -> None:

@@ -21,6 +21,7 @@ from c4s.protocol.rules import (
 )
 from c4s.score.batch import KINDS
 from c4s.score.policies import POLICIES
+from c4s.verify.faults import ACCEPTED
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "scoring.md").read_text(encoding="utf-8")
@@ -34,6 +35,7 @@ def test_every_advisory_is_explained_and_none_is_left_over() -> None:
         for path in (ROOT / "c4s" / folder).rglob("*.py")
         for code in RAISED.findall(path.read_text(encoding="utf-8"))
     }
+    raised.add(ACCEPTED)
     listed = re.findall(r"^\| `([\w-]+)` \|", PAGE.split("## Advisories")[1], flags=re.MULTILINE)
     assert len(raised) > 10 and sorted(listed) == sorted(raised)
 

@@ -53,6 +53,7 @@ VIEW = {
     "width": 160,
     "height": 90,
 }
+AIMED = {key: value for key, value in VIEW.items() if key != "target_cm"} | {"rotation_deg": [-22.0, 28.6, 0.0]}
 BUILD = """
 import unreal
 actors = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
@@ -112,7 +113,7 @@ def done(home: Path) -> list[Trial]:
 def test_a_scene_built_in_an_editor_is_scored(done: list[Trial]) -> None:
     score = TrialScore.read(done[0].folder.score)
     assert (score.engine, score.retained_attempt) == ("unreal-standin", 1)
-    assert score.components["physics"] and score.components["overview"]
+    assert score.components["physics"] and score.components["overview"] == 0.0, "of a prompt without requirements"
     attempt = done[0].folder.attempt(1)
     outcome = AttemptOutcome.read(attempt.outcome)
     assert outcome.ended_by == "finished" and outcome.engine_version == "5.6.0-standin"
@@ -223,16 +224,18 @@ def test_a_level_document_becomes_the_level_that_it_says_and_no_submission(
     ) as engine:
         assert engine.call("scene_tools.current_level") == "/Game/Start/Yard"
     assert list((tmp_path / "c").iterdir()) == []
-    found = []
+    found, glimpses = [], []
     for kind in ("headless", "unreal-standin"):
         out = EvidenceFolder(tmp_path / kind)
         with open_level(engine=kind, packs=[pack], level=tmp_path / "start.level.json") as clean:
             actors = clean.export(out.root)["actors"]
             clean.look(out.root, [VIEW])
+            glimpses.append(clean.probe([AIMED]))
         masks = [np.load(path) for path in sorted(out.captures.glob("*.actors.npz"))]
         found.append(([{**actor, "actor_guid": ""} for actor in actors], masks))
     (told, seen), (told_by_editor, traced) = found
     assert told_by_editor == told
+    assert glimpses[0] == glimpses[1] and glimpses[0][0]["visible"]
     assert len(seen) == len(traced) == 1
     for own, other in zip(seen, traced, strict=True):
         assert (own["actor"] >= 0).any() and list(own["names"]) == list(other["names"])

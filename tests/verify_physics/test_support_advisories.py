@@ -55,3 +55,19 @@ def test_helpers_that_are_tested() -> None:
     assert told(
         box("PointLight", 300, **lamp), box("Light_2", 300, **lamp), box("Cup", 300), box("PointLight_low", 0, **lamp)
     ) == {"helper_tested_for_support": ["PointLight"]}
+
+
+def test_switched_off_collision_is_told_with_how_far_it_shrinks_the_population() -> None:
+    meshes = {"/Game/P/Crate": {"collision": [{"kind": "box"}]}, "/Game/P/Grass": {"collision": []}}
+
+    def made(name: str, mesh: str, on: bool, x: float) -> dict[str, Any]:
+        return box(name, 0, x=x, component_asset_paths=[mesh], collision={"collision_enabled": on})
+
+    actors = [
+        made("Ghost", "/Game/P/Crate", False, 0),
+        made("Honest", "/Game/P/Crate", True, 100),
+        made("Grass", "/Game/P/Grass", False, 200),
+    ]
+    verdict = verify_physics("text-to-scene", {"actors": actors, "c4s": {"meshes": meshes}}, contacts=[])
+    (note,) = [note for note in verdict.advisories if note["code"] == "collision_switched_off"]
+    assert note["actors"] == ["Ghost"] and "1 of 3" in note["text"]

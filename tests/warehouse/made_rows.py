@@ -67,6 +67,7 @@ def store_schedule(
             operations="",
             operation_group=None,
             difficulty=None,
+            visibility="public",
             proxy_assets=False,
         )
         for number in numbers

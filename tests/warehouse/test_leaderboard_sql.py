@@ -14,6 +14,7 @@ from c4s.errors import BadInput
 from c4s.protocol.settings import SETTINGS
 from c4s.score.aggregate import aggregate
 from warehouse import refresh
+from warehouse.analyses import StudyOptions, WantedScope, answer, study_named
 from warehouse.database import ask, rebuild, rows
 from warehouse.frames import export
 from warehouse.parquet import write_part
@@ -29,12 +30,14 @@ def _store(
     scores: dict[tuple[str, str, int], float | None],
     *,
     judge: str = "rule",
+    judge_version: str = "v1",
     unranked: tuple[str, ...] = (),
     content: str = "",
     build: tuple[str, str] = ("d", "2026-01-01"),
+    repeat: int = 1,
 ) -> None:
     for (agent, setting, number), score in scores.items():
-        key = f"{agent}-{setting.replace('/', '-')}-{number}-{judge}-{content}-{build[0]}"
+        key = f"{agent}-{setting.replace('/', '-')}-{number}-{judge}-{judge_version}-{content}-{build[0]}-{repeat}"
         base = {
             "trial_id": key,
             "run_id": "run",
@@ -42,7 +45,7 @@ def _store(
             "suite_digest": build[0],
             "configuration": agent,
             "configuration_digest": content or agent,
-            "repeat": 1,
+            "repeat": repeat,
             "case_id": f"{setting}-{number}",
         }
         shared = {
@@ -50,6 +53,7 @@ def _store(
             "scene_id": "scene",
             "policy": "p",
             "judge": judge,
+            "judge_version": judge_version,
             "engine": "headless",
             "ranked": agent not in unranked,
         }
@@ -68,6 +72,7 @@ def _store(
                     operations="",
                     operation_group=None,
                     difficulty=None,
+                    visibility="public",
                     proxy_assets=False,
                 )
             ],
@@ -174,7 +179,16 @@ def test_other_judges_and_validating_agents_are_never_ranked_together(tmp_path: 
     high, low = dict.fromkeys(_grid(), 0.9), dict.fromkeys(_grid(), 0.1)
     _store(tmp_path, high, unranked=("gamma",))
     _store(tmp_path, low, judge="model")
-    found = {(row["judge"], row["configuration"]): row["rank"] for row in rows(tmp_path, "SELECT * FROM leaderboard")}
+    _store(tmp_path, low, judge="model", judge_version="v2")
+    ranks: dict[tuple[str, str], set[int | None]] = {}
+    for row in rows(tmp_path, "SELECT * FROM leaderboard"):
+        ranks.setdefault((row["judge"], row["configuration"]), set()).add(row["rank"])
+    assert {(row["judge"], row["judge_version"]) for row in rows(tmp_path, "SELECT * FROM sanity_ladder")} == {
+        ("rule", "v1"),
+        ("model", "v1"),
+        ("model", "v2"),
+    }
+    found = {key: rank for key, (rank,) in ranks.items()}
     assert found == {
         ("rule", "alpha"): 1,
         ("rule", "beta"): 1,
@@ -195,6 +209,34 @@ def test_what_is_pending_is_no_zero_in_any_mean(tmp_path: Path) -> None:
     assert board["image_to_scene"] is board["repair_f1"] is board["image_physics"] is board["outdoor"] is None
     (ladder,) = rows(tmp_path, "SELECT * FROM sanity_ladder")
     assert ladder["lowest_f1"] == ladder["highest_f1"] == ladder["lowest_repair_score"] == 1.0
+
+
+def test_a_case_that_was_repeated_more_often_weighs_no_more(tmp_path: Path) -> None:
+    scores: dict[tuple[str, str, int], float | None] = {
+        ("alpha", setting, number): float(number == 0) for setting in SETTINGS for number in range(CASES[setting])
+    }
+    _store(tmp_path, scores)
+    for repeat in (2, 3):
+        _store(tmp_path, {key: score for key, score in scores.items() if key[2] == 0}, repeat=repeat)
+    (row,) = rows(tmp_path, "SELECT * FROM leaderboard")
+    assert (row["text_to_scene"], row["indoor"], row["outdoor"]) == (1 / 3, 1 / 2, 1 / 4)
+    assert row["image_to_scene"] == pytest.approx(2 / 6) == row["repair_f1"]
+    assert (row["planned"], row["cases"], row["indoor_cases"]) == (15, 9, 2)
+
+
+def test_the_same_scores_in_another_order_share_a_rank(tmp_path: Path) -> None:
+    forth, back = (0.1, 0.2, 0.3), (0.3, 0.2, 0.1)
+    assert sum(forth) != sum(back)
+    scores = {
+        (agent, setting, number): own[number % 3]
+        for agent, own in (("alpha", forth), ("beta", back), ("gamma", forth))
+        for setting in SETTINGS
+        for number in range(3)
+    }
+    _store(tmp_path, scores)
+    assert [row["rank"] for row in rows(tmp_path, "SELECT rank FROM leaderboard")] == [1, 1, 1]
+    answered = answer(tmp_path, study_named("main-results"), WantedScope(), StudyOptions(), tmp_path / "answers")
+    assert [row["rank"] for row in answered.findings.tables[0].rows] == [1, 1, 1]
 
 
 def test_an_empty_warehouse_answers_and_a_wrong_query_is_one_line(tmp_path: Path) -> None:

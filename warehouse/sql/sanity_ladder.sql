@@ -1,7 +1,7 @@
 -- Does the evaluator put the baselines where they belong? The oracle saves the truth, noop edits nothing, vandal
 -- deletes everything, planner and random build and edit without a model. On the latest build of each suite.
 SELECT
-    suite, configuration,
+    suite, policy, judge, judge_version, engine, configuration,
     count(*) FILTER (WHERE NOT construction) AS repair_cases,
     min(coalesce(repair_f1, 0)) FILTER (WHERE NOT construction AND score IS NOT NULL) AS lowest_f1,
     max(coalesce(repair_f1, 0)) FILTER (WHERE NOT construction AND score IS NOT NULL) AS highest_f1,
@@ -13,5 +13,5 @@ SELECT
     count(*) AS trials
 FROM case_scores JOIN settings USING (setting)
 WHERE latest
-GROUP BY suite, configuration, configuration_digest
-ORDER BY suite, mean_text_score DESC NULLS LAST, configuration, configuration_digest
+GROUP BY suite, policy, judge, judge_version, engine, configuration, configuration_digest
+ORDER BY suite, policy, judge, judge_version, engine, mean_text_score DESC NULLS LAST, configuration, configuration_digest

@@ -16,11 +16,13 @@ from typing import Any
 
 import mcp_types as wire
 
-from c4s.agents.api.chat import ChatClient, ChatFailed, Reply
 from c4s.agents.api.conversation import Conversation, Turn, picture_part
 from c4s.agents.api.options import ApiOptions
 from c4s.agents.base import AgentContext, AgentReport
 from c4s.agents.briefing import briefing, reference_pictures
+from c4s.chat.client import ChatClient, Reply
+from c4s.chat.failures import ChatFailed
+from c4s.chat.replicas import WIRE, Address, bearer
 from c4s.errors import AgentFault, MachineryFault
 from c4s.files import append_json_line, digest_bytes, whole_characters
 from c4s.records.plan import Configuration
@@ -43,7 +45,7 @@ class ApiAgent:
 
     def wire_of(self, configuration: Configuration) -> str:
         """Chat completions."""
-        return "openai-chat"
+        return WIRE
 
     def ready(self, configuration: Configuration) -> None:
         """``BadInput`` for options that cannot be used."""
@@ -55,8 +57,7 @@ class ApiAgent:
             raise MachineryFault("no model was opened for this agent", where=context.configuration.name)
         log = context.folder / "api.jsonl"
         chat = ChatClient(
-            f"{context.model.url}/v1",
-            context.model.token,
+            [Address(f"{context.model.url}/v1", bearer(context.model.token))],
             wait=context.stopped,
             jitter=random.Random(f"{context.case.alias}/{context.attempt}"),
             note=lambda record: append_json_line(log, record),
@@ -69,7 +70,7 @@ class ApiAgent:
                 return AgentReport(client_version=VERSION, message=failure.what)
             if failure.kind != "context":
                 context.model.blame(failure.what)
-            raise
+            raise AgentFault(failure.what) from failure
         finally:
             chat.close()
         return AgentReport(client_version=VERSION, message=message)

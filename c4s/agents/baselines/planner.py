@@ -1,4 +1,4 @@
-"""Baseline ``planner``: no model. It reads the prompt, plans, builds and saves; in a repair it mends what looks odd."""
+"""Baseline ``planner``: no model. It reads what stands on and near what and builds it; in a repair it mends the odd."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Planner:
             else:
                 message = _mend(tools)
             tools.call("save_scene_as", name=SUBMISSION_NAME)
-        return AgentReport(client_version="planner 1", message=message)
+        return AgentReport(client_version="planner 3", message=message)
 
 
 def _construct(tools: GatewayClient, prompt: str, plate_m: float) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -10,26 +9,30 @@ from typing import Any
 import numpy as np
 
 from c4s.geometry.transform import WORLD_CM
-from c4s.judge.rule.judge import RuleJudge
 from c4s.protocol.bundle import Entity
 from c4s.protocol.numbers import mean
 from c4s.semantics.boxes import Boxes, Flags, holds_to_any
+from c4s.semantics.decision import Decision
 from c4s.semantics.inventory import Thing
-from c4s.semantics.quantities import needed
+from c4s.semantics.quantities import bearable, needed
+from c4s.semantics.relations import on
+from c4s.semantics.state import StateDecider
+from c4s.semantics.substance import is_flat_lying
 from c4s.semantics.views import Views
 
-STYLE_TYPES = frozenset({"attribute", "material", "style_bundle", "environment", "atmosphere", "scene_identity"})
-SPATIAL_TYPES = frozenset({"spatial_relation", "distribution", "composition", "boundary"})
+LOOKS_TYPES = frozenset({"attribute", "material"})
+SEEN_LOOKS = frozenset({"color", "material"})
+"""Kinds of qualifiers that assets and pixels tell of; of others (modern, two-storey) nothing here can."""
+PRESENCE_TYPES = frozenset({"existence", "presence", "set", "logic"})
+SPATIAL_TYPES = frozenset({"spatial_relation", "distribution"})
 STRETCH = 4.0
 """A thing is stretched out of shape when its largest scale factor exceeds its smallest by more than this factor."""
 FLAT_CM = 0.1
 """A thing is flattened when two of its sides are not longer than this."""
-BURIED = 0.5
-LIKE_SIZE = 8.0
-"""A thing is swallowed when another's box, of up to 8 times its volume, holds more than half of its own box.
-What is much larger is a room or a yard that things may stand in."""
-GRID = 4
-"""Occupancy is counted over a grid of this many cells a side."""
+PLACED = 0.25
+"""What an object is worth that is there, but not in the number and place that the prompt asks for."""
+FLOOR_CM = 30.0
+"""What begins this close over another thing's top stands on it."""
 
 
 @dataclass(frozen=True)
@@ -42,20 +45,19 @@ class DimensionPart:
     detail: dict[str, Any]
 
 
-def dimensions(judge: RuleJudge, views: Views) -> dict[str, list[DimensionPart]]:
+def dimensions(judge: StateDecider, views: Views) -> dict[str, list[DimensionPart]]:
     """The parts of the four prompt dimensions, by dimension name."""
     seen = views.seen(judge.things)
     objects = [entity for entity in judge.requirements.entities.values() if entity.is_object]
     counts = _seen_counts(judge, seen, objects)
+    fits = _fits(judge, counts, objects)
+    arranged = _arranged(judge, bool(seen))
+    realised = _realised(judge, fits, arranged.value if arranged.detail["requirements"] else 1.0)
     return {
-        "global_prompt_alignment": [_named_objects(counts)],
-        "composition_and_layout": [
-            _requirements("spatial_requirements", judge, SPATIAL_TYPES, bool(seen)),
-            _occupancy(seen),
-            _unswallowed(seen),
-        ],
-        "style_atmosphere_coherence": [_requirements("style_requirements", judge, STYLE_TYPES, bool(seen))],
-        "completeness_and_polish": [_counts(judge, counts, objects), _visible(judge.things, seen)],
+        "global_prompt_alignment": [_objects(realised, counts)],
+        "composition_and_layout": [arranged],
+        "style_atmosphere_coherence": [_looks(judge, realised), arranged],
+        "completeness_and_polish": [_counts(fits), _visible(judge, seen, objects), _floor(judge, seen, objects)],
     }
 
 
@@ -78,7 +80,7 @@ def structural_integrity(things: Sequence[Thing]) -> DimensionPart:
     )
 
 
-def _seen_counts(judge: RuleJudge, seen: Sequence[Thing], objects: Sequence[Entity]) -> dict[str, int]:
+def _seen_counts(judge: StateDecider, seen: Sequence[Thing], objects: Sequence[Entity]) -> dict[str, int]:
     """How many clearly visible things each named object has."""
     visible = set(seen)
     known: dict[int, int] = {}
@@ -91,63 +93,98 @@ def _seen_counts(judge: RuleJudge, seen: Sequence[Thing], objects: Sequence[Enti
     return counts
 
 
-def _named_objects(counts: Mapping[str, int]) -> DimensionPart:
-    """Share of the prompt's named objects of which at least one is placed and clearly visible."""
+def _realised(judge: StateDecider, fits: Mapping[str, float], arranged: float) -> dict[str, float]:
+    """How far each named object is as asked: as far as its visible count is, and within that by the number and place
+    that the prompt asks of it; where it asks none, by how far the scene is arranged as asked."""
+    asked: dict[str, list[float]] = {}
+    for node in judge.requirements.scored:
+        predicate = judge.requirements.predicates[node]
+        if judge.measurable(predicate) and predicate.type not in PRESENCE_TYPES:
+            for subject in predicate.subjects:
+                asked.setdefault(subject, []).append(judge.decide(node).score)
+    return {
+        key: fit * (PLACED + (1 - PLACED) * (mean(asked[key]) if key in asked else arranged))
+        for key, fit in fits.items()
+    }
+
+
+def _objects(realised: Mapping[str, float], counts: Mapping[str, int]) -> DimensionPart:
+    """Mean over the prompt's named objects of how far each is as asked."""
     return DimensionPart(
-        "visible_named_objects",
-        sum(count > 0 for count in counts.values()) / len(counts) if counts else 0.0,
-        bool(counts),
-        {"objects": len(counts), "missing": [key for key, count in counts.items() if not count]},
+        "realised_objects",
+        mean(realised.values()) if realised else 0.0,
+        bool(realised),
+        {"objects": len(realised), "missing": [key for key, count in counts.items() if not count]},
     )
 
 
-def _requirements(name: str, judge: RuleJudge, types: frozenset[str], anything: bool) -> DimensionPart:
-    """Mean decision score of the bundle's requirements of some types; unknown ones count 0."""
-    nodes = [node for node in judge.requirements.scored if judge.requirements.predicates[node].type in types]
-    decisions = [judge.decide(node) for node in nodes]
-    value = mean(d.score for d in decisions) if nodes and anything else 0.0
+def _arranged(judge: StateDecider, anything: bool) -> DimensionPart:
+    """Mean score of the relations and distributions that geometry measures; what it leaves open counts 0."""
+    predicates = (judge.requirements.predicates[node] for node in judge.requirements.scored)
+    decisions = [judge.decide(p.id) for p in predicates if p.type in SPATIAL_TYPES and judge.measurable(p)]
+    return _part("arranged_as_asked", [found.score if anything else 0.0 for found in decisions], decisions)
+
+
+def _looks(judge: StateDecider, realised: Mapping[str, float]) -> DimensionPart:
+    """Mean score of the colours and materials of the prompt, each as far as its object is as asked (a region as far
+    as all are); what nothing decides counts 0."""
+    asked = (judge.requirements.predicates[node] for node in judge.requirements.scored)
+    predicates = [p for p in asked if p.type in LOOKS_TYPES and any(kind in SEEN_LOOKS for kind, _ in p.qualifiers)]
+    decisions = [judge.decide(predicate.id) for predicate in predicates]
+    region = mean(realised.values()) if realised else 0.0
+    values = [
+        found.score * max((realised.get(subject, region) for subject in predicate.subjects), default=0.0)
+        for predicate, found in zip(predicates, decisions, strict=True)
+    ]
+    return _part("looks_as_asked", values, decisions)
+
+
+def _part(name: str, values: Sequence[float], decisions: Sequence[Decision]) -> DimensionPart:
     return DimensionPart(
         name,
-        value,
-        any(d.status != "UNKNOWN" for d in decisions),
-        {"requirements": len(nodes), "unknown": sum(d.status == "UNKNOWN" for d in decisions)},
+        mean(values) if values else 0.0,
+        any(found.status != "UNKNOWN" for found in decisions),
+        {"requirements": len(values), "unknown": sum(found.status == "UNKNOWN" for found in decisions)},
     )
 
 
-def _occupancy(things: Sequence[Thing]) -> DimensionPart:
-    """How evenly things fill their common plan: the entropy of their cells, against the most they could fill."""
-    if len(things) < 2:
-        return DimensionPart("plan_occupancy", 0.0, bool(things), {"things": len(things)})
-    points = np.array([thing.centre[:2] for thing in things])
-    span = np.maximum(np.ptp(points, axis=0), 1.0)
-    cells = np.minimum(((points - points.min(axis=0)) / span.max() * GRID).astype(int), GRID - 1)
-    shares = np.unique(cells, axis=0, return_counts=True)[1] / len(things)
-    most = math.log(min(len(things), GRID * GRID))
-    return DimensionPart("plan_occupancy", float(-(shares * np.log(shares)).sum() / most), True, {"cells": len(shares)})
+def _visible(judge: StateDecider, seen: Sequence[Thing], objects: Sequence[Entity]) -> DimensionPart:
+    """Share of what is placed of the named objects that counts and is clearly visible."""
+    names = [entity.id for entity in objects]
+    counted, aside = set().union(*map(judge.ground, names)), judge.grounding.set_aside(names)
+    visible = sum(thing in counted for thing in seen)
+    return DimensionPart(
+        "visible_things",
+        visible / (len(counted) + aside) if visible else 0.0,
+        bool(counted or aside),
+        {"things": len(counted) + aside, "seen": visible, "set_aside": aside},
+    )
 
 
-def _unswallowed(things: Sequence[Thing]) -> DimensionPart:
-    """Share of things of which no other thing of like size (up to 8 times its volume) holds more than half."""
-    if not things:
-        return DimensionPart("unswallowed", 0.0, False, {"things": 0})
-    buried = holds_to_any(things, things, _is_swallowed)
-    swallowed = [things[place].actor for place in np.flatnonzero(buried).tolist()]
-    return DimensionPart("unswallowed", 1 - len(swallowed) / len(things), True, {"swallowed": swallowed[:50]})
+def _floor(judge: StateDecider, seen: Sequence[Thing], objects: Sequence[Entity]) -> DimensionPart:
+    """Share of the visible named things that something is under: a floor, a table, a landscape."""
+    named = set().union(*(judge.ground(entity.id) for entity in objects))
+    standing = [thing for thing in seen if thing in named and not is_flat_lying(thing)]
+    if not standing:
+        return DimensionPart("on_a_floor", 0.0, False, {"things": 0})
+    flat = [thing for thing in judge.things if is_flat_lying(thing)]
+    under = holds_to_any(standing, flat, _is_over) | on(standing, judge.things)
+    low, high = (np.array([getattr(thing, side) for thing in standing]) for side in ("low", "high"))
+    for least, most in judge.grounding.landscapes:
+        under |= ((low[:, :2] >= least[:2]) & (high[:, :2] <= most[:2])).all(axis=1) & (low[:, 2] <= most[2] + FLOOR_CM)
+    return DimensionPart("on_a_floor", float(under.mean()), True, {"things": len(standing), "floors": len(flat)})
 
 
-def _is_swallowed(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
-    """Whether another actor's box of like size holds more than half of the subject's."""
-    common = np.maximum(np.minimum(most.high, subject.high) - np.maximum(least.low, subject.low), 0.0)
+def _is_over(subject: Boxes, least: Boxes, most: Boxes) -> Flags:
+    """Whether the subject stands on a floor, or in one."""
+    meets = np.all((least.low[:, :2] <= subject.high[:, :2]) & (most.high[:, :2] >= subject.low[:, :2]), axis=1)
     return np.asarray(
-        (most.volume >= subject.volume)
-        & (least.volume <= LIKE_SIZE * subject.volume)
-        & ((least.owner < subject.owner) | (most.owner > subject.owner))
-        & (common[:, 0] * common[:, 1] * common[:, 2] > BURIED * subject.volume)
+        meets & (most.high[:, 2] >= subject.low[:, 2] - FLOOR_CM) & (least.high[:, 2] <= subject.high[:, 2])
     )
 
 
-def _counts(judge: RuleJudge, counts: Mapping[str, int], objects: Sequence[Entity]) -> DimensionPart:
-    """Mean over the named objects of visible count / needed count, at most 1 each."""
+def _fits(judge: StateDecider, counts: Mapping[str, int], objects: Sequence[Entity]) -> dict[str, float]:
+    """The visible count of each named object against the count asked for, at most 1; too many count too."""
     quantities = {
         subject: predicate.quantity
         for predicate in judge.requirements.predicates.values()
@@ -156,22 +193,13 @@ def _counts(judge: RuleJudge, counts: Mapping[str, int], objects: Sequence[Entit
     }
     ratios = {}
     for entity in objects:
-        ratios[entity.id] = min(
-            1.0, counts[entity.id] / needed(quantities.get(entity.id), collection=entity.collection)
-        )
-    return DimensionPart(
-        "object_counts",
-        mean(ratios.values()) if ratios else 0.0,
-        bool(ratios),
-        {"short": [key for key, ratio in ratios.items() if ratio < 1]},
-    )
+        least = needed(quantities.get(entity.id), collection=entity.collection)
+        most = bearable(quantities.get(entity.id), collection=entity.collection)
+        ratios[entity.id] = min(1.0, counts[entity.id] / least, most / max(counts[entity.id], 1))
+    return ratios
 
 
-def _visible(things: Sequence[Thing], seen: Sequence[Thing]) -> DimensionPart:
-    """Share of the placed things that are clearly visible in a view."""
-    return DimensionPart(
-        "visible_things",
-        len(seen) / len(things) if things else 0.0,
-        bool(things),
-        {"things": len(things), "seen": len(seen)},
-    )
+def _counts(fits: Mapping[str, float]) -> DimensionPart:
+    """Mean over the named objects of how far their visible count is the one asked for."""
+    short = [key for key, fit in fits.items() if fit < 1]
+    return DimensionPart("object_counts", mean(fits.values()) if fits else 0.0, bool(fits), {"short": short})

@@ -16,6 +16,9 @@ from c4s.verify.actors.kinds import short_class
 from c4s.verify.actors.materials import comparable_materials, comparable_slots
 from c4s.verify.actors.vectors import angle_deg, same_within, valid_vector
 
+MATERIAL_FIELDS = ("property.material_paths", "property.component_material_slots")
+ASSET_FIELDS = ("property.asset_path", "property.component_asset_paths", *MATERIAL_FIELDS)
+"""Fields that record which assets and materials an actor refers to."""
 _MEMBERS = (
     ("location_cm", "transform.location", SAME_LOCATION_CM),
     ("rotation_deg", "transform.rotation", SAME_ROTATION_DEG),
@@ -103,11 +106,11 @@ def property_differences(reference: Record, other: Record, *, target: bool) -> l
     ):
         found.append("property.component_asset_paths")
     if "material_paths" in reference and comparable_materials(reference) != comparable_materials(other):
-        found.append("property.material_paths")
+        found.append(MATERIAL_FIELDS[0])
     if "component_material_slots" in reference and not _written_alike(
         comparable_slots(reference), comparable_slots(other)
     ):
-        found.append("property.component_material_slots")
+        found.append(MATERIAL_FIELDS[1])
     if "properties" in reference:
         mine, theirs = reference["properties"], other.get("properties")
         if not _written_alike(_visible(mine), _visible(theirs)) or not (target or mine == theirs):

@@ -66,6 +66,21 @@ def comparable_materials(record: dict[str, Any]) -> list[Identity]:
     )
 
 
+def renumbered_materials(record: dict[str, Any]) -> list[str]:
+    """The material paths as a sorted multiset, without the numbers of what lies in the level or is transient.
+
+    An editor gives runtime instances new ones when it saves, marked dynamic or not: where no more than those differ,
+    nobody edited anything (paper, "Final repair outcomes"). For analyses; scores go by ``comparable_materials``.
+    """
+    paths = record.get("material_paths") or []
+    found = []
+    for path in map(str, paths if isinstance(paths, list) else [paths]):
+        text = path.rpartition(_LEVEL_MARK)[2] if _LEVEL_MARK in path else path
+        runtime = text != path or path.casefold().startswith(_TRANSIENT)
+        found.append(_NUMBER.sub("", text) if runtime else text)
+    return sorted(found)
+
+
 def _text(value: Any) -> str:
     return "" if value is None else str(value).strip()
 

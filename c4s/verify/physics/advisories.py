@@ -49,6 +49,25 @@ def _unscored_labels(actors: Sequence[Mapping[str, Any]], scored: Sequence[int])
     )
 
 
+def switched_off(scene: PhysicsScene, chosen: Sequence[int]) -> list[dict[str, Any]]:
+    """Actors that no contact can be found of because their collision is off, although their meshes have bodies."""
+    extra = scene.snapshot.get("c4s")
+    meshes = extra.get("meshes") if isinstance(extra, Mapping) else None
+    bodied = {path for path, facts in (meshes or {}).items() if isinstance(facts, Mapping) and facts.get("collision")}
+    named = [actor_name(scene.actors[i]) for i in chosen if _is_off(scene.actors[i], bodied)]
+    text = (
+        f"their collision is switched off although their meshes have bodies: {len(named)} of {len(chosen)} actors can "
+        "penetrate nothing"
+    )
+    return [{"code": "collision_switched_off", "text": text, "actors": named}] if named else []
+
+
+def _is_off(actor: Mapping[str, Any], bodied: set[str]) -> bool:
+    collision = actor.get("collision")
+    off = isinstance(collision, Mapping) and collision.get("collision_enabled") is False
+    return off and not bodied.isdisjoint(map(str, actor.get("component_asset_paths") or []))
+
+
 def _one_object(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> list[str]:
     """Scored actors that share a logical object with another actor."""
     objects = [str(actor.get("logical_object_id") or "") for actor in actors]

@@ -25,7 +25,7 @@ from c4s.protocol.rules import (
 )
 from c4s.protocol.settings import Setting
 from c4s.records.verdict import Verdict
-from c4s.verify.physics.advisories import hidden_by_edits, scene_advisories, support_oddities
+from c4s.verify.physics.advisories import hidden_by_edits, scene_advisories, support_oddities, switched_off
 from c4s.verify.physics.evidence import (
     contacts_of,
     given_contacts,
@@ -133,6 +133,7 @@ def _judged(scene: PhysicsScene, contacts: ContactsRecord, support: SupportRecor
         advisories=scene_advisories(
             actors, chosen, scored, judged, {*contacts["with_bodies"], *unknown}, (floating, solid)
         )
+        + switched_off(scene, chosen)
         + (support_oddities(scene, scored) if whole else hidden_by_edits(support)),
     )
 

@@ -5,8 +5,11 @@ Rows name actors by label; labels come from the submission, so they are data to 
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
+from c4s.verify.actors.difference import MATERIAL_FIELDS
+from c4s.verify.actors.materials import renumbered_materials
 from c4s.verify.repair.acceptance import Errors, measure
 from c4s.verify.repair.actors import Actor
 from c4s.verify.repair.counts import RepairResult
@@ -109,10 +112,17 @@ def target_rows(result: RepairResult) -> list[dict[str, Any]]:
     return rows
 
 
+def _is_renamed_material(fields: Collection[str], start: Actor, candidate: Actor) -> bool:
+    if not fields or not set(fields) <= set(MATERIAL_FIELDS):
+        return False
+    return renumbered_materials(start.record) == renumbered_materials(candidate.record)
+
+
 def false_positive_rows(result: RepairResult) -> list[dict[str, Any]]:
     """One row a false positive: wrong candidate outputs first, then losses of background actors.
 
-    ``moved`` tells how far an actor is from its input actor, ``errors`` how far from the target it stands for.
+    ``moved`` tells how far an actor is from its input actor, ``errors`` how far from the target it stands for;
+    ``renamed_material`` that saving gave its runtime material another number and nothing else changed.
     """
     case, used = result.case, set(result.accepted.values())
     rows: list[dict[str, Any]] = []
@@ -137,6 +147,8 @@ def false_positive_rows(result: RepairResult) -> list[dict[str, Any]]:
             row |= {
                 "kind": kind,
                 "reason": reason,
+                "fields": list(pair.fields),
+                "renamed_material": _is_renamed_material(pair.fields, origin, actor),
                 "input_actor": _label(origin),
                 "method": pair.method,
                 "moved": _pose_numbers(measure(origin.record, actor.record)),

@@ -13,6 +13,8 @@ from c4s.protocol.requirements import protocol_detailed, semantic_case
 from c4s.protocol.rules import SEMANTIC_CASE_POLICY
 from c4s.records.judgement import Judgements
 from c4s.records.verdict import Verdict
+from c4s.verify.faults import accepted_faults
+from c4s.verify.semantic.existence import ExistenceChecks
 
 
 def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdict:
@@ -28,7 +30,7 @@ def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdic
         raise BadInput(
             f"the judgements do not answer this requirement bundle: {', '.join(odd[:3])}", todo="judge the trial again"
         )
-    rows, decisions = [], []
+    rows, decisions, existence = [], [], ExistenceChecks(requirements, said)
     for node in requirements.scored:
         predicate, found = requirements.predicates[node], said[node]
         rows.append(
@@ -46,12 +48,18 @@ def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdic
             {
                 "node_id": node,
                 "text": predicate.text,
+                "predicate_type": predicate.type,
                 "status": found.answer,
                 "score": round(found.score, 6),
                 "reason": found.reason,
+                "stage": found.stage,
+                "confidence": found.confidence,
+                "fallback": found.fallback,
+                "views": found.cited,
                 "actors": found.actors,
                 "measures": found.measures,
                 "seen_actors": found.seen_actors,
+                "existence": existence.of(node),
             }
         )
     measurements: dict[str, Any] = {"judge": judgements.judge, "judge_version": judgements.judge_version}
@@ -62,7 +70,7 @@ def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdic
         "matched": tally["MATCH"],
         "mismatched": tally["MISMATCH"],
         "unresolved": tally["UNKNOWN"],
-    }
+    } | _beyond(judgements, tally)
     try:
         case = semantic_case(requirements.prompt, attach_families(requirements.graph, rows))
         total = protocol_detailed(case)
@@ -76,6 +84,7 @@ def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdic
             policy=SEMANTIC_CASE_POLICY,
             measurements=measurements,
             population=population,
+            advisories=accepted_faults(judgements),
             reason=reason,
         )
     measurements |= {
@@ -90,4 +99,16 @@ def verify_detailed(bundle: Mapping[str, Any], judgements: Judgements) -> Verdic
         policy=SEMANTIC_CASE_POLICY,
         measurements=measurements,
         population=population | {"active": case["active_requirement_count"]},
+        advisories=accepted_faults(judgements),
     )
+
+
+def _beyond(judgements: Judgements, tally: Mapping[Any, int]) -> dict[str, int]:
+    """What only a judge that looks can come to; told where it did."""
+    found = {
+        "not_evaluated": tally["NOT_EVALUATED"],
+        "errors": tally["ERROR"],
+        "fallbacks": sum(claim.fallback for claim in judgements.claims),
+        "by_sight": sum(claim.stage != "state" for claim in judgements.claims),
+    }
+    return {name: count for name, count in found.items() if count}

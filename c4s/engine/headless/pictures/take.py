@@ -17,15 +17,15 @@ from c4s.packs.meshes import Mesh
 from c4s.packs.pictures import open_picture
 from c4s.packs.store import PackStore
 from c4s.render import Camera, Instance, Lights, LocalLight, Renderer, SurfaceMaterial
-from c4s.render.masks import LEAST_VOLUME, camera_of, mask_name, visible, write_mask
+from c4s.render.masks import LEAST_VOLUME, camera_of, glimpse, mask_name, visible, write_mask
 
 if TYPE_CHECKING:
     from c4s.engine.headless.unreal.assets import MaterialInterface
     from c4s.engine.headless.unreal.components import StaticMeshComponent
     from c4s.engine.headless.world.world import Drawable, LightSource, World
 
-_PNG_LEVEL = 4
-"""Half the time of the default, a few per cent more bytes."""
+_PNG_LEVEL = 2
+"""A quarter of the default's time, some per cent more bytes."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +58,16 @@ def take(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, 
         records.append({"visible": visible(picture, scene.names)})
     scene.renderer.close()
     return records
+
+
+def probe(cameras: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """What each camera would see of the open level (``glimpse``), by one ray a pixel, without light."""
+    scene = open_level()
+    seen = [
+        glimpse(scene.renderer.render(camera_of(view), mode="base_color", samples=1), scene.names) for view in cameras
+    ]
+    scene.renderer.close()
+    return seen
 
 
 def open_level() -> DrawnScene:

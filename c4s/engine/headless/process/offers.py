@@ -8,7 +8,7 @@ from typing import Any
 
 from c4s.editor.facts import Reader
 from c4s.engine.headless.pictures.keys import picture_keys
-from c4s.engine.headless.pictures.take import take
+from c4s.engine.headless.pictures.take import probe, take
 from c4s.engine.headless.process.facts import DirectReader
 from c4s.engine.headless.process.revision import revision
 
@@ -21,6 +21,10 @@ class HeadlessPictures:
     ) -> list[dict[str, Any]]:
         """Render the open level from ``cameras`` into PNG files."""
         return take(cameras, files, mode, masks)
+
+    def probe(self, cameras: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+        """What each camera would see of the open level."""
+        return probe(cameras)
 
     def keys(self, cameras: Sequence[Mapping[str, Any]], mode: str) -> list[str]:
         """A digest of all that the picture of each camera depends on."""

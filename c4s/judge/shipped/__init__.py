@@ -1,0 +1,3 @@
+"""The model judges that ship: a configuration each."""
+
+__all__ = []

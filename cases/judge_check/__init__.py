@@ -1,0 +1,1 @@
+"""Scenes, edits and claims of known truth, to check judges by (``c4s judge check``)."""

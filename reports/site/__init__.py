@@ -1,0 +1,7 @@
+"""The static site: built from the warehouse, read from a folder without a server."""
+
+from __future__ import annotations
+
+from reports.site.build import build_site, check_place
+
+__all__ = ["build_site", "check_place"]

@@ -1,0 +1,210 @@
+"""The pages of cases and trials in a browser: compared, worked out, told call by call, and safe from what they show."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import pytest
+
+from reports.case.code import code_tokens
+from reports.site import build_site
+from tests.built import built_once
+from tests.reports.played import AGENTS, play
+from tests.reports.watching import complaints, watched
+from warehouse.database import rebuild, rows
+from warehouse.parquet import write_part
+from warehouse.records import CallRow, VerdictRow
+from warehouse.trial_part import trial_part
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+
+HOSTILE = "</script></pre><script>alert(1)</script><img src=x onerror=alert(2)> javascript:alert(3) {{ 7 * 7 }}"
+UNSEEN = "\u202eevil\u2066 \0 \x1b[31m"
+SCRIPT = f'import unreal\n# {HOSTILE}\nname = "{HOSTILE}"\nfor actor in unreal.things():\n    print(actor, 42)\n' * 20
+
+
+@pytest.fixture(scope="module")
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Played trials; of the planner's text hostile calls and a hostile requirement."""
+    played = built_once(tmp_path_factory, "played-home", play)
+    made = tmp_path_factory.mktemp("hostile")
+    shutil.copytree(played / "warehouse", made / "warehouse")
+    spoil(made / "warehouse")
+    build_site(made / "warehouse", made / "site", played / "suites")
+    return made
+
+
+def spoil(warehouse: Path) -> None:
+    rebuild(warehouse)
+    wanted = "SELECT * FROM schedule WHERE configuration = 'planner' AND setting = 'text-to-scene'"
+    (trial,) = rows(warehouse, wanted)
+    place = {"suite": trial["suite"], "configuration": "planner"}
+    calls = trial_part(warehouse, "calls", trial_id=trial["trial_id"], **place)
+    changed = {"tool": "execute_python_script", "script": SCRIPT, "script_characters": 10_000_000}
+    calls[0] |= {
+        **changed,
+        "answer": (HOSTILE + UNSEEN) * 9,
+        "arguments": HOSTILE,
+        "outcome": "error",
+        "error": HOSTILE,
+    }
+    kept = [CallRow.parse({**row, **place}) for row in calls]
+    write_part(warehouse, "calls", kept, key=trial["trial_id"], **place)
+    verdicts = trial_part(warehouse, "verdicts", trial_id=trial["trial_id"], **place)
+    for row in verdicts:
+        document = json.loads(row["document"])
+        for decision in document["measurements"].get("decisions", [])[:1]:
+            decision |= {"text": HOSTILE + UNSEEN, "reason": HOSTILE}
+        row["document"] = json.dumps(document)
+    told = [VerdictRow.parse({**row, **place}) for row in verdicts]
+    write_part(warehouse, "verdicts", told, key=trial["trial_id"], **place)
+    rebuild(warehouse)
+
+
+def page_of(home: Path, pattern: str) -> Path:
+    (found,) = (home / "site").glob(pattern)
+    return found
+
+
+def pages(home: Path) -> Iterator[Path]:
+    for folder in ("cases", "trials"):
+        yield from sorted((home / "site" / folder).glob("*.html"))
+
+
+@pytest.mark.parametrize("pattern", ["cases/*text-flat*", "trials/*text-flat*planner*", "trials/*bath*oracle*"])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_anybody_can_read_them(browser: Browser, home: Path, pattern: str, scheme: Literal["light", "dark"]) -> None:
+    with watched(browser, page_of(home, pattern), scheme=scheme) as page:
+        assert complaints(page) == []
+
+
+def test_every_page_opens_without_a_fault_and_fits_a_narrow_window(browser: Browser, home: Path) -> None:
+    found = list(pages(home))
+    assert len(found) == 2 + 2 * len(AGENTS)
+    for path in found:
+        assert path.stat().st_size < 3_000_000
+        with watched(browser, path, width=390) as page:
+            assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth"), path.name
+
+
+def test_two_renders_are_compared_by_keyboard(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "cases/*bath*")) as page:
+        ways = page.locator(".compare select")
+        assert ways.nth(0).input_value() == "Truth" and ways.nth(1).input_value() == "planner"
+        ways.nth(0).select_option("Start")
+        before, slider = page.locator(".stage img").nth(1).get_attribute("src"), page.locator(".compare input")
+        slider.focus()
+        for _ in range(5):
+            page.keyboard.press("ArrowRight")
+        assert slider.input_value() == "55"
+        assert page.locator(".stage").evaluate("stage => stage.style.getPropertyValue('--cut')") == "55%"
+        ways.nth(2).select_option(index=1)
+        assert page.locator(".stage img").nth(1).get_attribute("src") != before
+        assert page.locator(".compare p").inner_text() == "Start | planner"
+
+
+def test_one_brightness_holds_for_all_rows(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "cases/*bath*")) as page:
+        page.check(".b150")
+        found = page.eval_on_selector_all(".renders img", "all => all.map(one => getComputedStyle(one).filter)")
+        assert len(found) > 6 and set(found) == {"brightness(1.5)"}
+
+
+def test_configurations_stand_in_one_order(home: Path) -> None:
+    board = (home / "site/index.html").read_text()
+    order = sorted(AGENTS, key=lambda name: board.index(f">{name}</a>"))
+    for path in (home / "site/cases").glob("*.html"):
+        runs = re.findall(r'<tr id="([a-z]+)"', path.read_text())
+        assert runs == order
+
+
+def test_whole_texts_come_when_a_call_is_opened(browser: Browser, home: Path) -> None:
+    path = page_of(home, "trials/*text-flat*planner*")
+    asked: list[str] = []
+    with watched(browser, path) as page:
+        page.on("request", lambda request: asked.append(request.url))
+        call = page.locator("#a1-c1")
+        assert (call.locator("pre").first.text_content() or "").endswith("…")
+        call.locator("summary").click()
+        page.wait_for_selector("#a1-c1 .code-k")
+        assert call.locator("[data-part=script]").text_content() == SCRIPT
+        assert "10,000,000 characters" in call.inner_text()
+        answer = call.locator("[data-part=answer]").text_content() or ""
+        assert HOSTILE in answer and "\\u202eevil" in answer and "\\x00" in answer and "\u202e" not in answer
+        page.locator("#a1-c2 summary").click()
+    assert len([url for url in asked if "/data/calls-" in url]) == 1
+
+
+def test_a_call_and_a_requirement_can_be_linked(browser: Browser, home: Path) -> None:
+    path = page_of(home, "trials/*text-flat*planner*")
+    with watched(browser, path, fragment="#a1-c2") as page:
+        assert page.locator("#a1-c2").get_attribute("open") is not None
+    claim = re.findall(r'id="(claim-[^"]+)"', path.read_text())[0]
+    with watched(browser, path, fragment=f"#{claim}") as page:
+        assert page.locator(f"#{claim}").is_visible()
+
+
+def test_nothing_that_is_shown_is_markup(browser: Browser, home: Path) -> None:
+    for path in pages(home):
+        text = path.read_text()
+        assert "<script>alert" not in text and "\u202e" not in text and "\0" not in text
+        assert re.findall(r"\son\w+=|\sstyle=", re.sub(r"&lt;.*?&gt;|&#34;.*?&#34;", "", text)) == []
+    with watched(browser, page_of(home, "trials/*text-flat*planner*")) as page:
+        assert page.locator("script:not([src])").count() == 0
+        assert HOSTILE in page.locator(".answers tbody tr").first.inner_text()
+
+
+def test_requirements_are_filtered_by_answer(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "trials/*text-flat*planner*")) as page:
+        shown = page.locator(".answers tbody tr:visible")
+        every = shown.count()
+        page.check(".f-mismatch")
+        assert 0 < shown.count() < every
+        assert shown.locator("td:first-child").all_inner_texts() == ["MISMATCH"] * shown.count()
+
+
+def test_a_page_is_whole_without_a_script(browser: Browser, home: Path) -> None:
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(page_of(home, "trials/*bath*planner*").as_uri())
+    told = page.inner_text("main")
+    for words in (
+        "How the score comes about",
+        "Evaluation trace",
+        "Repair targets",
+        "What the agent did",
+        "save_scene_as",
+    ):
+        assert words in told
+    assert page.locator(".grid img").count() > 3 and page.locator(".stage").count() == 0
+    context.close()
+
+
+def test_a_zero_and_both_of_its_attempts_are_told(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "trials/*text-flat*vandal*")) as page:
+        told = page.inner_text("main")
+        assert "Nothing was measured" in told and page.locator("article.attempt").count() == 2
+        assert page.locator(".attempt .tag.bad").first.inner_text() in ("invalid submission", "nothing saved")
+
+
+def test_the_score_is_shown_with_its_parts(home: Path) -> None:
+    for name in ("planner", "oracle"):
+        text = page_of(home, f"trials/*bath*{name}*").read_text()
+        assert "computed anew from their parts and are the stored ones" in text and "stored:" not in text
+
+
+def test_a_higher_and_a_lower_run_stand_below_each_other(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "cases/*bath*")) as page:
+        titles = page.locator(".paired p strong").all_inner_texts()
+        assert titles[0] == "Ground truth" and titles[1].startswith("Higher") and titles[2].startswith("Lower")
+
+
+def test_tokens_are_the_whole_text() -> None:
+    for text in (SCRIPT, "", "x", "  \n", "def f(:\n\t'''", "\u202e\0 é", HOSTILE):
+        assert "".join(part for _, part in code_tokens(text)) == text

@@ -1,0 +1,89 @@
+"""Texts as runs of words, so that one text is found in another however it is written down there."""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Collection, Iterator, Sequence
+from typing import Any
+from urllib.parse import unquote
+
+PIECE: int = 6
+"""Words of a longer text that tell it: every run of so many is looked for."""
+_BETWEEN = re.compile(r"[\W_]+")
+_UNSEEN = re.compile("[\u00ad\u200b-\u200f\u2060\ufeff]")
+_ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|x([0-9a-fA-F]{2})|([\"'\\/bfnrt]))")
+_TAG = re.compile(r"<[^<>]*>")
+
+
+def words(text: str) -> list[str]:
+    """The words of a text: letters and digits, in small letters; all else is between words."""
+    return _BETWEEN.sub(" ", _UNSEEN.sub("", text).casefold()).split()
+
+
+def pieces(text: str) -> Iterator[str]:
+    """What tells a text: its words, or each run of ``PIECE`` of them where it has more."""
+    found = words(text)
+    for first in range(max(1, len(found) - PIECE + 1)):
+        yield " ".join(found[first : first + PIECE])
+
+
+def readings(text: str) -> Iterator[str]:
+    """A text as it stands there, and as it reads without the escapes of HTML, JSON and addresses, and without tags."""
+    yield text
+    plain = _unescaped(text) if "\\" in text else text
+    if plain != text:
+        yield plain
+    for one in {text, plain}:
+        if "&" in one:
+            yield html.unescape(one)
+        if "<" in one:
+            yield html.unescape(_TAG.sub(" ", one))
+    if "%" in text:
+        yield unquote(text)
+
+
+def lengths_of(wanted: Collection[str]) -> tuple[int, ...]:
+    """How many words pieces have."""
+    return tuple(sorted({piece.count(" ") + 1 for piece in wanted}))
+
+
+def found_in(text: str, wanted: Collection[str], lengths: Sequence[int]) -> set[str]:
+    """Which of some pieces, of these lengths, stand in a text, in any of its readings."""
+    found: set[str] = set()
+    for reading in readings(text):
+        there = words(reading)
+        for length in lengths:
+            runs = map(" ".join, zip(*(there[first:] for first in range(length)), strict=False))
+            found.update(run for run in runs if run in wanted)
+    return found
+
+
+def stands(name: str, text: str) -> bool:
+    """Whether a name stands in a text as one: a number in a table beside a word is no name."""
+    between = r"(?:[^\w\s<>|,;]|_){1,3}"
+    whole = re.compile(rf"(?<![^\W_]){between.join(map(re.escape, name.split()))}(?![^\W_])")
+    return any(whole.search(reading.casefold()) for reading in readings(text))
+
+
+def strings_of(value: Any) -> Iterator[str]:
+    """Every text in a JSON value, the names of fields too."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict):
+        for name, inner in value.items():
+            yield str(name)
+            yield from strings_of(inner)
+    elif isinstance(value, list | tuple):
+        for inner in value:
+            yield from strings_of(inner)
+
+
+def _unescaped(text: str) -> str:
+    named = {"b": "\b", "f": "\f", "n": "\n", "r": "\r", "t": "\t"}
+
+    def plain(found: re.Match[str]) -> str:
+        code, byte, one = found.groups()
+        return chr(int(code or byte, 16)) if code or byte else named.get(one, one)
+
+    return _ESCAPE.sub(plain, text)
