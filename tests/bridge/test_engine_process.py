@@ -216,6 +216,29 @@ def test_a_start_whose_confinement_is_killed_ends_and_leaves_nothing(tmp_path: P
     until(lambda: not processes_of(tmp_path / "s"))
 
 
+WAITED_FOR = """#!{python}
+import os, signal, sys
+if "c4s.engine.headless.process.main" not in " ".join(sys.argv):
+    os.execv("{bwrap}", ["bwrap", *sys.argv[1:]])
+if os.fork():
+    os.kill(os.getpid(), signal.SIGKILL)
+while True:
+    signal.pause()
+"""
+"""A bubblewrap that is killed when its inner process, which holds the connection, waits for it."""
+
+
+def test_what_waits_for_a_killed_confinement_ends_with_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    outer = tmp_path / "bin/bwrap"
+    outer.parent.mkdir()
+    outer.write_text(WAITED_FOR.format(python=sys.executable, bwrap=shutil.which("bwrap")))
+    outer.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{outer.parent}:{os.environ['PATH']}")
+    with pytest.raises(EngineDied, match="SIGKILL"):
+        EngineSession.start(packs=[], content=tmp_path / "c", scratch=tmp_path / "s", use="bubblewrap")
+    until(lambda: not processes_of(tmp_path / "s"))
+
+
 def test_an_engine_outlives_the_thread_that_started_it(tmp_path: Path, backend: str) -> None:
     made: list[EngineSession] = []
 

@@ -88,8 +88,12 @@ class Session:
 
     def _wait_until_ready(self, most_s: float) -> None:
         """``BadInput`` for what the engine refuses, ``MachineryFault`` where it ends or is not ready in time."""
-        if not self._board.ready.wait(most_s):
-            raise MachineryFault(f"the engine did not start in {most_s:g} s", where=str(self.logs))
+        deadline = time.monotonic() + most_s
+        while not self._board.ready.wait(WATCH_S):
+            if not self.alive:
+                self._end_orphans()
+            if time.monotonic() >= deadline:
+                raise MachineryFault(f"the engine did not start in {most_s:g} s", where=str(self.logs))
         refusal = self._board.refusal
         if refusal is not None:
             raise BadInput(refusal["what"], where=refusal["where"], todo=refusal["todo"])
@@ -208,6 +212,12 @@ class Session:
         if self.alive:
             with suppress(ProcessLookupError):
                 os.killpg(self._process.pid, signal.SIGKILL)
+
+    def _end_orphans(self) -> None:
+        """Kill what is left of the group of a process that has just ended: one that waits for it holds the
+        connection. A group that has members keeps its number."""
+        with suppress(ProcessLookupError):
+            os.killpg(self._process.pid, signal.SIGKILL)
 
     def _end(self, at_once: bool) -> str:
         """Wait for the process a moment, end it if it does not, and say how it ended."""
