@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +18,20 @@ from warehouse.records import TABLES
 from warehouse.refresh import NAME, catch_up, is_current, open_books, rebuild
 from warehouse.tables import questions
 
-__all__ = ["arrow", "ask", "catch_up", "columns_of", "connect", "is_current", "questions", "rebuild", "rows"]
+__all__ = [
+    "arrow",
+    "ask",
+    "catch_up",
+    "columns_of",
+    "connect",
+    "held_open",
+    "is_current",
+    "questions",
+    "rebuild",
+    "rows",
+]
 
+_HELD: ContextVar[tuple[Path, duckdb.DuckDBPyConnection] | None] = ContextVar("held", default=None)
 _ASKING = (duckdb.StatementType.SELECT, duckdb.StatementType.EXPLAIN)
 
 
@@ -50,6 +63,20 @@ def connect(root: Path) -> duckdb.DuckDBPyConnection:
     return connection
 
 
+@contextmanager
+def held_open(root: Path) -> Iterator[None]:
+    """Within it every question of this thread is asked over one connection, of the warehouse as it was at its begin.
+
+    For many questions in a row: to open the file takes longer than most of them.
+    """
+    with connect(root) as connection:
+        token = _HELD.set((root.absolute(), connection))
+        try:
+            yield
+        finally:
+            _HELD.reset(token)
+
+
 def _damaged(path: Path) -> BadInput:
     return BadInput(
         "this is no file of DuckDB, or a damaged one", where=str(path), todo="delete it, then run `c4s report`"
@@ -75,7 +102,9 @@ def arrow(root: Path, sql: str, *, where: str = "query") -> pa.Table:
 
 @contextmanager
 def _asked(root: Path, sql: str, where: str) -> Iterator[tuple[duckdb.DuckDBPyConnection, duckdb.Statement]]:
-    with connect(root) as connection:
+    held = _HELD.get()
+    over = nullcontext(held[1]) if held is not None and held[0] == root.absolute() else connect(root)
+    with over as connection:
         try:
             if not sql.isascii():
                 sql.encode()

@@ -11,6 +11,7 @@ from c4s.folders import beside, check_own, put_folder
 from reports.frame import STATIC, SiteContext, SitePage, environment, links
 from reports.pages import KINDS
 from reports.site.ledger import LEDGER, PageMade, SiteLedger, code_digest, ledger_of
+from warehouse.database import held_open
 from warehouse.release import refuse_leaks, secrets_of
 from warehouse.stamps import case_stamps
 
@@ -42,6 +43,11 @@ def build_site(warehouse: Path, site: Path, suites: Path | None = None) -> Path:
         MachineryFault: a page would tell of a private case; the old pages stay.
     """
     check_place(site)
+    with held_open(warehouse):
+        return _build(warehouse, site, suites)
+
+
+def _build(warehouse: Path, site: Path, suites: Path | None) -> Path:
     old, made_of = ledger_of(site), _made_of(warehouse, suites)
     if old is not None and old.made_of == made_of and _is_whole(site, old):
         return site / links.LEADERBOARD
