@@ -113,7 +113,6 @@ def _inputs(
         level.write(out / "levels" / f"{case_id}.level.json")
     files = {case_id: out / f"{case_id}.scene.json" for case_id in levels}
     pictures: dict[str, list[Path]] = {}
-    size = dict(zip(("width", "height"), SIZE_PX, strict=True))
     with open_engine(
         DEFAULT_ENGINE,
         packs=packs,
@@ -128,7 +127,13 @@ def _inputs(
                 raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=case_id)
             write_json(files[case_id], ask(engine, "snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
-            take_pictures(engine, [{**camera(view), **size} for view in views[case_id]], folder, keep=True)
+            take_pictures(engine, [_reduced(view) for view in views[case_id]], folder, keep=True)
             pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]
             shutil.copytree(folder, out / "pictures" / case_id)
     return files, pictures
+
+
+def _reduced(view: CaseView) -> dict[str, Any]:
+    """The camera of a view with a picture of its shape that is as wide as an overview's."""
+    width = min(view.width, SIZE_PX[0])
+    return {**camera(view), "width": width, "height": round(width * view.height / view.width)}

@@ -18,21 +18,11 @@ from c4s.errors import BadInput
 from c4s.records.level import Level, Vector
 from c4s.records.pack import Pack
 from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, Kind
-from cases.model import CaseView, Group, RepairCase, SourceScene, SuiteDefinition
+from cases.model import GROUP_OF_KIND, CaseView, RepairCase, SourceScene, SuiteDefinition, difficulty_of
 from cases.standing import snapshot_of, unsound
 from cases.views import orbit
 
 KINDS: tuple[Kind, ...] = ("removal", "move", "rotate", "rescale", "insertion", "duplication", "replacement", "mirror")
-GROUP: dict[Kind, Group] = {
-    "removal": "Restore",
-    "insertion": "Lifecycle",
-    "duplication": "Lifecycle",
-    "replacement": "Lifecycle",
-    "move": "Layout",
-    "rotate": "Transform",
-    "rescale": "Transform",
-    "mirror": "Symmetry",
-}
 MIN_SIDE_CM, MAX_SHARE = 15.0, 0.34
 """Changed things are at least this large, and at most this share of the scene in plan: no crumbs, no floors."""
 MIN_DISTANCE_CM, REACH = 220.0, 2.6
@@ -157,8 +147,8 @@ def _case(
         scene.scene_id,
         f"{len(made)} change{'s' if len(made) > 1 else ''}",
         made,
-        GROUP[made[0].kind],
-        "easy" if len(made) == 1 else "medium" if len(made) < 4 else "hard",
+        GROUP_OF_KIND[made[0].kind],
+        difficulty_of(len(made)),
         _views(places),
         "image-to-scene/indoor" if scene.environment == "indoor" else "image-to-scene/outdoor",
     )

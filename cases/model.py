@@ -10,12 +10,23 @@ from c4s.protocol.settings import Setting
 from c4s.records.binding import ReviewedBindings
 from c4s.records.level import Level, Vector
 from c4s.records.suite import Budget, Visibility
-from cases.corruption import Corruption, Operation
+from cases.corruption import Corruption, Kind, Operation
 from cases.requirements import RequirementSpec
 
 Group = Literal["Restore", "Lifecycle", "Layout", "Symmetry", "Transform"]
 Difficulty = Literal["easy", "medium", "hard"]
 
+GROUP_OF_KIND: dict[Kind, Group] = {
+    "removal": "Restore",
+    "insertion": "Lifecycle",
+    "duplication": "Lifecycle",
+    "replacement": "Lifecycle",
+    "move": "Layout",
+    "rotate": "Transform",
+    "rescale": "Transform",
+    "mirror": "Symmetry",
+}
+"""The operation group of a case whose author names none: that of its first change."""
 TEXT_BUDGET = Budget(tool_calls=800, wall_minutes=180)
 INDOOR_BUDGET = Budget(tool_calls=120, wall_minutes=45)
 OUTDOOR_BUDGET = Budget(tool_calls=80, wall_minutes=20)
@@ -111,3 +122,8 @@ class SuiteDefinition:
     packs: Sequence[str]
     scenes: Sequence[SourceScene]
     cases: Sequence[RepairCase | TextCase]
+
+
+def difficulty_of(changes: int) -> Difficulty:
+    """The difficulty of a repair whose author names none, by its number of changes."""
+    return "easy" if changes == 1 else "medium" if changes < 4 else "hard"

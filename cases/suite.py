@@ -23,6 +23,7 @@ from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
 from cases import exports
+from cases.admissible import Refusal, Refused, looked_at, refusals
 from cases.audit import audit, check_blind
 from cases.binding import freeze_binding
 from cases.boxes import boxes_of
@@ -111,6 +112,8 @@ def build_suite(
         builder = _Builder(definition, folder, packs, packs_root, Veil(wanted), progress)
         with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
             list(pool.map(builder.scene, definition.scenes))
+        if builder.refused:
+            raise Refused(sorted(builder.refused, key=lambda one: one.case_id))
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
         write_json(folder.root / STAMP, {"definition": wanted})
@@ -134,6 +137,7 @@ class _Builder:
         self.packs_root, self.veil, self.progress = packs_root, veil, progress
         self.operations: dict[str, list[Operation]] = {}
         """Of each repair, as they were made."""
+        self.refused: list[Refusal] = []
 
     def scene(self, scene: SourceScene) -> None:
         """Write every case of a scene."""
@@ -158,6 +162,7 @@ class _Builder:
             exported = exports.scene(folders, truth, corrupted, views, told, Path(scratch), self.progress)
             for case in cases:
                 if isinstance(case, RepairCase):
+                    self.refused += self._refusals(case, truth, corrupted[case.case_id], exported)
                     self._repair(case, scene, truth, corrupted[case.case_id], assets, exported)
                 else:
                     self._text(case, scene, truth, assets, exported)
@@ -186,6 +191,19 @@ class _Builder:
             told = self.veil.operations(scene.scene_id, self.operations[case.case_id], level)
             self.operations[case.case_id] = told
         return truth, {case.case_id: level for case, level in zip(repairs, veiled, strict=True)}
+
+    def _refusals(self, case: RepairCase, truth: Level, corrupted: Level, exported: exports.Exported) -> list[Refusal]:
+        """Why a repair cannot be used."""
+        pairs = zip(case.views, exported.views[case.case_id], exported.start_views[case.case_id], strict=True)
+        return refusals(
+            case,
+            self.operations[case.case_id],
+            truth,
+            corrupted,
+            read_json(exported.truth),
+            read_json(exported.inputs[case.case_id]),
+            [looked_at(view.name, original, start) for view, original, start in pairs],
+        )
 
     def _pack(self, pack_id: str) -> Pack:
         if pack_id not in self.packs:
