@@ -149,7 +149,7 @@ def _case(
         made,
         GROUP_OF_KIND[made[0].kind],
         difficulty_of(len(made)),
-        _views(places),
+        views_of(places, 1 if scene.environment == "outdoor" else 2),
         "image-to-scene/indoor" if scene.environment == "indoor" else "image-to-scene/outdoor",
     )
 
@@ -202,8 +202,8 @@ def _change(
             return author.duplication(name, (round(px + aside[0], 1), round(py + aside[1], 1), pz))
 
 
-def _views(places: Sequence[SoundThing]) -> list[CaseView]:
-    """Two views from opposite sides above all that changed."""
+def views_of(places: Sequence[SoundThing], count: int) -> list[CaseView]:
+    """One view, or two from opposite sides, above all that changed."""
     low = np.min([np.subtract(thing.origin, thing.extent) for thing in places], axis=0)
     high = np.max([np.add(thing.origin, thing.extent) for thing in places], axis=0)
     x, y, z = (float(round(value, 1)) for value in (low + high) / 2)
@@ -211,4 +211,4 @@ def _views(places: Sequence[SoundThing]) -> list[CaseView]:
     return [
         orbit("view-01", (x, y, z), distance_cm=distance, yaw_deg=-60, pitch_deg=42),
         orbit("view-02", (x, y, z), distance_cm=distance, yaw_deg=125, pitch_deg=52),
-    ]
+    ][:count]

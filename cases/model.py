@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -122,6 +122,8 @@ class SuiteDefinition:
     packs: Sequence[str]
     scenes: Sequence[SourceScene]
     cases: Sequence[RepairCase | TextCase]
+    authors: Mapping[str, str] = field(default_factory=dict)
+    """Who made a case, by its id."""
 
 
 def difficulty_of(changes: int) -> Difficulty:

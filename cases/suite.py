@@ -12,6 +12,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +24,7 @@ from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
 from cases import exports
-from cases.admissible import Refusal, Refused, looked_at, refusals
+from cases.admissible import Refusal, Refused, Sighting, looked_at, refusals, sightings
 from cases.audit import audit, check_blind
 from cases.binding import freeze_binding
 from cases.boxes import boxes_of
@@ -70,6 +71,7 @@ def definition_digest(definition: SuiteDefinition, packs: Sequence[PackRef]) -> 
                 for scene in definition.scenes
             ],
             "cases": [_case_digest(case) for case in definition.cases],
+            **({"authors": dict(definition.authors)} if definition.authors else {}),
         }
     )
 
@@ -117,6 +119,7 @@ def build_suite(
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
         write_json(folder.root / STAMP, {"definition": wanted})
+        write_json(folder.sightings, {name: list(map(asdict, rows)) for name, rows in builder.sightings.items()})
         put_folder(folder.root, root, marker=SUITE)
     return suite
 
@@ -138,6 +141,7 @@ class _Builder:
         self.operations: dict[str, list[Operation]] = {}
         """Of each repair, as they were made."""
         self.refused: list[Refusal] = []
+        self.sightings: dict[str, list[Sighting]] = {}
 
     def scene(self, scene: SourceScene) -> None:
         """Write every case of a scene."""
@@ -162,7 +166,7 @@ class _Builder:
             exported = exports.scene(folders, truth, corrupted, views, told, Path(scratch), self.progress)
             for case in cases:
                 if isinstance(case, RepairCase):
-                    self.refused += self._refusals(case, truth, corrupted[case.case_id], exported)
+                    self._judge(case, truth, corrupted[case.case_id], exported)
                     self._repair(case, scene, truth, corrupted[case.case_id], assets, exported)
                 else:
                     self._text(case, scene, truth, assets, exported)
@@ -192,18 +196,14 @@ class _Builder:
             self.operations[case.case_id] = told
         return truth, {case.case_id: level for case, level in zip(repairs, veiled, strict=True)}
 
-    def _refusals(self, case: RepairCase, truth: Level, corrupted: Level, exported: exports.Exported) -> list[Refusal]:
-        """Why a repair cannot be used."""
+    def _judge(self, case: RepairCase, truth: Level, corrupted: Level, exported: exports.Exported) -> None:
+        """Note how well the changes of a repair can be seen, and why it cannot be used."""
         pairs = zip(case.views, exported.views[case.case_id], exported.start_views[case.case_id], strict=True)
-        return refusals(
-            case,
-            self.operations[case.case_id],
-            truth,
-            corrupted,
-            read_json(exported.truth),
-            read_json(exported.inputs[case.case_id]),
-            [looked_at(view.name, original, start) for view, original, start in pairs],
-        )
+        looks = [looked_at(view.name, original, start) for view, original, start in pairs]
+        operations = self.operations[case.case_id]
+        self.sightings[case.case_id] = sightings(operations, truth, corrupted, looks)
+        snapshots = read_json(exported.truth), read_json(exported.inputs[case.case_id])
+        self.refused += refusals(case, operations, truth, corrupted, *snapshots, looks)
 
     def _pack(self, pack_id: str) -> Pack:
         if pack_id not in self.packs:
@@ -254,6 +254,7 @@ class _Builder:
             operation_group=case.group,
             difficulty=case.difficulty,
             visibility=case.visibility,
+            author=self.definition.authors.get(case.case_id),
         ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")
@@ -299,6 +300,7 @@ class _Builder:
             minimum_actors=case.minimum_actors,
             difficulty=case.difficulty,
             visibility=case.visibility,
+            author=self.definition.authors.get(case.case_id),
         ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")

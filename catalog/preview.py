@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import functools
-import io
 import math
 import sys
 from pathlib import Path
@@ -20,7 +19,7 @@ from c4s.files import digest, digest_file, write_bytes
 from c4s.geometry.transform import affine, look_at, rotation_matrix
 from c4s.home import cache_root
 from c4s.packs.meshes import Mesh
-from c4s.packs.pictures import open_picture
+from c4s.packs.pictures import open_picture, png_bytes
 from c4s.packs.store import PackStore
 from c4s.records.pack import MANIFEST, STAMP, Asset, Material, Pack
 from c4s.render import Camera, Instance, Lights, Renderer, Sky, Sun, SurfaceMaterial
@@ -159,7 +158,7 @@ def write_previews(folder: Path) -> Pack:
     for asset in pack.assets:
         kept = cache_root() / "previews" / f"{_key(store, asset)}.png"
         if not kept.is_file():
-            write_bytes(kept, _png(preview(surfaces, asset)))
+            write_bytes(kept, png_bytes(Image.fromarray(preview(surfaces, asset))))
         name = f"previews/{asset.id}.png"
         write_bytes(folder / name, kept.read_bytes())
         named.append(asset.model_copy(update={"preview": name}))
@@ -167,12 +166,6 @@ def write_previews(folder: Path) -> Pack:
     pack = pack.model_copy(update={"assets": named, "files": dict(sorted(files.items()))})
     pack.write(folder / MANIFEST)
     return pack
-
-
-def _png(picture: NDArray[np.uint8]) -> bytes:
-    out = io.BytesIO()
-    Image.fromarray(picture).save(out, format="PNG", compress_level=6)
-    return out.getvalue()
 
 
 def contact_sheet(folder: Path, out: Path, names: list[str], columns: int = 8) -> int:

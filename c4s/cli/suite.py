@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from c4s.cli import requirements
+from c4s.cli import asking, requirements, workshop
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
@@ -18,13 +18,20 @@ from c4s.names import checked_id, checked_name, place_in
 from c4s.numbers import half_up
 from c4s.packs.suite_check import suite_changes
 from c4s.protocol.settings import is_construction
-from c4s.records.suite import Suite, SuiteFolder
+from c4s.records.suite import SUITE_FILE, Suite, SuiteFolder
 from c4s.trees import refuse
 
 app = typer.Typer(help="Suites: build, list, show, check, import.", no_args_is_help=True)
 importing = typer.Typer(help="Bring other layouts in as a suite.", no_args_is_help=True)
 app.add_typer(importing, name="import")
 app.add_typer(requirements.app, name="requirements")
+app.command("new")(workshop.new)
+app.command("preview")(workshop.preview)
+app.command("review")(asking.review)
+app.command("freeze")(workshop.freeze)
+app.command("diff")(workshop.diff)
+app.command("stats")(workshop.stats)
+app.command("export")(workshop.export)
 Replace = Annotated[
     bool, typer.Option("--replace", help="replace what lies under this name and is another, or was changed")
 ]
@@ -48,13 +55,17 @@ def build_starter_visibly(*, replace: bool = False) -> Suite:
 
 @app.command()
 def build(
-    name: Annotated[str, typer.Argument(help="`starter`")],
+    name: Annotated[str, typer.Argument(metavar="FILE", help="`starter`, a suite.yaml, or the folder of one")],
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Build a shipped suite with its asset packs."""
+    """Build a suite: the one that ships with its packs, or that of a suite file."""
+    if _is_file(name):
+        suite = workshop.build_file(Path(name), replace=replace, json_output=json_output)
+        _tell(suite, suites_root() / suite.suite_id, json_output)
+        return
     if name != "starter":
-        raise unknown("shipped suite", name, ["starter"])
+        raise unknown("shipped suite", name, ["starter"], todo="or give a suite.yaml")
     _tell(build_starter_visibly(replace=replace), suites_root() / name, json_output)
 
 
@@ -89,10 +100,16 @@ def show(
 
 @app.command()
 def check(
-    name: Annotated[str, typer.Argument(help="id of a built suite")],
+    name: Annotated[str, typer.Argument(metavar="SUITE", help="id of a built suite, or a suite.yaml")],
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Read every byte of a suite and of its packs, and compare it with what was frozen. Exit 2 where one differs."""
+    """Read every byte of a suite and of its packs, and compare it with what was frozen. Exit 2 where one differs.
+
+    Of a suite file: whether what it names is there and fits together.
+    """
+    if _is_file(name):
+        workshop.check_file(Path(name), json_output=json_output)
+        return
     folder = SuiteFolder(built_suite(name))
     read = 0
     with bars() as progress:
@@ -277,6 +294,11 @@ def make_cases(
             definition, place_in(suites_root(), definition.suite_id, "suite"), packs_root(), step, replace=replace
         )
     _tell(suite, suites_root() / suite.suite_id, json_output)
+
+
+def _is_file(name: str) -> bool:
+    """Whether a name means a suite file: it ends like one, or is a folder with one."""
+    return name.endswith((".yaml", ".yml")) or (Path(name) / SUITE_FILE).is_file()
 
 
 def _tell(suite: Suite, root: Path, json_output: bool) -> None:

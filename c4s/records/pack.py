@@ -7,7 +7,7 @@ OBJ or DAE; ``c4s.packs.meshes`` converts them.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
@@ -53,6 +53,10 @@ class HullBody(Record):
 MANIFEST, STAMP = "pack.json", "build.json"
 """The two files of a pack that its manifest does not list: itself, and what its builder notes about the build."""
 CollisionBody = Annotated[BoxBody | SphereBody | CapsuleBody | HullBody, Field(discriminator="kind")]
+
+
+AIUse = Literal["allowed", "forbidden", "unknown"]
+"""Whether content may be used with systems that learn (paper, benchmark suite: packs marked as allowed for AI use)."""
 
 
 class Material(Record):
@@ -144,12 +148,20 @@ class Pack(Record):
     content_folder: Name
     title: str
     license: str
+    ai_use: AIUse = "unknown"
     description: str = ""
     assets: list[Asset]
     materials: list[Material] = Field(default_factory=list)
     files: dict[InnerPath, str] = Field(default_factory=dict)
     """SHA-256 (64 hex) of every file of the pack by its relative name: meshes, textures, previews, licence text."""
     category_descriptions: dict[str, str] = Field(default_factory=dict)
+
+    def plain(self) -> dict[str, Any]:
+        """The manifest as plain JSON data; a permission for AI use that is not known is left out."""
+        value = super().plain()
+        if self.ai_use == "unknown":
+            del value["ai_use"]
+        return value
 
     def named_files(self) -> set[str]:
         """The files that assets and materials name."""

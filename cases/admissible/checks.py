@@ -27,7 +27,7 @@ Snapshot = dict[str, Any]
 LEAST_PIXELS = 400
 """Of 1280 x 720 (0.043 %): a target that no view shows with more cannot be told from noise."""
 LEAST_CHANGED, LEAST_TURNED = 0.12, 0.03
-"""Share of a target's own pixels that must look different before and after; of one that is turned or mirrored in place."""
+"""Share of a target's own pixels that must look different; the second where it is turned or mirrored."""
 STRUCTURE = frozenset({"ceiling", "floor", "foundation", "ground", "roof", "room", "wall", "walls"})
 """What a thing is called by the last word of its name that is part of a building."""
 MOST_SHARE = 0.34
@@ -46,6 +46,21 @@ class Refusal:
 
     case_id: str
     reason: str
+
+
+@dataclass(frozen=True)
+class Sighting:
+    """How well a changed actor can be seen, each in the view that shows it best; pixels are of 1280 x 720.
+
+    ``pixels`` show the actor in the original, or in the start scene where it was added; ``changed_share`` of its own
+    pixels look different, None for what is in one of the two alone.
+    """
+
+    actor: str
+    done: tuple[str, ...]
+    pixels: int
+    changed_share: float | None
+    changed_pixels: int | None
 
 
 class Refused(BadInput):
@@ -83,9 +98,8 @@ def refusals(
     reasons = [*_views(case), *_scores(case.setting, truth_snapshot, start_snapshot)]
     before = {id_of(actor): actor for actor in truth.actors}
     after = {id_of(actor): actor for actor in start.actors}
-    for target in dict.fromkeys(one.stable_id if isinstance(one, SpawnActor) else one.target for one in operations):
-        own = [one for one in operations if target == (one.stable_id if isinstance(one, SpawnActor) else one.target)]
-        reasons += _seen(own, before.get(target), after.get(target), looks)
+    for sighting in sightings(operations, truth, start, looks):
+        reasons += _unseen(sighting)
     reasons += _fit(operations, before, after, truth_snapshot, start_snapshot)
     reasons += _left_hanging(operations, before, truth_snapshot, start_snapshot)
     return [Refusal(case.case_id, reason) for reason in reasons]
@@ -126,34 +140,52 @@ def _lost(measurements: Mapping[str, Any]) -> str:
     return f": {', '.join(told[:3])}" if told else ""
 
 
-def _seen(
+def sightings(operations: Sequence[Operation], truth: Level, start: Level, looks: Sequence[Looked]) -> list[Sighting]:
+    """How well each changed actor can be seen, in the order of the changes."""
+    before = {id_of(actor): actor for actor in truth.actors}
+    after = {id_of(actor): actor for actor in start.actors}
+    return [
+        _sighting([one for one in operations if _target(one) == target], before.get(target), after.get(target), looks)
+        for target in dict.fromkeys(map(_target, operations))
+    ]
+
+
+def _sighting(
     operations: Sequence[Operation], was: LevelActor | None, now: LevelActor | None, looks: Sequence[Looked]
-) -> list[str]:
-    """Whether what happened to one actor can be seen in a view."""
+) -> Sighting:
     if was is None:
         assert now is not None
-        most = max((look.pixels(now.name, start=True) for look in looks), default=0)
-        return [] if most >= LEAST_PIXELS else [_hidden(now.name, most, "it was put in")]
-    most = max((look.pixels(was.name) for look in looks), default=0)
-    if most < LEAST_PIXELS:
-        return [_hidden(was.name, most, "it")]
+        pixels = max((look.pixels(now.name, start=True) for look in looks), default=0)
+        return Sighting(now.name, ("added",), pixels, None, None)
+    pixels = max((look.pixels(was.name) for look in looks), default=0)
     if now is None:
-        return []
-    shares = [look.changed(was.name, now.name) for look in looks]
-    share, pixels = max(shares, default=(0.0, 0))
-    done = list(dict.fromkeys(_words(one, was) for one in operations))
-    least = LEAST_TURNED if set(done) <= {"turned", "mirrored"} else LEAST_CHANGED
-    if share < least or pixels < LEAST_PIXELS:
+        return Sighting(was.name, ("removed",), pixels, None, None)
+    share, changed = max((look.changed(was.name, now.name) for look in looks), default=(0.0, 0))
+    return Sighting(was.name, tuple(dict.fromkeys(_words(one, was) for one in operations)), pixels, share, changed)
+
+
+def _target(operation: Operation) -> str:
+    return operation.stable_id if isinstance(operation, SpawnActor) else operation.target
+
+
+def _unseen(sighting: Sighting) -> list[str]:
+    """What keeps a change from being seen."""
+    if sighting.pixels < LEAST_PIXELS:
+        where = "the start scene" if sighting.done == ("added",) else "the reference views"
         return [
-            f"{was.name} {' and '.join(done)} looks different in {share:.1%} of its own pixels ({pixels} of 1280x720) "
-            f"at the most; {least:.0%} and {LEAST_PIXELS} are needed"
+            f"{sighting.actor} has {sighting.pixels} of 1280x720 pixels in {where} at the most; "
+            f"{LEAST_PIXELS} are needed"
+        ]
+    share, changed = sighting.changed_share, sighting.changed_pixels
+    if share is None or changed is None:
+        return []
+    least = LEAST_TURNED if set(sighting.done) <= {"turned", "mirrored"} else LEAST_CHANGED
+    if share < least or changed < LEAST_PIXELS:
+        return [
+            f"{sighting.actor} {' and '.join(sighting.done)} looks different in {share:.1%} of its own pixels "
+            f"({changed} of 1280x720) at the most; {least:.0%} and {LEAST_PIXELS} are needed"
         ]
     return []
-
-
-def _hidden(name: str, most: int, what: str) -> str:
-    where = "a start picture" if what.startswith("it was") else "a reference view"
-    return f"{name} has {most} of 1280x720 pixels in {where} at the most; {LEAST_PIXELS} are needed"
 
 
 def _words(operation: Operation, was: LevelActor) -> str:
@@ -184,8 +216,7 @@ def _fit(
         size = {actor["name"]: actor["bounds"]["extent_cm"] for actor in snapshot["actors"]}
         whole = _whole(snapshot)
         for operation in operations:
-            target = operation.stable_id if isinstance(operation, SpawnActor) else operation.target
-            actor = known.get(target)
+            actor = known.get(_target(operation))
             if actor is None or actor.name not in role:
                 continue
             if role[actor.name] in _NO_TARGET or _called(actor) in STRUCTURE:

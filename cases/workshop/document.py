@@ -26,11 +26,11 @@ from pydantic import Field, model_validator
 from c4s.names import InnerPath, Name, PackagePath
 from c4s.records.base import Record
 from c4s.records.level import Number, Vector
-from c4s.records.suite import Budget, Visibility
+from c4s.records.suite import SUITE_FILE, Budget, Visibility
 from cases.model import Difficulty, Group
 from cases.requirements import EntitySpec, PredicateSpec
 
-SUITE_FILE = "suite.yaml"
+__all__ = ["SUITE_FILE", "SuiteFile"]
 MOST_CHANGES = 20
 """Changes of one case."""
 

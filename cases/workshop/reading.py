@@ -111,6 +111,7 @@ class _Definition:
             packs=tuple(dict.fromkeys(pack for scene in scenes for pack in scene.packs)),
             scenes=tuple(scenes),
             cases=(*repairs, *texts),
+            authors={case.case_id: name for case in self._file.cases if (name := self._file.author_of(case))},
         )
 
     def _scene(self, entry: SceneEntry) -> SourceScene:
