@@ -30,6 +30,8 @@ def check_definition(definition: SuiteDefinition) -> None:
             raise BadInput(f"no scene {case.scene_id!r}", where=case.case_id)
         if isinstance(case, TextCase):
             continue
+        if len({view.name for view in case.views}) < len(case.views):
+            raise BadInput("two views have one name", where=case.case_id)
         if case.setting != f"image-to-scene/{known[case.scene_id].environment}":
             raise BadInput(f"the setting {case.setting} does not fit the scene", where=case.case_id)
 

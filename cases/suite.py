@@ -29,7 +29,7 @@ from cases.audit import audit, check_blind
 from cases.binding import freeze_binding
 from cases.boxes import boxes_of
 from cases.checks import check_definition, check_repair, check_scene
-from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
+from cases.corruption import Operation, Recipe, SpawnActor, apply, id_of, with_identities
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.natural import lived_in, plans_of, rebased, settled_spawns
 from cases.prompts import repair_prompt, text_prompt
@@ -140,6 +140,8 @@ class _Builder:
         self.packs_root, self.veil, self.progress = packs_root, veil, progress
         self.operations: dict[str, list[Operation]] = {}
         """Of each repair, as they were made."""
+        self.names: dict[str, dict[str, str]] = {}
+        """Of each repair: what its author calls the actors of the veiled levels."""
         self.refused: list[Refusal] = []
         self.sightings: dict[str, list[Sighting]] = {}
 
@@ -191,7 +193,14 @@ class _Builder:
             damaged.append(corrupted)
             self.operations[case.case_id] = operations
         truth, *veiled = self.veil.scene(scene.scene_id, damaged)
-        for case, level in zip(repairs, veiled, strict=True):
+        for case, level, plain in zip(repairs, veiled, damaged[1:], strict=True):
+            known = {
+                self.veil.id_of(scene.scene_id, id_of(one) or one.name): one.name
+                for one in (*original.actors, *plain.actors)
+            }
+            self.names[case.case_id] = {
+                one.name: known.get(id_of(one) or "", one.name) for one in (*truth.actors, *level.actors)
+            }
             told = self.veil.operations(scene.scene_id, self.operations[case.case_id], level)
             self.operations[case.case_id] = told
         return truth, {case.case_id: level for case, level in zip(repairs, veiled, strict=True)}
@@ -201,9 +210,10 @@ class _Builder:
         pairs = zip(case.views, exported.views[case.case_id], exported.start_views[case.case_id], strict=True)
         looks = [looked_at(view.name, original, start) for view, original, start in pairs]
         operations = self.operations[case.case_id]
-        self.sightings[case.case_id] = sightings(operations, truth, corrupted, looks)
+        names = self.names[case.case_id]
+        self.sightings[case.case_id] = sightings(operations, truth, corrupted, looks, names)
         snapshots = read_json(exported.truth), read_json(exported.inputs[case.case_id])
-        self.refused += refusals(case, operations, truth, corrupted, *snapshots, looks)
+        self.refused += refusals(case, operations, truth, corrupted, *snapshots, looks, names)
 
     def _pack(self, pack_id: str) -> Pack:
         if pack_id not in self.packs:

@@ -148,13 +148,14 @@ def build_file(path: Path, *, replace: bool, json_output: bool) -> Suite:
         try:
             suite = build_suite(definition, place, packs_root(), step, replace=replace)
         except Refused as refused:
-            if not json_output:
-                for one in refused.refusals:
-                    say(f"{one.case_id}: {one.reason}")
+            if json_output:
+                print_json({"suite": definition.suite_id, "refusals": [asdict(one) for one in refused.refusals]})
+            else:
+                print_table(["case", "why it cannot be used"], [[one.case_id, one.reason] for one in refused.refusals])
             raise
         progress.update(task, description=f"{'suite written':51}")
     if not json_output:
-        for file in _sheets(SuiteFolder(place)):
+        for file in _sheets(SuiteFolder(place), suite_file(path).parent):
             say(f"contact sheet: {file}")
         say(f"next: c4s suite stats {suite.suite_id}; c4s suite review {suite.suite_id}; c4s run {suite.suite_id}")
     return suite
@@ -180,16 +181,17 @@ def check_file(path: Path, *, json_output: bool) -> None:
     say(f"next: c4s suite build {file}")
 
 
-def _sheets(suite: SuiteFolder) -> list[Path]:
+def _sheets(suite: SuiteFolder, folder: Path) -> list[Path]:
     from cases.workshop.sheet import suite_rows, write_sheets
 
-    place = suite.root.parent / f"{suite.root.name}-sheets"
-    return write_sheets(suite_rows(suite), place / "sheet.png")
+    return write_sheets(suite_rows(suite), folder / f"{suite.root.name}.png")
 
 
-def preview(name: Built, json_output: Json = False) -> None:
+def preview(
+    name: Built, out: Annotated[Path, typer.Option(help="folder for the sheet")] = Path(), json_output: Json = False
+) -> None:
     """Draw a contact sheet of all cases: reference views beside the start scene, overviews of texts."""
-    files = _sheets(SuiteFolder(built_suite(name)))
+    files = _sheets(SuiteFolder(built_suite(name)), out)
     if json_output:
         print_json({"suite": name, "sheets": [str(file) for file in files]})
         return

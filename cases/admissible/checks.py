@@ -26,8 +26,10 @@ Snapshot = dict[str, Any]
 
 LEAST_PIXELS = 400
 """Of 1280 x 720 (0.043 %): a target that no view shows with more cannot be told from noise."""
-LEAST_CHANGED, LEAST_TURNED = 0.12, 0.03
-"""Share of a target's own pixels that must look different; the second where it is turned or mirrored."""
+LEAST_DISPLACED, LEAST_CHANGED = 0.12, 0.03
+"""Share of a target's pixels that show it only before or after a move; that look different where it stays in place."""
+GROUND_SIDE_CM, GROUND_FLAT = 250.0, 0.05
+"""What is larger than this both ways, and so much flatter than it is wide, is ground."""
 STRUCTURE = frozenset({"ceiling", "floor", "foundation", "ground", "roof", "room", "wall", "walls"})
 """What a thing is called by the last word of its name that is part of a building."""
 MOST_SHARE = 0.34
@@ -36,6 +38,7 @@ VIEWS: Mapping[Setting, int] = {"image-to-scene/indoor": 2, "image-to-scene/outd
 """Reference views of a case (paper, benchmark suite)."""
 DONE, NOTHING = 1.0, 0.2
 """Scores of a perfect repair and of none."""
+_IN_PLACE = frozenset({"turned", "mirrored", "with another mesh"})
 _SHOWN = 4
 """Refusals that the message of a build tells."""
 
@@ -53,7 +56,7 @@ class Sighting:
     """How well a changed actor can be seen, each in the view that shows it best; pixels are of 1280 x 720.
 
     ``pixels`` show the actor in the original, or in the start scene where it was added; ``changed_share`` of its own
-    pixels look different, None for what is in one of the two alone.
+    pixels show what was done to it, None for what is in one of the two scenes alone.
     """
 
     actor: str
@@ -85,6 +88,7 @@ def refusals(
     truth_snapshot: Snapshot,
     start_snapshot: Snapshot,
     looks: Sequence[Looked],
+    names: Mapping[str, str],
 ) -> list[Refusal]:
     """All reasons against a built repair.
 
@@ -94,14 +98,15 @@ def refusals(
         truth, start: the levels.
         truth_snapshot, start_snapshot: what a clean engine exported of them.
         looks: what each reference camera sees, in the order of the case's views.
+        names: what the author calls the actors of both levels.
     """
-    reasons = [*_views(case), *_scores(case.setting, truth_snapshot, start_snapshot)]
+    reasons = [*_views(case), *_scores(case.setting, truth_snapshot, start_snapshot, names)]
     before = {id_of(actor): actor for actor in truth.actors}
     after = {id_of(actor): actor for actor in start.actors}
-    for sighting in sightings(operations, truth, start, looks):
+    for sighting in sightings(operations, truth, start, looks, names):
         reasons += _unseen(sighting)
-    reasons += _fit(operations, before, after, truth_snapshot, start_snapshot)
-    reasons += _left_hanging(operations, before, truth_snapshot, start_snapshot)
+    reasons += _fit(operations, before, after, truth_snapshot, start_snapshot, names)
+    reasons += _left_hanging(operations, before, truth_snapshot, start_snapshot, names)
     return [Refusal(case.case_id, reason) for reason in reasons]
 
 
@@ -112,7 +117,7 @@ def _views(case: RepairCase) -> list[str]:
     return [f"it has {len(case.views)} reference views; a case of {case.setting} has {wanted}"]
 
 
-def _scores(setting: Setting, truth: Snapshot, start: Snapshot) -> list[str]:
+def _scores(setting: Setting, truth: Snapshot, start: Snapshot, names: Mapping[str, str]) -> list[str]:
     """The case scores of a perfect repair and of none, by the published rules."""
     found = []
     for what, candidate, wanted in (("a perfect repair", truth, DONE), ("doing nothing", start, NOTHING)):
@@ -122,46 +127,63 @@ def _scores(setting: Setting, truth: Snapshot, start: Snapshot) -> list[str]:
         if made != wanted:
             found.append(
                 f"{what} scores {made:.6g} and not {wanted:g} (Repair F1 {repair:.4g}, physics {physics.score}"
-                f"{_lost(physics.measurements)})"
+                f"{_lost(physics.measurements, names)})"
             )
     return found
 
 
-def _lost(measurements: Mapping[str, Any]) -> str:
+def _lost(measurements: Mapping[str, Any], names: Mapping[str, str]) -> str:
     """Who costs physics points, and by what."""
     told = []
     for leaf in measurements["leaf_results"]:
-        told += [f"{name} floats" for name in leaf.get("floating_actors", [])]
+        told += [f"{names.get(name, name)} floats" for name in leaf.get("floating_actors", [])]
         told += [
-            f"{row['actor']} penetrates {row.get('deepest_cm') or row.get('depth_cm') or ''}".rstrip()
+            f"{names.get(row['actor'], row['actor'])} penetrates"
             for row in leaf.get("actors", [])
             if row.get("state") not in (None, "clean", "supported", "floating", "unresolved")
         ]
     return f": {', '.join(told[:3])}" if told else ""
 
 
-def sightings(operations: Sequence[Operation], truth: Level, start: Level, looks: Sequence[Looked]) -> list[Sighting]:
-    """How well each changed actor can be seen, in the order of the changes."""
+def sightings(
+    operations: Sequence[Operation], truth: Level, start: Level, looks: Sequence[Looked], names: Mapping[str, str]
+) -> list[Sighting]:
+    """How well each changed actor can be seen, in the order of the changes. Arguments are those of ``refusals``."""
     before = {id_of(actor): actor for actor in truth.actors}
     after = {id_of(actor): actor for actor in start.actors}
     return [
-        _sighting([one for one in operations if _target(one) == target], before.get(target), after.get(target), looks)
+        _sighting(
+            [one for one in operations if _target(one) == target], before.get(target), after.get(target), looks, names
+        )
         for target in dict.fromkeys(map(_target, operations))
     ]
 
 
 def _sighting(
-    operations: Sequence[Operation], was: LevelActor | None, now: LevelActor | None, looks: Sequence[Looked]
+    operations: Sequence[Operation],
+    was: LevelActor | None,
+    now: LevelActor | None,
+    looks: Sequence[Looked],
+    names: Mapping[str, str],
 ) -> Sighting:
     if was is None:
         assert now is not None
         pixels = max((look.pixels(now.name, start=True) for look in looks), default=0)
-        return Sighting(now.name, ("added",), pixels, None, None)
+        return Sighting(names.get(now.name, now.name), ("added",), pixels, None, None)
     pixels = max((look.pixels(was.name) for look in looks), default=0)
     if now is None:
-        return Sighting(was.name, ("removed",), pixels, None, None)
-    share, changed = max((look.changed(was.name, now.name) for look in looks), default=(0.0, 0))
-    return Sighting(was.name, tuple(dict.fromkeys(_words(one, was) for one in operations)), pixels, share, changed)
+        return Sighting(names.get(was.name, was.name), ("removed",), pixels, None, None)
+    done = tuple(dict.fromkeys(_words(one, was) for one in operations))
+    told = [_measure(done, look, was.name, now.name) for look in looks]
+    share, changed = max(told, default=(0.0, 0))
+    return Sighting(names.get(was.name, was.name), done, pixels, share, changed)
+
+
+def _measure(done: Sequence[str], look: Looked, was: str, now: str) -> tuple[float, int]:
+    """How much a view shows of what was done: by shape of what is turned or displaced, by colour of all else."""
+    if set(done) == {"turned"}:
+        return look.reshaped(was, now)
+    return look.changed(was, now) if set(done) <= _IN_PLACE else look.displaced(was, now)
 
 
 def _target(operation: Operation) -> str:
@@ -179,10 +201,10 @@ def _unseen(sighting: Sighting) -> list[str]:
     share, changed = sighting.changed_share, sighting.changed_pixels
     if share is None or changed is None:
         return []
-    least = LEAST_TURNED if set(sighting.done) <= {"turned", "mirrored"} else LEAST_CHANGED
+    least = LEAST_CHANGED if set(sighting.done) <= _IN_PLACE else LEAST_DISPLACED
     if share < least or changed < LEAST_PIXELS:
         return [
-            f"{sighting.actor} {' and '.join(sighting.done)} looks different in {share:.1%} of its own pixels "
+            f"{sighting.actor} {' and '.join(sighting.done)} shows in {share:.1%} of its own pixels "
             f"({changed} of 1280x720) at the most; {least:.0%} and {LEAST_PIXELS} are needed"
         ]
     return []
@@ -208,6 +230,7 @@ def _fit(
     after: Mapping[str | None, LevelActor],
     truth: Snapshot,
     start: Snapshot,
+    names: Mapping[str, str],
 ) -> list[str]:
     """Ground, structure and backdrop are no targets."""
     told = []
@@ -219,11 +242,15 @@ def _fit(
             actor = known.get(_target(operation))
             if actor is None or actor.name not in role:
                 continue
+            shown = names.get(actor.name, actor.name)
             if role[actor.name] in _NO_TARGET or _called(actor) in STRUCTURE:
-                told.append(f"{actor.name} is {_NO_TARGET.get(role[actor.name], 'structure')}, which is no target")
+                told.append(f"{shown} is {_NO_TARGET.get(role[actor.name], 'structure')}, which is no target")
+            wide, deep, high = (2 * side for side in size[actor.name])
+            if min(wide, deep) > GROUND_SIDE_CM and high < GROUND_FLAT * min(wide, deep):
+                told.append(f"{shown} is {wide:.0f} x {deep:.0f} x {high:.0f} cm: ground, which is no target")
             share = max(2 * size[actor.name][axis] / whole[axis] for axis in (0, 1))
             if share > MOST_SHARE:
-                told.append(f"{actor.name} takes {share:.0%} of the scene's side; at most {MOST_SHARE:.0%} is a thing")
+                told.append(f"{shown} takes {share:.0%} of the scene's side; at most {MOST_SHARE:.0%} is a thing")
     return list(dict.fromkeys(told))
 
 
@@ -249,7 +276,11 @@ def _whole(snapshot: Snapshot) -> list[float]:
 
 
 def _left_hanging(
-    operations: Sequence[Operation], before: Mapping[str | None, LevelActor], truth: Snapshot, start: Snapshot
+    operations: Sequence[Operation],
+    before: Mapping[str | None, LevelActor],
+    truth: Snapshot,
+    start: Snapshot,
+    names: Mapping[str, str],
 ) -> list[str]:
     """What stood on something that a change took away: an agent that repairs nothing would have to answer for it."""
     taken = [one.target for one in operations if isinstance(one, RemoveActor | SetTransform | SetStaticMesh)]
@@ -260,7 +291,7 @@ def _left_hanging(
     if not carried:
         return []
     fine = carried - unsound(truth)
-    hanging = sorted(fine & unsound(start) - edited)
+    hanging = sorted(names.get(name, name) for name in fine & unsound(start) - edited)
     if not hanging:
         return []
     more = f" and {len(hanging) - 3} more" if len(hanging) > 3 else ""

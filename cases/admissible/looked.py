@@ -20,13 +20,17 @@ FULL = 1280 * 720
 SEEN_STEP = 12
 """Two colours that differ by this much in one of their three channels (of 255) can be told apart."""
 
+LEAST_DEPTH_CM, DEPTH_STEP = 1.0, 0.003
+"""Two depths that differ by both, the second as a share of the nearer one, are of two shapes."""
+
 
 @dataclass(frozen=True)
 class _Picture:
-    """(H, W, 3) colours, (H, W) rows of ``names``, -1 where nothing is shown."""
+    """(H, W, 3) colours, (H, W) rows of ``names`` (-1 where nothing is shown), (H, W) depth in cm."""
 
     colours: Colours
     mask: Mask
+    depth_cm: NDArray[np.float32]
     names: list[str]
 
     def where(self, name: str) -> NDArray[np.bool_]:
@@ -60,6 +64,22 @@ class Looked:
         """Pixels of a 1280 x 720 picture that show an actor in the original, or in the start scene."""
         return round(float((self.start if start else self.truth).where(name).sum()) * self._per_pixel)
 
+    def displaced(self, was: str, now: str) -> tuple[float, int]:
+        """Share of the pixels that show an actor before or after that show it only once; and how many those are."""
+        before, after = self.truth.where(was), self.start.where(now)
+        count, once = int((before | after).sum()), int((before ^ after).sum())
+        return (once / count if count else 0.0), round(once * self._per_pixel)
+
+    def reshaped(self, was: str, now: str) -> tuple[float, int]:
+        """As ``displaced``, of pixels that show it only once or at another depth: none of what is round and turned."""
+        before, after = self.truth.where(was), self.start.where(now)
+        count = int((before | after).sum())
+        both = before & after
+        first, second = self.truth.depth_cm[both], self.start.depth_cm[both]
+        apart = np.abs(first - second) > np.maximum(LEAST_DEPTH_CM, DEPTH_STEP * np.minimum(first, second))
+        other = int((before ^ after).sum() + apart.sum())
+        return (other / count if count else 0.0), round(other * self._per_pixel)
+
     def changed(self, was: str, now: str) -> tuple[float, int]:
         """Share of an actor's own pixels, before and after together, that look different; and how many those are."""
         own = self.truth.where(was) | self.start.where(now)
@@ -82,9 +102,10 @@ def _read(picture: Path, size: tuple[int, int]) -> _Picture:
     with Image.open(picture) as opened:
         colours = np.asarray(opened.convert("RGB").resize(size, Image.Resampling.BOX), dtype=np.uint8)
     with np.load(picture.with_name(mask_name(picture.stem)), allow_pickle=False) as tables:
-        actor = tables["actor"].astype(np.int64)
+        actor, depth = tables["actor"].astype(np.int64), tables["depth_cm"]
         names = [str(name) for name in tables["names"]]
     width, height = size
     rows = (np.arange(height) + 0.5) * actor.shape[0] / height
     columns = (np.arange(width) + 0.5) * actor.shape[1] / width
-    return _Picture(colours, actor[rows.astype(int)[:, None], columns.astype(int)[None, :]], names)
+    chosen = (rows.astype(int)[:, None], columns.astype(int)[None, :])
+    return _Picture(colours, actor[chosen], depth[chosen], names)

@@ -81,7 +81,7 @@ def _of(
         told.palette = _spread([len(agent.catalog) for _, agent, _ in rows])
         told.plates_m = _counted([f"{agent.plate_m:g}" for _, agent, _ in rows if agent.plate_m])
         bundles = [read_json(suite.withheld(case_id) / "requirements.bundle.json") for case_id, _, _ in rows]
-        told.requirements = _spread([len(bundle["requirement_graph"]["predicates"]) for bundle in bundles])
+        told.requirements = _spread([len(bundle["requirements"]) for bundle in bundles])
         told.prompt_words = _spread([len(agent.prompt.split("===")[0].split()) for _, agent, _ in rows])
         return told
     told.groups = _counted([row.operation_group or "none" for row in withheld], GROUPS)
