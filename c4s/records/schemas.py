@@ -17,6 +17,7 @@ from c4s.records.backup import Backup
 from c4s.records.base import SEAL, Sealed
 from c4s.records.binding import Binding, ReviewedBindings
 from c4s.records.captures import Captures
+from c4s.records.frozen import Frozen
 from c4s.records.guards import Guards, Instruction
 from c4s.records.handover import Handover
 from c4s.records.human import (
@@ -50,6 +51,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "pack": Pack,
     "unreal-content": UnrealContent,
     "suite": Suite,
+    "frozen": Frozen,
     "agent-case": AgentCase,
     "withheld-case": WithheldCase,
     "binding": Binding,
