@@ -24,7 +24,7 @@ from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
 from cases import exports
-from cases.admissible import Refusal, Refused, Sighting, looked_at, refusals, sightings
+from cases.admissible import Refusal, Refused, TargetSighting, looked_at, refusals, sightings
 from cases.audit import audit, check_blind
 from cases.binding import freeze_binding
 from cases.boxes import boxes_of
@@ -143,7 +143,7 @@ class _Builder:
         self.names: dict[str, dict[str, str]] = {}
         """Of each repair: what its author calls the actors of the veiled levels."""
         self.refused: list[Refusal] = []
-        self.sightings: dict[str, list[Sighting]] = {}
+        self.sightings: dict[str, list[TargetSighting]] = {}
 
     def scene(self, scene: SourceScene) -> None:
         """Write every case of a scene."""

@@ -21,7 +21,7 @@ from c4s.records.suite import IMPORTED_SCENE, Suite, SuiteFolder
 
 if TYPE_CHECKING:
     from c4s.records.level import Level
-    from cases.workshop.statistics import SettingStatistics, Spread
+    from cases.workshop.statistics import Range, SettingStatistics
 
 Json = Annotated[bool, typer.Option("--json")]
 Built = Annotated[str, typer.Argument(help="id of a built suite")]
@@ -280,7 +280,7 @@ def _told(rows: Sequence[SettingStatistics]) -> list[list[Any]]:
     return [[name, *values] for name, values in lines]
 
 
-def _range(spread: Spread | None) -> str | None:
+def _range(spread: Range | None) -> str | None:
     return None if spread is None else f"{spread.least:g} to {spread.most:g}, mean {spread.mean:.1f}"
 
 

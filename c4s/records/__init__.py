@@ -12,6 +12,7 @@ __all__ = [
     "evidence_digests",
     "fault",
     "folder",
+    "frozen",
     "guards",
     "handover",
     "human",

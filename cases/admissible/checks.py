@@ -52,7 +52,7 @@ class Refusal:
 
 
 @dataclass(frozen=True)
-class Sighting:
+class TargetSighting:
     """How well a changed actor can be seen, each in the view that shows it best; pixels are of 1280 x 720.
 
     ``pixels`` show the actor in the original, or in the start scene where it was added; ``changed_share`` of its own
@@ -147,7 +147,7 @@ def _lost(measurements: Mapping[str, Any], names: Mapping[str, str]) -> str:
 
 def sightings(
     operations: Sequence[Operation], truth: Level, start: Level, looks: Sequence[Looked], names: Mapping[str, str]
-) -> list[Sighting]:
+) -> list[TargetSighting]:
     """How well each changed actor can be seen, in the order of the changes. Arguments are those of ``refusals``."""
     before = {id_of(actor): actor for actor in truth.actors}
     after = {id_of(actor): actor for actor in start.actors}
@@ -165,18 +165,18 @@ def _sighting(
     now: LevelActor | None,
     looks: Sequence[Looked],
     names: Mapping[str, str],
-) -> Sighting:
+) -> TargetSighting:
     if was is None:
         assert now is not None
         pixels = max((look.pixels(now.name, start=True) for look in looks), default=0)
-        return Sighting(names.get(now.name, now.name), ("added",), pixels, None, None)
+        return TargetSighting(names.get(now.name, now.name), ("added",), pixels, None, None)
     pixels = max((look.pixels(was.name) for look in looks), default=0)
     if now is None:
-        return Sighting(names.get(was.name, was.name), ("removed",), pixels, None, None)
+        return TargetSighting(names.get(was.name, was.name), ("removed",), pixels, None, None)
     done = tuple(dict.fromkeys(_words(one, was) for one in operations))
     told = [_measure(done, look, was.name, now.name) for look in looks]
     share, changed = max(told, default=(0.0, 0))
-    return Sighting(names.get(was.name, was.name), done, pixels, share, changed)
+    return TargetSighting(names.get(was.name, was.name), done, pixels, share, changed)
 
 
 def _measure(done: Sequence[str], look: Looked, was: str, now: str) -> tuple[float, int]:
@@ -190,7 +190,7 @@ def _target(operation: Operation) -> str:
     return operation.stable_id if isinstance(operation, SpawnActor) else operation.target
 
 
-def _unseen(sighting: Sighting) -> list[str]:
+def _unseen(sighting: TargetSighting) -> list[str]:
     """What keeps a change from being seen."""
     if sighting.pixels < LEAST_PIXELS:
         where = "the start scene" if sighting.done == ("added",) else "the reference views"

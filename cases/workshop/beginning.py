@@ -17,7 +17,7 @@ from cases.workshop.document import (
     Mirror,
     Move,
     Removal,
-    RepairEntry,
+    RepairCaseEntry,
     Rescale,
     Rotation,
     SceneEntry,
@@ -64,7 +64,7 @@ def first_suite(
         authors=[author],
         scenes=[scene],
         repairs=[
-            RepairEntry(
+            RepairCaseEntry(
                 case_id=f"{suite_id}-01-{kind}",
                 scene_id=scene.scene_id,
                 title=f"{thing.name}: {kind}",

@@ -136,7 +136,7 @@ class SceneEntry(Record):
     """Packs of its assets; that of an imported scene is known."""
 
 
-class RepairEntry(Record):
+class RepairCaseEntry(Record):
     """An image-to-scene case (``RepairCase``). Group and difficulty follow from the changes unless given."""
 
     case_id: Name
@@ -160,7 +160,7 @@ class RequirementsEntry(Record):
     predicates: list[PredicateSpec]
 
 
-class TextEntry(Record):
+class TextCaseEntry(Record):
     """A text-to-scene case (``TextCase``)."""
 
     case_id: Name
@@ -190,14 +190,14 @@ class SuiteFile(Record):
     description: str = ""
     authors: list[Name] = Field(default_factory=list)
     scenes: list[SceneEntry] = Field(min_length=1)
-    repairs: list[RepairEntry] = Field(default_factory=list)
-    texts: list[TextEntry] = Field(default_factory=list)
+    repairs: list[RepairCaseEntry] = Field(default_factory=list)
+    texts: list[TextCaseEntry] = Field(default_factory=list)
 
     @property
-    def cases(self) -> list[RepairEntry | TextEntry]:
+    def cases(self) -> list[RepairCaseEntry | TextCaseEntry]:
         """All cases, the repairs first."""
         return [*self.repairs, *self.texts]
 
-    def author_of(self, case: RepairEntry | TextEntry) -> str | None:
+    def author_of(self, case: RepairCaseEntry | TextCaseEntry) -> str | None:
         """Who made a case; None where the file does not say."""
         return case.author or (self.authors[0] if self.authors else None)

@@ -37,14 +37,14 @@ from cases.workshop.document import (
     Mirror,
     Move,
     Removal,
-    RepairEntry,
+    RepairCaseEntry,
     Replacement,
     RequirementsEntry,
     Rescale,
     Rotation,
     SceneEntry,
     SuiteFile,
-    TextEntry,
+    TextCaseEntry,
     ViewEntry,
 )
 
@@ -97,7 +97,7 @@ class _Definition:
         known = {scene.scene_id: scene for scene in scenes}
         authors = {scene.scene_id: Author(scene.level, scene.scene_id) for scene in scenes}
 
-        def of(case: RepairEntry | TextEntry) -> SourceScene:
+        def of(case: RepairCaseEntry | TextCaseEntry) -> SourceScene:
             if case.scene_id not in known:
                 raise BadInput(f"no scene {case.scene_id!r} in this file", where=case.case_id)
             return known[case.scene_id]
@@ -126,7 +126,7 @@ class _Definition:
         title = entry.title or entry.scene_id.replace("-", " ").capitalize()
         return SourceScene(entry.scene_id, entry.environment, title, level, packs)
 
-    def _repair(self, case: RepairEntry, scene: SourceScene, author: Author) -> RepairCase:
+    def _repair(self, case: RepairCaseEntry, scene: SourceScene, author: Author) -> RepairCase:
         changes = [_made(author, case.case_id, number, one) for number, one in enumerate(case.corruptions, 1)]
         kinds: list[Kind] = [made.kind for made in changes]
         group: Group = case.group or GROUP_OF_KIND[kinds[0]]
@@ -145,7 +145,7 @@ class _Definition:
             visibility=case.visibility,
         )
 
-    def _text(self, case: TextEntry, scene: SourceScene) -> TextCase:
+    def _text(self, case: TextCaseEntry, scene: SourceScene) -> TextCase:
         asked = case.requirements
         if not isinstance(asked, RequirementsEntry):
             path = file_in(self._folder, asked)

@@ -30,7 +30,7 @@ def write_scene_sheet(level: Level, packs: Sequence[Path], out: Path) -> Path:
     Raises ``MachineryFault`` when the engine cannot open or draw the level.
     """
     with tempfile.TemporaryDirectory(prefix="c4s-sheet-") as folder:
-        document, evidence = Path(folder) / "scene.level.json", EvidenceFolder(Path(folder) / "evidence")
+        document, evidence = Path(folder) / "scene.level.json", EvidenceFolder(Path(folder) / "looked")
         level.write(document)
         with open_level(engine=DEFAULT_ENGINE, packs=packs, level=document) as clean:
             clean.export(evidence.root)

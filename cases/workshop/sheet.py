@@ -23,14 +23,14 @@ _INK, _PAPER = (20, 22, 26), (250, 250, 248)
 
 
 @dataclass(frozen=True)
-class Row:
+class SheetRow:
     """Pictures beside each other under a line of text."""
 
     title: str
     pictures: Sequence[Path]
 
 
-def suite_rows(suite: SuiteFolder) -> list[Row]:
+def suite_rows(suite: SuiteFolder) -> list[SheetRow]:
     """A row a case: of a repair each reference view and the start scene from there, of a text the overviews."""
     rows = []
     for case in suite.suite().cases:
@@ -38,15 +38,15 @@ def suite_rows(suite: SuiteFolder) -> list[Row]:
         views = suite.withheld(case.case_id) / "views"
         truth = sorted((views / "truth").glob("*.png"))
         if is_construction(case.setting):
-            rows.append(Row(f"{case.case_id}  {withheld.title}", truth))
+            rows.append(SheetRow(f"{case.case_id}  {withheld.title}", truth))
             continue
         pairs = [picture for view in truth for picture in (view, views / "start" / view.name)]
         told = " ".join(withheld.operations)
-        rows.append(Row(f"{case.case_id}  {withheld.title}  [{told}]  original | start", pairs))
+        rows.append(SheetRow(f"{case.case_id}  {withheld.title}  [{told}]  original | start", pairs))
     return rows
 
 
-def write_sheets(rows: Sequence[Row], out: Path) -> list[Path]:
+def write_sheets(rows: Sequence[SheetRow], out: Path) -> list[Path]:
     """Write the rows as ``out``, or as ``<out>-2.png`` and so on where they are many; returns the files."""
     columns = max((len(row.pictures) for row in rows), default=1)
     width = _EDGE + columns * (TILE[0] + _EDGE)
@@ -61,7 +61,7 @@ def write_sheets(rows: Sequence[Row], out: Path) -> list[Path]:
     return files
 
 
-def _drawn(rows: Sequence[Row], width: int, height: int) -> Image.Image:
+def _drawn(rows: Sequence[SheetRow], width: int, height: int) -> Image.Image:
     sheet = Image.new("RGB", (width, _EDGE + max(1, len(rows)) * height), _PAPER)
     pen, font = ImageDraw.Draw(sheet), ImageFont.load_default(13)
     for number, row in enumerate(rows):

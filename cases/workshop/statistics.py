@@ -19,7 +19,7 @@ TIERS = ("easy", "medium", "hard")
 
 
 @dataclass(frozen=True)
-class Spread:
+class Range:
     """Smallest, middle and largest of some numbers, and their mean."""
 
     least: float
@@ -36,20 +36,20 @@ class SettingStatistics:
     cases: int = 0
     public: int = 0
     scenes: int = 0
-    actors: Spread | None = None
+    actors: Range | None = None
     """Of the truth scenes."""
-    palette: Spread | None = None
+    palette: Range | None = None
     """Assets that a case offers."""
     plates_m: dict[str, int] = field(default_factory=dict)
-    prompt_words: Spread | None = None
-    requirements: Spread | None = None
+    prompt_words: Range | None = None
+    requirements: Range | None = None
     groups: dict[str, int] = field(default_factory=dict)
     tiers: dict[str, int] = field(default_factory=dict)
     chains: dict[str, int] = field(default_factory=dict)
     """Cases by how many changes were authored."""
     kinds: dict[str, int] = field(default_factory=dict)
     views: dict[str, int] = field(default_factory=dict)
-    target_pixels: Spread | None = None
+    target_pixels: Range | None = None
     """Of 1280 x 720, in the view that shows a target best."""
 
 
@@ -92,10 +92,10 @@ def _of(
     return told
 
 
-def _spread(values: Sequence[float]) -> Spread | None:
+def _spread(values: Sequence[float]) -> Range | None:
     if not values:
         return None
-    return Spread(float(min(values)), float(np.median(values)), float(max(values)), float(np.mean(values)))
+    return Range(float(min(values)), float(np.median(values)), float(max(values)), float(np.mean(values)))
 
 
 def _counted(values: Sequence[str], order: Sequence[str] = ()) -> dict[str, int]:
