@@ -15,6 +15,13 @@ from tests.reports.watching import complaints, watched
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
+CHANGES = {
+    "a table is gone": "document.querySelector('table').hidden = true",
+    "a title is gone": "document.querySelector('h1').hidden = true",
+    "text has another colour": "document.documentElement.style.setProperty('--ink', '#d00')",
+    "shades are gone": "document.querySelectorAll('td').forEach((one) => { one.style.background = 'none'; })",
+    "the page is narrow": "document.querySelector('main').style.maxWidth = '900px'",
+}
 Scheme = Literal["light", "dark"]
 MOST_STOPS = 250
 """Places of a page that the key Tab is pressed for."""
@@ -53,6 +60,20 @@ def test_anybody_can_read_it(browser: Browser, page_of: Callable[[str], Path], k
 def test_it_looks_as_it_did(browser: Browser, page_of: Callable[[str], Path], kind: str, scheme: Scheme) -> None:
     with watched(browser, page_of(kind), scheme=scheme) as page:
         assert_as_kept(page, f"{kind}-{scheme}")
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_page_that_changed_is_seen(browser: Browser, page_of: Callable[[str], Path], change: str) -> None:
+    with watched(browser, page_of("cases")) as page:
+        page.evaluate(CHANGES[change])
+        with pytest.raises(AssertionError, match="of it is other"):
+            assert_as_kept(page, "cases-light")
+
+
+def test_other_letters_are_not_another_page(browser: Browser, page_of: Callable[[str], Path]) -> None:
+    with watched(browser, page_of("leaderboard")) as page:
+        page.evaluate("document.body.style.fontFamily = 'Liberation Serif, Georgia, serif'")
+        assert_as_kept(page, "leaderboard-light")
 
 
 @pytest.mark.parametrize("kind", KINDS)

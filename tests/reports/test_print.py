@@ -20,10 +20,16 @@ if TYPE_CHECKING:
 MM: Final = 96 / 25.4
 PORTRAIT, LANDSCAPE = round((210 - 2 * 13) * MM), round((297 - 2 * 11) * MM)
 """Pixels that a line of A4 has between the margins of ``print.css``."""
-FOLDED = "() => Array.from(document.querySelectorAll('details'), (one) => one.textContent).join(' ')"
+FOLDED = """() => Array.from(document.querySelectorAll("details"), (one) => {
+  const walker = document.createTreeWalker(one, NodeFilter.SHOW_TEXT);
+  const texts = [];
+  while (walker.nextNode()) texts.push(walker.currentNode.data);
+  return texts.join(" ");
+}).join(" ")"""
 BEYOND = """() => Array.from(document.querySelectorAll("main *")).filter((one) =>
   one.checkVisibility() && !one.closest(".unseen, svg") && one.getBoundingClientRect().right > innerWidth + 1
 ).map((one) => one.outerHTML.slice(0, 100))"""
+WIDE = "all => all.forEach((one) => one.style.setProperty('min-width', '90px', 'important'))"
 WORDS = re.compile(r"[A-Za-z]{5,}")
 
 
@@ -61,5 +67,5 @@ def test_what_is_folded_is_on_paper(
 def test_a_cut_table_is_seen(browser: Browser, page_of: Callable[[str], Path]) -> None:
     with watched(browser, page_of("cases"), width=PORTRAIT) as page:
         page.emulate_media(media="print")
-        page.add_style_tag(content="th, td { white-space: nowrap !important; }")
+        page.eval_on_selector_all("td", WIDE)
         assert page.evaluate(BEYOND) != []
