@@ -17,6 +17,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from bench.made_verdicts import made_verdicts
+from c4s.files import digest
 from c4s.meter.prices import COST_CLASSES
 from c4s.protocol.case import SEMANTIC
 from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, SETTINGS, Setting, is_construction
@@ -108,7 +109,7 @@ class MadeWarehouse:
         rows: dict[str, list[dict[str, Any]]] = {table: [] for table in _TABLES}
         for place, case in enumerate(cases):
             for repeat in range(1, self.repeats + 1):
-                key = self._key(name, judge, case, repeat)
+                key = self.key(name, judge, case, repeat)
                 rows["schedule"].append({**key, **case, **_PLAN, "judge": judge})
                 if (name, case["case_id"]) not in self.pending:
                     score = float(np.clip(self.planted[name][place] + random.normal(0, SPREAD_TRIAL), 0, 1))
@@ -135,9 +136,10 @@ class MadeWarehouse:
             return {**row, **dict.fromkeys(_USAGE), "unpriced_requests": 1}
         return row
 
-    def _key(self, name: str, judge: str, case: dict[str, Any], repeat: int) -> dict[str, Any]:
+    def key(self, name: str, judge: str, case: dict[str, Any], repeat: int) -> dict[str, Any]:
+        """What the rows of a trial have in common."""
         return {
-            "trial_id": f"{judge}/{name}/{case['case_id']}/{repeat}",
+            "trial_id": digest([judge, name, case["case_id"], repeat]),
             "run_id": SUITE,
             "suite": SUITE,
             "suite_digest": "d" * 64,

@@ -38,7 +38,8 @@ def write_status(now: Snapshot, page: Path, leaderboard: Path) -> None:
             link=link,
             going=now.going,
             refresh_s=REFRESH_S,
-            style=Markup((STATIC / "style.css").read_text(encoding="utf-8")),
+            style=_styles("style.css", "tables.css"),
+            print_style=_styles("print.css"),
             written=datetime.fromtimestamp(now.time).astimezone().strftime("%Y-%m-%d %H:%M:%S %Z"),
             ends=clock(now.time + now.left_s) if now.left_s is not None else None,
             deadline=clock(now.deadline) if now.deadline is not None else None,
@@ -47,3 +48,7 @@ def write_status(now: Snapshot, page: Path, leaderboard: Path) -> None:
             most_running=MOST_RUNNING,
         ),
     )
+
+
+def _styles(*names: str) -> Markup:
+    return Markup("".join((STATIC / name).read_text(encoding="utf-8") for name in names))

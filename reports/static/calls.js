@@ -38,7 +38,7 @@
   });
 
   function show() {
-    var chosen = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    var chosen = document.querySelector(":target");
     for (var at = chosen; at; at = at.parentElement) { if (at.tagName === "DETAILS") { at.open = true; } }
     if (chosen) { chosen.scrollIntoView(); }
   }

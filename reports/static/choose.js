@@ -2,7 +2,7 @@
 // Tick boxes of configurations: what is chosen stands out, can be shown alone, is compared, and is kept in the address.
 (function () {
   const boxes = document.querySelectorAll("input.choose");
-  const chosen = new Set(new URLSearchParams(location.hash.slice(1)).getAll("chosen"));
+  const chosen = new Set();
   let alone = false;
   function show() {
     for (const box of boxes) box.checked = chosen.has(box.value);
@@ -29,8 +29,7 @@
     }
   }
   function keep() {
-    const told = new URLSearchParams(Array.from(chosen, function (name) { return ["chosen", name]; }));
-    history.replaceState(null, "", chosen.size ? "#" + told : location.pathname + location.search);
+    c4sAddress.put({ chosen: Array.from(chosen) });
     show();
   }
   for (const box of boxes) {
@@ -44,5 +43,9 @@
   for (const button of document.querySelectorAll("button.only")) {
     button.addEventListener("click", function () { alone = !alone; show(); });
   }
-  show();
+  c4sAddress.follow(function () {
+    chosen.clear();
+    for (const name of c4sAddress.all("chosen")) chosen.add(name);
+    show();
+  });
 })();

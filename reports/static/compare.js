@@ -122,13 +122,13 @@
 
   c4s.when("compare", function (data) {
     function read() {
-      const asked = new URLSearchParams(location.hash.slice(1));
-      first.value = data.order.includes(asked.get("a")) ? asked.get("a") : data.order[0] || "";
-      second.value = data.order.includes(asked.get("b")) ? asked.get("b") : data.order.find(function (name) { return name !== first.value; }) || first.value;
+      const [a, b] = [c4sAddress.get("a"), c4sAddress.get("b")];
+      first.value = data.order.includes(a) ? a : data.order[0] || "";
+      second.value = data.order.includes(b) ? b : data.order.find(function (name) { return name !== first.value; }) || first.value;
       show(data);
     }
     function keep() {
-      history.replaceState(null, "", "#" + new URLSearchParams([["a", first.value], ["b", second.value]]));
+      c4sAddress.put({ a: first.value, b: second.value });
       show(data);
     }
     first.addEventListener("change", keep);
@@ -137,7 +137,6 @@
       [first.value, second.value] = [second.value, first.value];
       keep();
     });
-    addEventListener("hashchange", function () { if (location.hash.includes("a=")) read(); });
-    if (data.order.length) read();
+    if (data.order.length) c4sAddress.follow(read);
   });
 })();

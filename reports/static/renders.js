@@ -1,5 +1,6 @@
 "use strict";
 // Two renders of one camera over each other with a slider between them, made of the table of renders.
+// What is compared, from which camera and where the slider stands is kept in the address.
 (function () {
   function choice(label, names, chosen) {
     var wrap = document.createElement("label"), select = document.createElement("select");
@@ -61,14 +62,24 @@
       told.textContent = one && two ? left.select.value + " | " + right.select.value
         : (one ? right.select.value : left.select.value) + " has no picture from this camera";
     }
-    [left.select, right.select, view.select].forEach(function (select) { select.addEventListener("change", draw); });
+    var set = { left: left.select, right: right.select, camera: view.select, cut: range };
+    function keep() {
+      var told = {};
+      for (var name in set) { told[name] = set[name].value; }
+      c4sAddress.put(told);
+    }
+    [left.select, right.select, view.select].forEach(function (select) {
+      select.addEventListener("change", function () { draw(); keep(); });
+    });
     range.addEventListener("input", draw);
+    range.addEventListener("change", keep);
     function drag(event) {
       var box = stage.getBoundingClientRect();
       range.value = String(Math.round(100 * (event.clientX - box.left) / box.width));
       draw();
     }
     stage.addEventListener("pointerdown", function (event) { event.preventDefault(); stage.setPointerCapture(event.pointerId); drag(event); });
+    stage.addEventListener("pointerup", keep);
     stage.addEventListener("pointermove", function (event) { if (event.buttons) { drag(event); } });
 
     var controls = document.createElement("div");
@@ -78,7 +89,14 @@
     box.className = "compare";
     box.append(controls, stage, range, told);
     into.insertBefore(box, into.querySelector(".scroll"));
-    draw();
+    c4sAddress.follow(function () {
+      for (var name in set) {
+        var wanted = c4sAddress.get(name), field = set[name];
+        if (wanted === null) { continue; }
+        if (!field.options || Array.from(field.options).some(function (one) { return one.value === wanted; })) { field.value = wanted; }
+      }
+      draw();
+    });
   }
 
   document.querySelectorAll("[data-renders]").forEach(function (place) { slider(place.querySelector("table"), place); });

@@ -11,6 +11,7 @@ import pyarrow.parquet as pq
 from bench.made_warehouse import MadeWarehouse
 from c4s.protocol.settings import INDOOR_REPAIR, OUTDOOR_REPAIR, SETTINGS
 from reports.site import build_site
+from tests.reports.kinds import make_status
 from warehouse.database import rebuild
 
 HOSTILE: Final = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\"'{{ 7 * 7 }}\u202e"
@@ -37,6 +38,7 @@ def make_site(home: Path) -> None:
     relabel(made.root, "prompt", "text-to-scene-03", HOSTILE)
     rebuild(made.root)
     build_site(made.root, home / "site")
+    make_status(home)
 
 
 def relabel(warehouse: Path, column: str, case: str, text: str) -> None:

@@ -1,4 +1,4 @@
-"""A small suite that baselines played: real trials with calls, judgements, zeros and second attempts."""
+"""A home where baselines played: real trials with calls, judgements, scenes, zeros and second attempts."""
 
 from __future__ import annotations
 
@@ -6,33 +6,30 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Final
 
-from cases.model import SuiteDefinition
-from cases.starter import indoor_cases
-from cases.suite import build_suite
-from catalog.build import ensure_pack
+from tests.run.conftest import build_small
 
-AGENTS = ("planner", "vandal", "oracle")
+REPAIR: Final = "indoor-flat-01-mirrored-bath"
+TEXT: Final = "text-flat-family"
+AGENTS: Final = ("planner", "random", "vandal", "oracle")
+RUN: Final = "seen"
 
 
 def play(home: Path) -> None:
-    """Build the suite ``small``, a text and a repair of the flat, and run the agents on it."""
-    scene = indoor_cases.scenes()[1]
-    texts = [case for case in indoor_cases.INDOOR_TEXT_CASES if case.case_id == "text-flat-family"]
-    ensure_pack("c4s-home", home / "packs")
-    build_suite(
-        SuiteDefinition(
-            "small", "Small", "The flat", ("c4s-home",), (scene,), (*texts, *indoor_cases.flat_cases(scene)[:1])
-        ),
-        home / "suites" / "small",
-        home / "packs",
-        lambda line: None,
-    )
-    chosen = [word for agent in AGENTS for word in ("-a", agent)]
+    """Build the suite ``small`` and run the agents on a text and a repair of the flat."""
+    build_small(home)
+    chosen = [word for name in AGENTS for word in ("-a", name)] + ["-c", REPAIR, "-c", TEXT]
     subprocess.run(
-        [sys.executable, "-m", "c4s.cli", "run", "small", *chosen, "--json"],
+        [sys.executable, "-m", "c4s.cli", "run", "small", *chosen, "--run-id", RUN, "--json"],
         env={**os.environ, "C4S_HOME": str(home), "COLUMNS": "140"},
         check=True,
         timeout=280,
         capture_output=True,
     )
+
+
+def page_of(home: Path, case_id: str) -> Path:
+    """The page of a case."""
+    (page,) = (home / "site" / "cases").glob(f"*--{case_id}--*.html")
+    return page

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -54,3 +55,23 @@ def test_what_a_page_shows_and_is_gone_is_written_again(tmp_path: Path) -> None:
         (site / name).unlink()
     build_site(made.root, site)
     assert all((site / name).is_file() for name in shown)
+
+
+def test_more_trials_move_no_page(tmp_path: Path) -> None:
+    """Addresses that others wrote down stay: a build with another agent and more repeats has every page of before."""
+    shape = ((SETTINGS[0], 3, 3), (INDOOR_REPAIR, 3, 3))
+    MadeWarehouse(tmp_path / "warehouse", (0.6, 0.5), shape=shape).write()
+    site = build_site(tmp_path / "warehouse", tmp_path / "site").parent
+    before, anchors = set(written(site)), anchors_of(site)
+    MadeWarehouse(tmp_path / "warehouse", (0.6, 0.5, 0.9), shape=shape, repeats=2).write()
+    build_site(tmp_path / "warehouse", site)
+    assert before < set(written(site))
+    assert all(anchors[name] <= anchors_of(site)[name] for name in before)
+
+
+def anchors_of(site: Path) -> dict[str, set[str]]:
+    """What a link to each page may name after its ``#``."""
+    return {
+        str(path.relative_to(site)): set(re.findall(r' id="([^"]+)"', path.read_text()))
+        for path in site.rglob("*.html")
+    }

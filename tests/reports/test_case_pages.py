@@ -2,95 +2,30 @@
 
 from __future__ import annotations
 
-import json
 import re
-import shutil
-from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import pytest
 
 from reports.case.code import code_tokens
-from reports.site import build_site
-from tests.built import built_once
-from tests.reports.played import AGENTS, play
-from tests.reports.watching import complaints, watched
-from warehouse.database import rebuild, rows
-from warehouse.parquet import write_part
-from warehouse.records import CallRow, VerdictRow
-from warehouse.trial_part import trial_part
+from tests.reports.hostile import MARKUP, SCRIPT
+from tests.reports.played import AGENTS
+from tests.reports.watching import watched
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
-HOSTILE = "</script></pre><script>alert(1)</script><img src=x onerror=alert(2)> javascript:alert(3) {{ 7 * 7 }}"
-UNSEEN = "\u202eevil\u2066 \0 \x1b[31m"
-SCRIPT = f'import unreal\n# {HOSTILE}\nname = "{HOSTILE}"\nfor actor in unreal.things():\n    print(actor, 42)\n' * 20
 
-
-@pytest.fixture(scope="module")
-def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Played trials; of the planner's text hostile calls and a hostile requirement."""
-    played = built_once(tmp_path_factory, "played-home", play)
-    made = tmp_path_factory.mktemp("hostile")
-    shutil.copytree(played / "warehouse", made / "warehouse")
-    spoil(made / "warehouse")
-    build_site(made / "warehouse", made / "site", played / "suites")
-    return made
-
-
-def spoil(warehouse: Path) -> None:
-    rebuild(warehouse)
-    wanted = "SELECT * FROM schedule WHERE configuration = 'planner' AND setting = 'text-to-scene'"
-    (trial,) = rows(warehouse, wanted)
-    place = {"suite": trial["suite"], "configuration": "planner"}
-    calls = trial_part(warehouse, "calls", trial_id=trial["trial_id"], **place)
-    changed = {"tool": "execute_python_script", "script": SCRIPT, "script_characters": 10_000_000}
-    calls[0] |= {
-        **changed,
-        "answer": (HOSTILE + UNSEEN) * 9,
-        "arguments": HOSTILE,
-        "outcome": "error",
-        "error": HOSTILE,
-    }
-    kept = [CallRow.parse({**row, **place}) for row in calls]
-    write_part(warehouse, "calls", kept, key=trial["trial_id"], **place)
-    verdicts = trial_part(warehouse, "verdicts", trial_id=trial["trial_id"], **place)
-    for row in verdicts:
-        document = json.loads(row["document"])
-        for decision in document["measurements"].get("decisions", [])[:1]:
-            decision |= {"text": HOSTILE + UNSEEN, "reason": HOSTILE}
-        row["document"] = json.dumps(document)
-    told = [VerdictRow.parse({**row, **place}) for row in verdicts]
-    write_part(warehouse, "verdicts", told, key=trial["trial_id"], **place)
-    rebuild(warehouse)
+@pytest.fixture
+def home(hostile_home: Path) -> Path:
+    """Played trials whose texts are hostile."""
+    return hostile_home
 
 
 def page_of(home: Path, pattern: str) -> Path:
     (found,) = (home / "site").glob(pattern)
     return found
-
-
-def pages(home: Path) -> Iterator[Path]:
-    for folder in ("cases", "trials"):
-        yield from sorted((home / "site" / folder).glob("*.html"))
-
-
-@pytest.mark.parametrize("pattern", ["cases/*text-flat*", "trials/*text-flat*planner*", "trials/*bath*oracle*"])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_anybody_can_read_them(browser: Browser, home: Path, pattern: str, scheme: Literal["light", "dark"]) -> None:
-    with watched(browser, page_of(home, pattern), scheme=scheme) as page:
-        assert complaints(page) == []
-
-
-def test_every_page_opens_without_a_fault_and_fits_a_narrow_window(browser: Browser, home: Path) -> None:
-    found = list(pages(home))
-    assert len(found) == 2 + 2 * len(AGENTS)
-    for path in found:
-        assert path.stat().st_size < 3_000_000
-        with watched(browser, path, width=390) as page:
-            assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth"), path.name
 
 
 def test_two_renders_are_compared_by_keyboard(browser: Browser, home: Path) -> None:
@@ -107,6 +42,11 @@ def test_two_renders_are_compared_by_keyboard(browser: Browser, home: Path) -> N
         ways.nth(2).select_option(index=1)
         assert page.locator(".stage img").nth(1).get_attribute("src") != before
         assert page.locator(".compare p").inner_text() == "Start | planner"
+        camera, address = ways.nth(2).input_value(), page.url
+    with watched(browser, page_of(home, "cases/*bath*"), fragment="#" + address.partition("#")[2]) as page:
+        assert page.locator(".compare p").inner_text() == "Start | planner"
+        assert page.locator(".compare input").input_value() == "55"
+        assert page.locator(".compare select").nth(2).input_value() == camera
 
 
 def test_one_brightness_holds_for_all_rows(browser: Browser, home: Path) -> None:
@@ -136,7 +76,7 @@ def test_whole_texts_come_when_a_call_is_opened(browser: Browser, home: Path) ->
         assert call.locator("[data-part=script]").text_content() == SCRIPT
         assert "10,000,000 characters" in call.inner_text()
         answer = call.locator("[data-part=answer]").text_content() or ""
-        assert HOSTILE in answer and "\\u202eevil" in answer and "\\x00" in answer and "\u202e" not in answer
+        assert MARKUP in answer and "\\u202eevil" in answer and "\\x00" in answer and "\u202e" not in answer
         page.locator("#a1-c2 summary").click()
     assert len([url for url in asked if "/data/calls-" in url]) == 1
 
@@ -148,16 +88,6 @@ def test_a_call_and_a_requirement_can_be_linked(browser: Browser, home: Path) ->
     claim = re.findall(r'id="(claim-[^"]+)"', path.read_text())[0]
     with watched(browser, path, fragment=f"#{claim}") as page:
         assert page.locator(f"#{claim}").is_visible()
-
-
-def test_nothing_that_is_shown_is_markup(browser: Browser, home: Path) -> None:
-    for path in pages(home):
-        text = path.read_text()
-        assert "<script>alert" not in text and "\u202e" not in text and "\0" not in text
-        assert re.findall(r"\son\w+=|\sstyle=", re.sub(r"&lt;.*?&gt;|&#34;.*?&#34;", "", text)) == []
-    with watched(browser, page_of(home, "trials/*text-flat*planner*")) as page:
-        assert page.locator("script:not([src])").count() == 0
-        assert HOSTILE in page.locator(".answers tbody tr").first.inner_text()
 
 
 def test_requirements_are_filtered_by_answer(browser: Browser, home: Path) -> None:
@@ -206,5 +136,5 @@ def test_a_higher_and_a_lower_run_stand_below_each_other(browser: Browser, home:
 
 
 def test_tokens_are_the_whole_text() -> None:
-    for text in (SCRIPT, "", "x", "  \n", "def f(:\n\t'''", "\u202e\0 é", HOSTILE):
+    for text in (SCRIPT, "", "x", "  \n", "def f(:\n\t'''", "\u202e\0 é", MARKUP):
         assert "".join(part for _, part in code_tokens(text)) == text

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.reports.pictures import assert_as_kept
 from tests.reports.watching import watched
 
 if TYPE_CHECKING:
@@ -83,13 +82,41 @@ def test_pages_tell_it_without_scripts(browser: Browser, made_home: Path) -> Non
     context.close()
 
 
-KEPT = {"leaderboard": "index.html", "configuration": "agents/*agent-02*", "cases": "boards/*--cases--*"} | {
-    "compare": "boards/*--compare--*"
-}
+def test_an_address_restores_what_was_set_up(browser: Browser, made_home: Path) -> None:
+    """Sorted, searched, chosen: all of it is in the address, and one reader's address is another's view."""
+    with watched(browser, page_of(made_home, "index.html")) as page:
+        page.get_by_role("button", name="Detailed").first.press("Enter")
+        page.get_by_role("button", name="Detailed").first.press("Enter")
+        page.get_by_role("checkbox", name="choose agent-02").press("Space")
+        page.get_by_role("searchbox").first.fill("agent-0")
+        wanted, address = names(page), page.url
+        assert {"sort=", "find=", "chosen="} <= {
+            f"{part.partition('=')[0]}=" for part in address.split("#")[1].split("&")
+        }
+    with watched(browser, page_of(made_home, "index.html"), fragment="#" + address.partition("#")[2]) as page:
+        assert names(page) == wanted != ["agent-01", "agent-02", "agent-03", "agent-04", "agent-05"]
+        assert page.locator("table.standings th[aria-sort=ascending]").inner_text().startswith("Detailed")
+        assert page.get_by_role("checkbox", name="choose agent-02").is_checked()
+        page.evaluate("location.hash = '#chosen=agent-04'")
+        page.wait_for_function("document.querySelector('input.choose[value=agent-04]').checked")
+        assert not page.get_by_role("checkbox", name="choose agent-02").is_checked()
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("name", KEPT)
-def test_a_page_looks_as_it_did(browser: Browser, made_home: Path, name: str, scheme: Literal["light", "dark"]) -> None:
-    with watched(browser, page_of(made_home, KEPT[name]), scheme=scheme) as page:
-        assert_as_kept(page, f"{name}-{scheme}")
+def test_an_address_restores_found_cards(browser: Browser, made_home: Path) -> None:
+    with watched(browser, page_of(made_home, "agents/*agent-02*")) as page:
+        page.get_by_label("Find").fill("indoor")
+        page.get_by_label("Order").select_option("best first")
+        wanted, address = page.locator(".card:visible strong").all_inner_texts(), page.url
+    with watched(browser, page_of(made_home, "agents/*agent-02*"), fragment="#" + address.partition("#")[2]) as page:
+        assert page.locator(".card:visible strong").all_inner_texts() == wanted
+        scores = page.locator(".card:visible").evaluate_all("all => all.map((one) => Number(one.dataset.v))")
+        assert scores == sorted(scores, reverse=True) and len(scores) > 5
+
+
+@pytest.mark.parametrize(
+    "odd", ["#sort=nosuch~Overall~up", "#find=standings", "#a=nobody&b=&chosen=%E2%82", "#=&&", "#100%"]
+)
+def test_an_odd_address_breaks_nothing(browser: Browser, made_home: Path, odd: str) -> None:
+    for kind in ("index.html", "boards/*--compare--*", "agents/*agent-02*", "trials/*"):
+        with watched(browser, page_of(made_home, kind), fragment=odd) as page:
+            assert page.locator("main h1").is_visible()

@@ -13,8 +13,7 @@ import pytest
 from c4s.records.captures import Captures
 from c4s.records.folder import RunFolder
 from c4s.records.suite import SuiteFolder
-from tests.built import built_once
-from tests.reports.scene_home import REPAIR, TEXT, make_home, page_of
+from tests.reports.played import AGENTS, REPAIR, RUN, TEXT, page_of
 from tests.reports.watching import complaints, watched
 
 if TYPE_CHECKING:
@@ -28,9 +27,9 @@ LEAST_IOU = 0.9
 LEAST_PIXELS = 200
 
 
-@pytest.fixture(scope="module")
-def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return built_once(tmp_path_factory, "scene-home", make_home)
+@pytest.fixture
+def home(played_home: Path) -> Path:
+    return played_home
 
 
 @contextmanager
@@ -75,7 +74,7 @@ def ids(page: Page, view: str) -> tuple[np.ndarray[Any, Any], list[str]]:
 @pytest.mark.parametrize("case_id", [REPAIR, TEXT])
 def test_the_view_shows_what_the_engine_photographed(browser: Browser, home: Path, case_id: str) -> None:
     alias = SuiteFolder(home / "suites" / "small").case(case_id).alias
-    index = RunFolder(home / "runs" / "seen").trial("planner", alias, 1).evidence.captures_index
+    index = RunFolder(home / "runs" / RUN).trial("planner", alias, 1).evidence.captures_index
     views = [view for view in Captures.read(index).views if view.purpose in ("overview", "reference", "target")]
     with opened(browser, home, case_id) as page:
         page.get_by_label("Submission by").select_option("planner~1")
@@ -111,6 +110,7 @@ def test_each_mode_shows_another_picture(browser: Browser, home: Path) -> None:
 
 def test_a_click_tells_of_the_actor_and_makes_a_link_to_it(browser: Browser, home: Path) -> None:
     with opened(browser, home, REPAIR) as page:
+        page.get_by_label("Submission by").select_option("planner~1")
         shown(page, "Submission")
         canvas = page.locator(".scene-stage canvas")
         box = canvas.bounding_box()
@@ -167,4 +167,4 @@ def test_without_webgl_the_page_says_so(browser: Browser, home: Path) -> None:
         page.locator(".scene-open button").click()
         page.get_by_text("This browser draws nothing in three dimensions").wait_for()
         assert page.locator(".scene-view").is_hidden()
-        assert page.locator("details.scene-table").count() == 2
+        assert page.locator("details.scene-table").count() == len(AGENTS) - 1, "the vandal saves no scene"

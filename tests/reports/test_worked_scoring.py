@@ -11,15 +11,14 @@ import pytest
 
 from c4s.protocol.case import SEMANTIC
 from reports.working import Working, worked_score
-from tests.built import built_once
-from tests.reports.played import AGENTS, play
+from tests.reports.played import AGENTS
 from warehouse.database import rows
 
 
-@pytest.fixture(scope="module")
-def warehouse(tmp_path_factory: pytest.TempPathFactory) -> Path:
+@pytest.fixture
+def warehouse(played_home: Path) -> Path:
     """Of trials that were played."""
-    return built_once(tmp_path_factory, "played-home", play) / "warehouse"
+    return played_home / "warehouse"
 
 
 def workings(warehouse: Path) -> list[tuple[dict[str, Any], Working]]:

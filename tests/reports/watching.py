@@ -19,6 +19,8 @@ def watched(
 ) -> Iterator[Page]:
     """A page of a site, open; at the end nothing may have gone wrong on it, and nothing left the site's folder.
 
+    What is asked for is told by the browser's own network events, whatever asks for it.
+
     Args:
         browser: the fixture.
         page: a file of the site.
@@ -26,17 +28,25 @@ def watched(
         width: of the window, pixels.
         fragment: of the address, with its ``#``.
     """
-    site = next(folder for folder in page.parents if (folder / ".c4s-site").is_file())
+    site = next((folder for folder in page.parents if (folder / ".c4s-site").is_file()), page.parent)
     context = browser.new_context(
         viewport={"width": width, "height": 900}, color_scheme=scheme, reduced_motion="reduce"
     )
     shown = context.new_page()
     faults: list[str] = []
+
+    def asked(url: str) -> None:
+        if leaves(url, site):
+            faults.append(url)
+
     shown.on("pageerror", lambda error: faults.append(str(error)))
     shown.on("console", lambda told: faults.append(told.text) if told.type in ("error", "warning") else None)
     shown.on("requestfailed", lambda request: faults.append(request.url))
     shown.on("dialog", lambda dialog: faults.append(f"dialog: {dialog.message}"))
-    shown.on("request", lambda request: faults.append(request.url) if leaves(request.url, site) else None)
+    network = context.new_cdp_session(shown)
+    network.send("Network.enable")
+    network.on("Network.requestWillBeSent", lambda told: asked(told["request"]["url"]))
+    network.on("Network.webSocketCreated", lambda told: asked(told["url"]))
     shown.goto(page.as_uri() + fragment)
     try:
         yield shown

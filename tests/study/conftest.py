@@ -8,9 +8,10 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import pytest
 
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 SEVEN = AGENTS[:7]
 PEOPLE = [f"person-{number}" for number in range(1, 8)]
 PROMPTS = 2
+EXPECTED = ("ERR_CONNECTION_RE", "422", "status of 404")
+"""What a browser's console says of a server that was killed, of an answer that is refused, of a question too far."""
 
 
 @dataclass
@@ -44,7 +47,8 @@ class Served:
 Serve = Callable[..., Served]
 
 
-def _home(home: Path) -> None:
+def make_home(home: Path) -> None:
+    """A run, and a study ``yards`` of its prompts and all seven criteria."""
     run = make_run(home, prompts=PROMPTS)
     design_study(
         run,
@@ -61,7 +65,7 @@ def _home(home: Path) -> None:
 @pytest.fixture
 def home(tmp_path_factory: pytest.TempPathFactory, tmp_path: Path) -> Path:
     """A home with a study ``yards`` of three prompts and all seven criteria, for changing."""
-    made = built_once(tmp_path_factory, "asking-home", _home)
+    made = built_once(tmp_path_factory, "asking-home", make_home)
     return Path(shutil.copytree(made, tmp_path / "home"))
 
 
@@ -71,9 +75,9 @@ def study(home: Path) -> OpenStudy:
     return study_named(home / "human", "yards")
 
 
-@pytest.fixture
-def serve(home: Path) -> Iterator[Serve]:
-    """Starts ``c4s human`` servers on the home."""
+@contextmanager
+def serving(home: Path) -> Iterator[Serve]:
+    """Starts ``c4s human`` servers on a home, and ends them."""
     begun: list[Served] = []
 
     def started(*words: str) -> Served:
@@ -97,13 +101,30 @@ def serve(home: Path) -> Iterator[Serve]:
 
 
 @pytest.fixture
-def page(browser: Browser) -> Iterator[Page]:
-    """A page on which nothing may be wrong: no error, no request to elsewhere."""
-    opened = browser.new_page(viewport={"width": 1400, "height": 1000})
+def serve(home: Path) -> Iterator[Serve]:
+    """Starts ``c4s human`` servers on the home."""
+    with serving(home) as started:
+        yield started
+
+
+@contextmanager
+def seat(browser: Browser, scheme: Literal["light", "dark"] = "light") -> Iterator[Page]:
+    """A browser of its own for one person; nothing may be wrong on its pages: no error, no request to elsewhere."""
+    context = browser.new_context(
+        viewport={"width": 1400, "height": 1000}, color_scheme=scheme, reduced_motion="reduce"
+    )
+    opened = context.new_page()
     wrong: list[str] = []
     opened.on("console", lambda line: wrong.append(line.text) if line.type == "error" else None)
     opened.on("pageerror", lambda error: wrong.append(str(error)))
     opened.on("request", lambda made: wrong.append(made.url) if "//127.0.0.1:" not in made.url else None)
     yield opened
-    opened.close()
-    assert [line for line in wrong if "ERR_CONNECTION_RE" not in line and "422" not in line] == []
+    context.close()
+    assert [line for line in wrong if not any(word in line for word in EXPECTED)] == []
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    """A page on which nothing may be wrong."""
+    with seat(browser) as opened:
+        yield opened

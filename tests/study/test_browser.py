@@ -4,22 +4,22 @@ from __future__ import annotations
 
 import io
 import json
-from itertools import pairwise
+from collections import Counter
+from itertools import combinations, pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 from PIL import Image, PngImagePlugin
 
-from c4s.human import OpenStudy, agreement, design_study, fit_study, study_named, take
-from c4s.protocol.criteria import PRIMARY, SPLIT_SEED
+from c4s.human import OpenStudy, agreement, take
+from c4s.protocol.criteria import CRITERIA, PRIMARY
 from c4s.records.human import PICTURES, HumanRanking
-from tests.study.conftest import PEOPLE, PROMPTS, SEVEN, Serve
+from tests.study.conftest import PEOPLE, PROMPTS, SEVEN, Serve, seat
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Page, Route
+    from playwright.sync_api import Browser, Page, Route
 
-SECOND = "physical-plausibility"
 CHUNKS = {b"IHDR", b"PLTE", b"tRNS", b"IDAT", b"IEND"}
 
 
@@ -27,11 +27,25 @@ def brightness(data: bytes) -> float:
     return float(sum(Image.open(io.BytesIO(data)).convert("RGB").getpixel((0, 0))))  # type: ignore[arg-type]
 
 
+BRIGHTNESS = """() => Object.fromEntries(Array.from(document.querySelectorAll(".scene"), (scene) => {
+  const canvas = new OffscreenCanvas(1, 1);
+  const paper = canvas.getContext("2d");
+  paper.drawImage(scene.querySelector(".picture.now img"), 0, 0, 1, 1, 0, 0, 1, 1);
+  const [red, green, blue] = paper.getImageData(0, 0, 1, 1).data;
+  return [scene.dataset.letter, red + green + blue];
+}))"""
+
+
+def light_of(page: Page) -> dict[str, float]:
+    """How bright the scene of each letter is, as the page shows it."""
+    page.wait_for_function("Array.from(document.images).every((one) => one.complete || !one.src)")
+    found: dict[str, float] = page.evaluate(BRIGHTNESS)
+    return found
+
+
 def seen(page: Page) -> list[str]:
     """The letters of the scenes, the brightest first, as the pictures on the page have it."""
-    links = {letter: page.get_attribute(f'[data-letter="{letter}"] .picture.now', "href") for letter in "ABC"}
-    here = page.url.rpartition("/")[0]
-    light = {letter: brightness(page.request.get(f"{here}/{link}").body()) for letter, link in links.items()}
+    light = light_of(page)
     return sorted("ABC", key=lambda letter: -light[letter])
 
 
@@ -44,60 +58,57 @@ def rank_by_keys(page: Page) -> None:
     page.wait_for_url(lambda url: not url.endswith(f"/{number}"))
 
 
-@pytest.fixture
-def small(home: Path) -> OpenStudy:
-    """A study of two criteria."""
-    design_study(
-        home / "runs" / "night",
-        home / "suites",
-        home / "human" / "small",
-        agents=SEVEN,
-        cases=[],
-        annotators=PEOPLE,
-        criteria=[SECOND],
-        seed=SPLIT_SEED,
-    )
-    return study_named(home / "human", "small")
-
-
-def test_a_whole_design_by_keys_with_a_kill_in_the_middle(small: OpenStudy, serve: Serve, page: Page) -> None:
-    served = serve("serve", "small")
-    asked = len(small.study.tasks) * 3 * 2 // len(PEOPLE)
+@pytest.mark.timeout(900)
+def test_a_whole_block_design_by_keys(study: OpenStudy, serve: Serve, browser: Browser) -> None:
+    """Seven people, seven criteria; one closes the browser in the middle, for another the server is killed."""
+    served = serve("serve", "yards")
+    asked, kept = 3 * PROMPTS * len(CRITERIA), b""
+    places: Counter[tuple[str, float, str]] = Counter()
     for at, person in enumerate(PEOPLE):
-        page.goto(served.links[person])
-        page.locator("a.button:focus").press("Enter")
-        page.wait_for_url("**/1")
-        for number in range(1, asked + 1):
-            assert page.url.endswith(f"/{number}")
-            if (at, number) == (3, asked // 2):
-                order = seen(page)
-                served.kill()
-                for letter in order:
-                    page.keyboard.press(letter)
-                page.keyboard.press("Enter")
-                page.get_by_text("Not kept yet").wait_for()
-                assert len(small.folder.answers.read_text().splitlines()) == 3 * asked + number - 1
-                served = serve("serve", "small")
-                page.wait_for_url(f"**/{number + 1}")
-                continue
-            rank_by_keys(page)
-        assert "Everything is answered" in page.inner_text("main")
-    page.goto(served.links["organiser"])
-    assert {row.inner_text() for row in page.locator("#progress td.r").all()} == {f"{asked // 2} / {asked // 2}"}
-    rankings = [HumanRanking.parse(json.loads(line)) for line in small.folder.answers.read_text().splitlines()]
+        number = 1
+        while number <= asked:
+            with seat(browser) as page:
+                page.goto(served.links[person])
+                page.get_by_role("link", name="Begin" if number == 1 else "Go on").press("Enter")
+                page.wait_for_url(f"**/{number}")
+                ends = asked // 3 if at == 1 and number == 1 else asked
+                while number <= ends:
+                    title, light = page.inner_text("h1"), light_of(page)
+                    places.update((title, value, letter) for letter, value in light.items())
+                    if (at, number) == (3, asked // 2):
+                        served.kill()
+                        for letter in seen(page):
+                            page.keyboard.press(letter)
+                        page.keyboard.press("Enter")
+                        page.get_by_text("Not kept yet").wait_for()
+                        assert len(study.folder.answers.read_text().splitlines()) == at * asked + number - 1
+                        served = serve("serve", "yards")
+                        page.wait_for_url(f"**/{number + 1}")
+                    else:
+                        rank_by_keys(page)
+                    number += 1
+                if number > asked:
+                    assert "Everything is answered" in page.inner_text("main")
+        now = study.folder.answers.read_bytes()
+        assert now.startswith(kept) and now.count(b"\n") == (at + 1) * asked, "answers are only appended"
+        kept = now
+    assert len(places) == PROMPTS * len(CRITERIA) * len(SEVEN) * 3
+    assert set(places.values()) == {3}, "each scene stands as often left as right, for each criterion"
+    rankings = [HumanRanking.parse(json.loads(line)) for line in kept.splitlines()]
     light = {
-        one.candidate: brightness(small.folder.picture(one.candidate, 1).read_bytes())
-        for prompt in small.study.prompts
+        one.candidate: brightness(study.folder.picture(one.candidate, 1).read_bytes())
+        for prompt in study.study.prompts
         for one in prompt.candidates
     }
-    assert all(light[a] >= light[b] for row in rankings for a, b in pairwise(row.order)), "what was seen is kept"
-    found = take(small, small.folder.answers)
-    assert found.faults == [] and set(found.missing.values()) == {0}
-    assert found.taken == asked * len(PEOPLE)
-    fit = fit_study(small, "individual")
-    assert fit.rankings_sha256 == small.rankings_digest("development")
-    table = agreement(small, PRIMARY).tables[0]
-    assert table.rows
+    assert all(light[a] > light[b] for row in rankings for a, b in pairwise(row.order)), "what was seen is kept"
+    pairs = Counter((row.criterion, *sorted(two)) for row in rankings for two in combinations(row.order, 2))
+    assert len(pairs) == PROMPTS * len(CRITERIA) * 21 and set(pairs.values()) == {3}, "every two meet as often"
+    with seat(browser) as page:
+        page.goto(served.links["organiser"])
+        assert {row.inner_text() for row in page.locator("#progress td.r").all()} == {f"{3 * PROMPTS} / {3 * PROMPTS}"}
+    found = take(study, study.folder.answers)
+    assert found.faults == [] and set(found.missing.values()) == {0} and found.taken == asked * len(PEOPLE)
+    assert agreement(study, PRIMARY).tables[0].rows
 
 
 def test_nothing_that_a_browser_gets_tells_whose_a_scene_is(
