@@ -20,6 +20,7 @@ __all__ = [
     "judgement",
     "lease",
     "level",
+    "navigation",
     "pack",
     "plan",
     "policy",
