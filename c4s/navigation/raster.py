@@ -192,7 +192,7 @@ def rasterise(
 
 @inner
 def _sort(bottom: Any, top: Any, stands: Any, first: int, last: int) -> None:
-    """Order the spans ``first`` to ``last`` of a column by their bottom, in place (heap sort where there are many)."""
+    """Order the spans ``first`` to ``last`` of a column by the first array, in place (heap sort where there are many)."""
     if last - first <= 24:
         for index in range(first + 1, last):
             low, high, walk = bottom[index], top[index], stands[index]
@@ -233,8 +233,9 @@ def _sift(bottom: Any, top: Any, stands: Any, first: int, start: int, count: int
 def merge(where: Any, bottom: Any, top: Any, stands: Any, columns: int, climb: int) -> Any:
     """Spans by column, those that overlap or touch as one: ``(first, bottom, top, walkable)``.
 
-    ``first`` (columns + 1) tells where a column's spans begin; they rise. What can be stood on is told by the spans
-    that end within ``climb`` of the highest of those that became one. The order of the given spans plays no part.
+    ``first`` (columns + 1) tells where a column's spans begin; they rise. Of spans that become one the highest tells
+    whether it can be stood on; one that ends within ``climb`` under it may tell so too, and so on downwards. The order
+    of the given spans plays no part.
     """
     first = np.zeros(columns + 1, np.int32)
     for index in range(len(where)):
@@ -262,10 +263,12 @@ def merge(where: Any, bottom: Any, top: Any, stands: Any, columns: int, climb: i
             while index < end and low[index] <= peak:
                 peak = max(peak, high[index])
                 index += 1
-            on = 0
-            for member in range(start, index):
-                if walk[member] and high[member] >= peak - climb:
-                    on = 1
+            if index - start > 1:
+                _sort(high, low, walk, start, index)
+            on = walk[start]
+            for member in range(start + 1, index):
+                near = high[member] - high[member - 1] <= climb
+                on = max(on, walk[member]) if near else walk[member]
             low[made], high[made], walk[made] = floor, peak, on
             made += 1
         begin = end

@@ -63,7 +63,13 @@ def ledges(first: Any, bottom: Any, top: Any, walkable: Any, columns: int, rows:
                 if not walkable[index]:
                     continue
                 ceiling = _ceiling(first, bottom, number, index)
-                if ceiling - top[index] < height or column == 0 or row == 0 or column == columns - 1 or row == rows - 1:
+                if (
+                    ceiling - top[index] <= height
+                    or column == 0
+                    or row == 0
+                    or column == columns - 1
+                    or row == rows - 1
+                ):
                     kept[index] = 0
                     continue
                 reach[0] = reach[1] = top[index]
