@@ -1,8 +1,8 @@
 """The walkable space against Recast: agreement in random scenes, and time on a 200 m plate and in a city.
 
 ``python -m bench.navigation [--scenes N]`` prints one JSON object. Recast (``bench.recast``) is given the same convex
-bodies, solid inside, in the same field, on one processor; so are we. Its time is told up to its regions, which is what
-we have, and with contours and polygons, which is what answers questions there.
+bodies, solid inside, in the same field. Times are of the processor, and both use one. Recast's is told up to its
+regions, which is what we have, and with contours and polygons, which is what answers questions there.
 """
 
 from __future__ import annotations
@@ -63,7 +63,8 @@ def random_bodies(rng: np.random.Generator) -> list[Body]:
         bodies.append(_box(rng.uniform(-side, side, 2), rng.uniform(100, 500, 2), bottom, bottom + 20))
     rise, start = float(rng.uniform(15, 45)), rng.uniform(-side / 2, side / 2, 2)
     bodies += [
-        _box(start + [n * 50, 0], np.array([25.0, 150.0]), 0.0, (n + 1) * rise) for n in range(int(rng.integers(0, 8)))
+        _box(start + np.array([n * 50, 0]), np.array([25.0, 150.0]), 0.0, (n + 1) * rise)
+        for n in range(int(rng.integers(0, 8)))
     ]
     return lifted(bodies)
 

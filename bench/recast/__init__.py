@@ -1,4 +1,4 @@
-"""Recast itself, as the reference of the walkable space: built here from the library of the system, where it has one."""
+"""Recast itself, as the reference of the walkable space: built here from the library of the system."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def recast_cells(bodies: Sequence[Body], space: WalkableSpace, settings: Navigat
 
     Recast lets the order decide where spans merge: with this one, the highest decides.
     """
-    made, settings = library(), settings
+    made = library()
     order = np.argsort([body.high[2] for body in bodies], kind="stable")
     solids = solids_of([bodies[index] for index in order])
     triangles = np.ascontiguousarray(solids.triangles[:, [0, 2, 1]][:, :, [0, 2, 1]], np.float32)

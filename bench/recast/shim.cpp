@@ -3,9 +3,9 @@
 #include <Recast.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <vector>
 
 namespace {
@@ -16,9 +16,7 @@ struct Cells {
     int components = 0;
 };
 
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 // The triangles of one convex body in a field of its own, then one span a column from its lowest to its highest.
 void add_solid(rcContext& context, rcHeightfield& field, const float* vertices, int first, int last, float flat, int climb) {

@@ -3,7 +3,7 @@
 from c4s.navigation.measuring import NavigationEngine, NotBuilt, agree, approachable, measure, measure_snapshot
 from c4s.navigation.mesh import NavigationMesh, SpaceMesh
 from c4s.navigation.settings import NavigationSettings
-from c4s.navigation.space import SpaceTooLarge, WalkableSpace, build_space
+from c4s.navigation.space import SpaceTooLarge, WalkableSpace, build_space, warm
 from c4s.navigation.walker import judge_walk
 
 __all__ = [
@@ -25,4 +25,5 @@ __all__ = [
     "solids",
     "space",
     "walker",
+    "warm",
 ]

@@ -13,6 +13,7 @@ from c4s.navigation import paths
 from c4s.navigation.space import WalkableSpace
 
 NONE = -1
+_KEPT = 4
 
 
 class NavigationMesh(Protocol):
@@ -44,7 +45,7 @@ class SpaceMesh:
 
     def __init__(self, space: WalkableSpace) -> None:
         self.space = space
-        self._spread: tuple[int, NDArray[np.int32], NDArray[np.int32]] | None = None
+        self._spread: dict[int, tuple[NDArray[np.int32], NDArray[np.int32]]] = {}
 
     @cached_property
     def _column(self) -> NDArray[np.int32]:
@@ -90,6 +91,32 @@ class SpaceMesh:
                     found[index] = spans[away.argmin()]
         return found
 
+    def nearest(self, point: Array, extent: Array) -> Array | None:
+        """The point of the mesh nearest to a place within a box around it (half extents, cm); None for none."""
+        space, cell = self.space, self.space.settings.cell_cm
+        first = np.maximum(np.floor((point[:2] - extent[:2] - space.origin_cm[:2]) / cell), 0).astype(np.int64)
+        last = np.minimum(
+            np.floor((point[:2] + extent[:2] - space.origin_cm[:2]) / cell), (space.columns - 1, space.rows - 1)
+        ).astype(np.int64)
+        if (last < first).any():
+            return None
+        x, y = np.meshgrid(np.arange(first[0], last[0] + 1), np.arange(first[1], last[1] + 1))
+        column = (y * space.columns + x).ravel()
+        counts = space.first[column + 1] - space.first[column]
+        spans = (
+            np.repeat(space.first[column], counts)
+            + np.arange(counts.sum())
+            - np.repeat(np.cumsum(counts) - counts, counts)
+        )
+        z = space.origin_cm[2] + space.floor[spans] * space.settings.cell_height_cm
+        low = space.origin_cm[:2] + np.column_stack([x.ravel(), y.ravel()]).repeat(counts, axis=0) * cell
+        places = np.column_stack([np.clip(point[:2], low, low + cell), z])
+        away = np.abs(places - point)
+        near = np.flatnonzero((space.region[spans] >= 0) & (away <= extent + 1e-9).all(axis=1))
+        if not len(near):
+            return None
+        return np.asarray(places[near[np.linalg.norm(away[near], axis=1).argmin()]])
+
     def components(self, points: Array) -> NDArray[np.int64]:
         """See ``NavigationMesh``."""
         spans = self.locate(points)
@@ -107,21 +134,26 @@ class SpaceMesh:
     def route(self, start: Array, goal: Array) -> Array | None:
         """See ``NavigationMesh``; straightened, with the body's clearance."""
         origin, end = self.locate(np.array([start, goal]))
-        if origin < 0 or end < 0:
+        if origin < 0 or end < 0 or self.space.region[origin] != self.space.region[end]:
             return None
-        cost, before = self._from(int(origin))
-        if cost[end] >= 1 << 30:
+        cost, before = self._from(int(end))
+        if cost[origin] >= 1 << 30:
             return None
-        way = [int(end)]
-        while way[-1] != origin:
+        way = [int(origin)]
+        while way[-1] != end:
             way.append(int(before[way[-1]]))
-        spans = np.array(way[::-1], dtype=np.int32)
+        spans = np.array(way, dtype=np.int32)
         space = self.space
         corners = paths.straighten(space.links, space.region, self._column, space.columns, spans)
         points = space.points(corners)
         return np.concatenate([points, points]) if len(points) == 1 else points
 
     def _from(self, span: int) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
-        if self._spread is None or self._spread[0] != span:
-            self._spread = (span, *paths.spread(self.space.links, self.space.region, span))
-        return self._spread[1], self._spread[2]
+        """Costs and ways to a span; the last few are kept, since many ways lead to one goal."""
+        found = self._spread.pop(span, None)
+        if found is None:
+            found = paths.spread(self.space.links, self.space.region, span)
+        self._spread[span] = found
+        while len(self._spread) > _KEPT:
+            del self._spread[next(iter(self._spread))]
+        return found

@@ -192,7 +192,7 @@ def rasterise(
 
 @inner
 def _sort(bottom: Any, top: Any, stands: Any, first: int, last: int) -> None:
-    """Order the spans ``first`` to ``last`` of a column by the first array, in place (heap sort where there are many)."""
+    """Order the spans ``first`` to ``last`` by the first array, in place (heap sort where there are many)."""
     if last - first <= 24:
         for index in range(first + 1, last):
             low, high, walk = bottom[index], top[index], stands[index]

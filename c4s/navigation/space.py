@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from c4s.collision.mesh_body import Array
-from c4s.collision.shapes import Body
-from c4s.navigation import raster, voxels
+from c4s.collision.shapes import Body, box_body
+from c4s.navigation import paths, raster, voxels
 from c4s.navigation.settings import NavigationSettings
 from c4s.navigation.solids import is_walkable, solids_of
 
@@ -132,6 +132,16 @@ def build_space(
     kept = voxels.erode(links, settings.radius_cells)
     region, sizes = voxels.regions(links, kept, settings.least_cells)
     return WalkableSpace(settings, origin, columns, rows, first, floor, links, region, sizes)
+
+
+def warm() -> None:
+    """Compile what builds a walkable space and finds ways in it."""
+    plate = box_body(np.array([-500.0, -500.0, -20.0]), np.array([500.0, 500.0, 0.0]))
+    space = build_space([plate], (plate.low, plate.high), NavigationSettings())
+    span = int(np.flatnonzero(space.region >= 0)[0])
+    paths.spread(space.links, space.region, span)
+    column = space.columns_of_spans().astype(np.int32)
+    paths.straighten(space.links, space.region, column, space.columns, np.array([span], np.int32))
 
 
 def _windows(low: Array, high: Array, origin: Array, cell: float, columns: int, rows: int) -> NDArray[np.int64]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -139,7 +140,7 @@ def test_routes_are_straight_where_they_can_be_and_keep_the_bodys_clearance() ->
     length = float(np.linalg.norm(np.diff(route, axis=0), axis=1).sum())
     around = np.linalg.norm(np.array([-60, -650]) - start[:2]) * 2 + 120
     assert length == pytest.approx(around, rel=0.02)
-    steps = np.concatenate([np.linspace(a, b, 50) for a, b in zip(route[:-1], route[1:], strict=True)])
+    steps = np.concatenate([np.linspace(a, b, 50) for a, b in pairwise(route)])
     gap = np.hypot(np.maximum(np.abs(steps[:, 0]) - 10, 0), np.maximum(-600 - steps[:, 1], 0))
     assert gap.min() >= SETTINGS.radius_cm - 1
     assert mesh.distances(start, goal[None])[0] == pytest.approx(length, rel=0.09)
