@@ -112,6 +112,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
             verdict.write(folder.integrity)
         if verdict.status == "valid":
             with timed(trial, "look"):
+                clean.walk(trial.folder.evidence.root)
                 clean.look(trial.folder.evidence.root, cameras_for(given))
     return verdict.status == "valid"
 

@@ -170,6 +170,8 @@ def test_the_own_storey_is_preferred_to_a_nearer_cell() -> None:
     [
         ("Kitchen Floor", (400, 400, 10), {}, "surface"),
         ("Road_03", (2000, 600, 20), {}, "surface"),
+        ("SM_CobbleTile_12", (200, 200, 10), {}, "surface"),
+        ("Tiled Table", (200, 200, 80), {}, ""),
         ("Floor Lamp", (40, 40, 160), {}, ""),
         ("Street Bench", (180, 60, 80), {}, ""),
         ("Pathfinder", (60, 60, 60), {}, ""),

@@ -64,7 +64,7 @@ class LevelMesh:
         return last
 
     def random_near(self, origin: Array, radius: float, *, reachable: bool) -> Array | None:
-        """A point of the mesh within a radius, the same for the same question; ``reachable``: one that a way leads to."""
+        """A point of the mesh within a radius, the same for the same question; ``reachable``: that a way leads to."""
         chosen = random.Random(repr((origin.tolist(), radius, reachable)))
         for _ in range(_MOST_TRIES):
             angle, away = chosen.uniform(0, 2 * np.pi), radius * chosen.random() ** 0.5

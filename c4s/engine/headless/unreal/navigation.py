@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from c4s.engine.headless.editor import world
-from c4s.engine.headless.pose import Pose
+from c4s.engine.headless.pose import IDENTITY
 from c4s.engine.headless.queries import walkable
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.actors.volumes import NavMeshBoundsVolume
@@ -115,7 +115,7 @@ def rebuild() -> None:
         return
     data = next((actor for actor in actors if isinstance(actor, RecastNavMesh)), None)
     if data is None:
-        data = world().spawn(_CLASS, Pose(), "RecastNavMesh-Default")
+        data = world().spawn(_CLASS, IDENTITY, "RecastNavMesh-Default")
     own = data.get_editor_property
     settings = NavigationSettings(
         radius_cm=own("agent_radius"),
