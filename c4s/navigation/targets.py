@@ -28,8 +28,8 @@ EFFECTS: Final = word_set("navmesh reflection postprocess atmosphere sky particl
 """Words in the names of actors that stand for an effect."""
 SURFACES: Final = word_set("""
     floor flooring ground road street sidewalk pavement paving plaza path footpath walkway lawn grass terrain landscape
-    baseplate cobblestone cobble flagstone paver slab tile parquet plank boardwalk crossing crosswalk lane parking asphalt
-    gravel dirt soil mud sand snow turf meadow field carpet rug water river lake sea ocean pond""")
+    baseplate cobblestone cobble flagstone paver slab tile parquet plank boardwalk crossing crosswalk lane parking
+    asphalt gravel dirt soil mud sand snow turf meadow field carpet rug water river lake sea ocean pond""")
 """Words for what one walks on, or over."""
 FLAT: Final = 0.25
 LEAST_SPAN_CM: Final = 100.0
