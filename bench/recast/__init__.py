@@ -110,4 +110,5 @@ def recast_cells(bodies: Sequence[Body], space: WalkableSpace, settings: Navigat
         ctypes.c_void_p(told.ctypes.data),
     )
     made.recast_free(found)
-    return RecastCells(*parts, polygons_m2=told[0] / 1e4, voxels_s=told[1], whole_s=told[2])
+    column, row, floor, component = parts
+    return RecastCells(column, row, floor, component, told[0] / 1e4, voxels_s=told[1], whole_s=told[2])

@@ -58,7 +58,7 @@ class WalkableSpace:
     def column_of(self, points: Array) -> NDArray[np.int64]:
         """Number of the column of each point (n, 2 or 3) in cm; -1 outside."""
         at = np.floor((points[:, :2] - self.origin_cm[:2]) / self.settings.cell_cm)
-        inside = np.asarray((at >= 0) & (at < np.array([self.columns, self.rows]))).all(axis=1)
+        inside = (at[:, 0] >= 0) & (at[:, 1] >= 0) & (at[:, 0] < self.columns) & (at[:, 1] < self.rows)
         x, y = np.where(inside[:, None], at, 0).astype(np.int64).T
         return np.where(inside, y * self.columns + x, -1)
 
