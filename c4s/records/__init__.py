@@ -21,6 +21,7 @@ __all__ = [
     "judgement",
     "lease",
     "level",
+    "navigation",
     "pack",
     "plan",
     "policy",

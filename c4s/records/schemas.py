@@ -34,6 +34,7 @@ from c4s.records.judge import JudgeConfiguration
 from c4s.records.judgement import Judgements
 from c4s.records.lease import Lease
 from c4s.records.level import Level
+from c4s.records.navigation import NavigationEvidence
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration, Plan
 from c4s.records.policy import ScorePolicy
@@ -60,6 +61,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "configuration": Configuration,
     "attempt-outcome": AttemptOutcome,
     "captures": Captures,
+    "navigation": NavigationEvidence,
     "judge": JudgeConfiguration,
     "judgements": Judgements,
     "repeatability": Repeatability,

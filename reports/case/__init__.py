@@ -9,13 +9,17 @@ from reports.case.requirements import requirement_rows
 from reports.case.runs import CaseRun, case_runs, higher_and_lower
 from reports.case.timeline import Attempt, attempts_of
 from reports.case.trace import trace_of
+from reports.case.walk import FALLS, WalkMap, astray, walk_of
 
 __all__ = [
+    "FALLS",
     "Attempt",
     "CaseRows",
     "CaseRun",
     "Matrix",
     "Renders",
+    "WalkMap",
+    "astray",
     "attempts_of",
     "case_rows",
     "case_runs",
@@ -24,4 +28,5 @@ __all__ = [
     "renders_of",
     "requirement_rows",
     "trace_of",
+    "walk_of",
 ]
