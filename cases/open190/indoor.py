@@ -167,7 +167,7 @@ def metro_station(p: Place) -> None:
             p.light(x, y, 420, intensity=6000, radius=1700, colour=(240, 246, 255))
     p.sun(-70, -90, intensity=0.9, sky=0.7)
     p.view("platform", (-2950, 800, 270), (600, 700, 190), 75)
-    p.view("concourse", (-2900, -1250, 175), (900, -500, 130), 75)
+    p.view("concourse", (-2950, -620, 175), (900, -420, 130), 75)
 
 
 @scene("museum", "indoor", "Museum of antiquities", styles.URBAN.but(wall=("CreamPlaster",), stone=("Limestone", "Granite", "Marble"), wood=("Walnut", "Oak")), slot=True)
@@ -227,7 +227,7 @@ def hospital_ward(p: Place) -> None:
                 p.put(screens, 144, 20, yaw=90)
                 p.put(p.kit("chair", 3, kind="Metal"), 84, 30, yaw=90)
     station = p.one("counter", kind="ReceptionDesk", length=200.0)
-    things = p.kinds("desk-thing", "Monitor", "Telephone", "Binders", "PaperTray", "CoffeeMug", "Keyboard") if False else p.kinds("desk-thing", "Monitor", "Telephone", "Binders", "PaperTray", "Mug", "Keyboard")
+    things = p.kinds("desk-thing", "Monitor", "Telephone", "Binders", "PaperTray", "Mug", "Keyboard")
     for x in (-220, 0, 220):
         p.on(p.put(station, x, 110), things, 4)
         p.on(p.put(p.kit("desk", 1, kind="Office"), x, -90, yaw=180), things, 5)

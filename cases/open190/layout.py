@@ -161,9 +161,11 @@ class Place(Stage):
     ) -> Item | None:
         thing = self.thing(asset)
         factors = (scale, scale, scale) if isinstance(scale, float | int) else scale
-        height = round(z if thing.flat else z - thing.low[2] * factors[2], 3)
+        height = z
         if not thing.flat:
             own = self._solids.setdefault(asset, solids(thing.shape.collision))
+            low = min(solid.low for solid in own) if z <= TOP_CM and own else thing.low[2]
+            height = round(z - low * factors[2], 3)
             wanted = [placed(solid, wx, wy, height, turn, factors) for solid in own]
             if not self.space.free(wanted, slack=slack, margin=margin):
                 self.left_out[asset] += 1
@@ -342,6 +344,15 @@ class Place(Stage):
                 self.left_out[asset] += 1
         return found
 
+    def palette(self, total: int, *families: str) -> None:
+        """Make more things of families, in turn, until there are ``total``: an agent chooses among more than it needs."""
+        round_ = 1
+        while len(self.assortment.things) < total:
+            round_ += 1
+            for family in families:
+                if len(self.assortment.things) < total:
+                    self.kit(family, round_, spare=True)
+
     # ground, rooms
 
     def ground(self, box: tuple[float, float, float, float], of: str = "Grass", *, family: str = "ground", tile: float = 1000.0, z: float = 0.0) -> None:
@@ -353,6 +364,11 @@ class Place(Stage):
         for i in range(columns):
             for j in range(lines):
                 self.put(asset, x0 + (i + 0.5) * (x1 - x0) / columns, y0 + (j + 0.5) * (y1 - y0) / lines, z, scale=(round(sx, 5), round(sy, 5), 1.0))
+
+    def plate(self, metres: float, of: str) -> None:
+        """The ground of a text scene: a square of that many metres around the origin."""
+        half = 50 * metres
+        self.ground((-half, -half, half, half), of, tile=metres * 10)
 
     def trail(self, points: Sequence[Pair], wide: float = 250.0, of: str = "Gravel", z: float = 1.0) -> None:
         """A path through points, of square pieces end to end."""

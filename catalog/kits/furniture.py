@@ -265,7 +265,7 @@ def cupboard(m: Maker) -> None:
     m.say(kind, STORAGE, f"{word(of).capitalize()} {word(kind)}, {w:.0f} x {d:.0f} cm, {h:.0f} cm high.", camel(of), camel(front), tags="cupboard cabinet storage")
     b = m.b
     b.box(of, (w, d, h - 8), (0, 0, 6))
-    b.box(of, (w - 10, d - 10, 6), body=None)
+    b.box(of, (w - 10, d - 10, 6))
     b.box(of, (w + 3, d + 3, 3), (0, 0, h - 3), bevel=0.6)
     cols, rows = {"Wardrobe": (2, 1), "ChestOfDrawers": (1, 4), "Sideboard": (3, 1), "Cabinet": (2, 2), "LockerRow": (4, 1), "FilingCabinet": (1, 4), "Nightstand": (1, 2)}[kind]
     for i in range(cols):

@@ -438,6 +438,7 @@ def forge(m: Maker) -> None:
         for k in range(3):
             b.tube("Iron", [(50 * math.cos(k * 2.1), 50 * math.sin(k * 2.1), 0), (0, 0, 120)], 2.5)
         b.lathe("Iron", [(0, 20), (26, 26), (34, 50), (28, 66), (32, 70), (26, 70)])
+        b.body_box((56, 56, 30))
         b.cylinder("PaleLeaf", 26, 2, (0, 0, 62), segments=16, body=None)
         for k in range(5):
             b.cylinder("Bark", 5, 34, (0, 0, 5), (80, 72 * k, 0), segments=7, body=None)

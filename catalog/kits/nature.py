@@ -158,7 +158,7 @@ def flowers(m: Maker) -> None:
         h = high * (0.8 + 0.2 * ((i * 7) % 5) / 4)
         if kind == "Ferns":
             with m.b.moved((0, 0, 0), (0, 30 * i, 0)):
-                m.b.box("Leaf", (60, 16, 2), (28, 0, 20), (24, 0, 0), body=None)
+                m.b.box("Leaf", (60, 16, 2), (28, 0, 12.4), (24, 0, 0), body=None)
             continue
         m.b.cylinder("Leaf", 2.2, h, (x, y, 0), top=0.6 if kind in ("TallGrass", "Reeds") else 1.2, segments=5, body=None)
         if kind == "Reeds":

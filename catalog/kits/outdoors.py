@@ -525,7 +525,7 @@ def play(m: Maker) -> None:
                 b.tube(paint, [(x, -82, z), (x, 82, z)], 3)
         b.body_box((250, 170, 220))
     elif kind == "Roundabout":
-        b.cylinder("Iron", 20, 20, segments=12, body=None)
+        b.cylinder("Iron", 20, 20, segments=12)
         b.cylinder(paint, 120, 8, (0, 0, 18), segments=24)
         for k in range(6):
             a = k * math.pi / 3

@@ -13,6 +13,7 @@ VEHICLES, BOATS, RAIL = "vehicles", "boats", "railway"
 def tyres(m: Maker, wheels: tuple[float, ...], half: float, radius: float, thick: float = 20.0) -> None:
     """Pairs of wheels at places along X."""
     for x in wheels:
+        m.b.body_box((radius, 2 * half, radius), (x, 0, 0))
         for side in (-1, 1):
             m.b.cylinder("Rubber", radius, thick, (x, side * half - thick / 2, radius), (0, 0, 90), segments=16, body=None)
             m.b.cylinder("SilverPaint", radius * 0.5, thick + 2, (x, side * half - thick / 2 - 1, radius), (0, 0, 90), segments=10, body=None)
@@ -274,7 +275,7 @@ def train(m: Maker) -> None:
             b.cylinder("Cinder", 110, 60, (-x + 150 + i * (length - 300) / 3, 0, 205), top=8, segments=12, body=None)
     else:
         b.box(paint, (length - 20, 270, 240), (0, 0, 100))
-        b.cylinder("GreyPaint", 150, length - 20, (-x + 10, 0, 300), (-90, 0, 0), segments=20, squash=1.0, body=None) if False else b.box("GreyPaint", (length, 280, 14), (0, 0, 340), body=None)
+        b.box("GreyPaint", (length, 280, 14), (0, 0, 340), body=None)
         for s in (-1, 1):
             b.box(m.another("paint"), (210, 6, 200), (0, s * 136, 112), body=None)
             for i in range(6):
