@@ -145,10 +145,11 @@ def _key(store: PackStore, asset: Asset) -> str:
     return digest([_painter(), asset.bounds_min_cm, asset.bounds_max_cm, pieces])
 
 
-def write_previews(folder: Path) -> Pack:
+def write_previews(folder: Path, *, drawn: bool = True) -> Pack:
     """Draw ``previews/<id>.png`` of every asset of the pack in ``folder``; name them in its manifest, and freeze it.
 
-    The manifest then holds the digest of every file of the folder: this is the last step of a build.
+    The manifest then holds the digest of every file of the folder: this is the last step of a build. Unless they are
+    ``drawn`` there are no pictures.
 
     Pictures are kept in the cache under ``C4S_HOME`` by the digest of meshes, materials and the renderer's sources.
     """
@@ -156,6 +157,9 @@ def write_previews(folder: Path) -> Pack:
     pack, surfaces = store.packs[folder], PreviewSurfaces(store)
     named = []
     for asset in pack.assets:
+        if not drawn:
+            named.append(asset)
+            continue
         kept = cache_root() / "previews" / f"{_key(store, asset)}.png"
         if not kept.is_file():
             write_bytes(kept, png_bytes(Image.fromarray(preview(surfaces, asset))))

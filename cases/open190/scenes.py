@@ -1,0 +1,46 @@
+"""The table of scenes: each is a function that lays out a ``Place``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from cases.open190.layout import Place
+from catalog.kits.styles import Style
+
+Kind = Literal["indoor", "outdoor", "text"]
+Build = Callable[[Place], None]
+
+
+@dataclass(frozen=True)
+class SceneSpec:
+    """A scene before it is built. ``plate_m`` is the side of the plate of a text scene."""
+
+    scene_id: str
+    kind: Kind
+    title: str
+    style: Style
+    build: Build
+    plate_m: float = 0.0
+    slot: bool = False
+    """Whether a scene that people made may stand in its place where its package is installed."""
+
+    def place(self) -> Place:
+        """Lay the scene out."""
+        place = Place(self.scene_id, self.style, "1", tops_only=self.kind == "text")
+        self.build(place)
+        return place
+
+
+SCENES: dict[str, SceneSpec] = {}
+
+
+def scene(scene_id: str, kind: Kind, title: str, style: Style, plate_m: float = 0.0, *, slot: bool = False) -> Callable[[Build], Build]:
+    """Register a scene."""
+
+    def register(build: Build) -> Build:
+        SCENES[scene_id] = SceneSpec(scene_id, kind, title, style, build, plate_m, slot)
+        return build
+
+    return register
