@@ -29,6 +29,17 @@ def signed(value: float | None, digits: int = 2) -> str:
     return "–" if value is None else f"{value:+.{digits}f}".replace("-", "−")
 
 
+def headed(title: str) -> str:
+    """The title of a column with a capital; one of a letter or with signs, as ``p`` or ``pass@k``, stays."""
+    word = title.partition(" ")[0]
+    return title[0].upper() + title[1:] if len(word) > 1 and word.isalpha() else title
+
+
+def p_value(value: float | None) -> str:
+    """A p-value with four decimals; one that these do not tell from zero is said to be less."""
+    return "< 0.0001" if value is not None and value < 0.00005 else number(value, 4)
+
+
 def slug(name: str) -> str:
     """A file name for any name; different names never share one."""
     plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")

@@ -22,6 +22,7 @@
     return made;
   }
   function fixed(value, digits) { return value === null || value === undefined ? "–" : value.toFixed(digits); }
+  function chance(p) { return p !== null && p !== undefined && p < 0.00005 ? "< 0.0001" : fixed(p, 4); }
   function signed(value, digits) {
     if (value === null || value === undefined) return "–";
     return (value > 0 ? "+" : value < 0 ? "−" : "") + Math.abs(value).toFixed(digits);
@@ -89,7 +90,7 @@
         const ends = [flip(part.score_low), flip(part.score_high)].sort(function (a, b) { return a - b; });
         const told = [signed(flip(part.score), 2)];
         if (part.score_low !== null) told.push(make("small", { class: "ends" }, signed(ends[0], 2) + " to " + signed(ends[1], 2)));
-        return [part.cases_of, String(part.cases), told, fixed(part.score_p, 4)];
+        return [part.cases_of, String(part.cases), told, chance(part.score_p)];
       })
     );
   }

@@ -13,7 +13,14 @@ from tests.reports.watching import complaints, watched
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
-KINDS = ("index.html", "agents/*agent-02*", "cases/*text-to-scene-03*", "boards/*--cases--*", "boards/*--compare--*")
+KINDS = (
+    "index.html",
+    "agents/*agent-02*",
+    "cases/*text-to-scene-03*",
+    "boards/*--cases--*",
+    "boards/*--compare--*",
+    "boards/*--diagnostics--*",
+)
 
 
 def page_of(home: Path, kind: str) -> Path:
