@@ -31,7 +31,7 @@ def signed(value: float | None, digits: int = 2) -> str:
 
 def headed(title: str) -> str:
     """The title of a column with a capital; one of a letter or with signs, as ``p`` or ``pass@k``, stays."""
-    word = title.partition(" ")[0]
+    word = title.partition(" ")[0].rstrip(",;:")
     return title[0].upper() + title[1:] if len(word) > 1 and word.isalpha() else title
 
 
@@ -57,8 +57,10 @@ def span(seconds: float | None) -> str:
 
 
 def moment(seconds: float | None) -> str:
-    """A time since a start, with a decimal where whole seconds would tell little: ``0.4 s``, ``45 s``, ``12 min``."""
-    return f"{seconds:.1f} s" if seconds is not None and seconds < 20 else span(seconds)
+    """A time since a start, with decimals where whole seconds would tell little: ``0.04 s``, ``4.2 s``, ``45 s``."""
+    if seconds is None or seconds >= 20:
+        return span(seconds)
+    return f"{seconds:.2f} s" if seconds < 2 else f"{seconds:.1f} s"
 
 
 def clock(time: float) -> str:

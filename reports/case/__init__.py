@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from reports.case.asked import CaseRows, case_rows
 from reports.case.matrix import Matrix, matrix_of
+from reports.case.pair import RunPair, pair_of
 from reports.case.renders import Renders, renders_of
 from reports.case.requirements import requirement_rows
 from reports.case.runs import CaseRun, case_runs, higher_and_lower
@@ -16,11 +17,13 @@ __all__ = [
     "CaseRun",
     "Matrix",
     "Renders",
+    "RunPair",
     "attempts_of",
     "case_rows",
     "case_runs",
     "higher_and_lower",
     "matrix_of",
+    "pair_of",
     "renders_of",
     "requirement_rows",
     "trace_of",
