@@ -10,6 +10,7 @@ from typing import Any, Final
 from reports.frame import Board, SiteContext, SitePage, grid, links
 from reports.frame.board import Row
 from reports.pages.matrix import mean_of
+from reports.policies import under_policies
 
 PAIR: Final = ("cases_of", "cases", "sources", "score", "score_low", "score_high", "score_p", "calls", "calls_p")
 """What is told of a pair, for each part of the cases."""
@@ -59,6 +60,7 @@ def _values(site: SiteContext, board: Board) -> dict[str, Any]:
             if table.name in ("drift", "nights") and table.rows
         ],
         "runs": runs(board),
+        "policies": under_policies(site, board),
         "others": [other(board, one) for one in site.boards if same_cases(board, one)],
     }
 
