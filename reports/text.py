@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 from datetime import datetime
+from typing import Final
 
 from c4s.numbers import half_up
 
@@ -40,10 +41,19 @@ def p_value(value: float | None) -> str:
     return "< 0.0001" if value is not None and value < 0.00005 else number(value, 4)
 
 
+MOST_SLUG: Final = 150
+"""Characters of a name that a file name keeps: with a suite's id and digests it stays below 255, a folder's most."""
+
+
 def slug(name: str) -> str:
     """A file name for any name; different names never share one."""
-    plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")
+    plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")[:MOST_SLUG]
     return plain if plain == name else f"{plain}-{hashlib.sha256(name.encode()).hexdigest()[:6]}"
+
+
+def counted(number: int, one: str, many: str = "") -> str:
+    """A number with its noun: ``1 case``, ``16 cases``."""
+    return f"{number:,} {one if number == 1 else many or one + 's'}"
 
 
 def span(seconds: float | None) -> str:

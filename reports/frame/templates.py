@@ -13,7 +13,7 @@ from c4s.names import shown
 from c4s.protocol.settings import SETTING_TITLES, is_construction
 from c4s.verify.registry import VERIFIERS, headlines_of
 from reports.frame import links
-from reports.text import headed, moment, number, p_value, percent, signed, slug, span, step
+from reports.text import counted, headed, moment, number, p_value, percent, signed, slug, span, step
 
 STATIC: Final = Path(__file__).parent.parent / "static"
 """Styles and scripts, copied to ``static/`` of the site."""
@@ -36,6 +36,7 @@ def environment() -> Environment:
         lstrip_blocks=True,
     )
     made.filters.update(
+        counted=counted,
         headed=headed,
         moment=moment,
         number=number,

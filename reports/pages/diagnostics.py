@@ -151,7 +151,7 @@ def _recovery(board: Board, answer: Answer) -> list[Bars]:
     """Repairs by domain: complete and nothing else changed, complete with more changed, the rest."""
     rows = _ordered(board, answer.rows("configurations"))
     domains = dict.fromkeys(str(row["domain"]) for row in rows)
-    return [
+    made = [
         Bars(
             domain,
             [
@@ -167,6 +167,7 @@ def _recovery(board: Board, answer: Answer) -> list[Bars]:
         )
         for domain in domains
     ]
+    return [one for one in made if one.rows]
 
 
 def _calls(board: Board, answer: Answer) -> list[Bars]:

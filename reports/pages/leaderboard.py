@@ -9,6 +9,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from c4s.protocol.settings import is_construction
 from c4s.records.analysis import Column, Table
 from c4s.stats import orders
 from reports.drawing import Dot, Scatter, scatter
@@ -56,6 +57,7 @@ def _told(site: SiteContext, board: Board) -> dict[str, Any]:
         "ends": _ends(main),
         "grid": standings_grid(board.standings, main, costs),
         "costs": costs,
+        "overall": len({is_construction(case["setting"]) for case in board.cases}) > 1,
         "intervals": any(one.honest for one in main.findings.intervals),
         "frontier": priced,
         "timed": None if priced else timed(board, main),

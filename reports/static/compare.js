@@ -2,6 +2,7 @@
 // Two configurations case by case: the plane of their scores, the paired differences, every case. Both are in the address.
 (function () {
   const place = document.getElementById("pair");
+  if (!place) return;
   const first = document.getElementById("first");
   const second = document.getElementById("second");
   const titles = JSON.parse(place.dataset.settings);
@@ -22,6 +23,7 @@
     return made;
   }
   function fixed(value, digits) { return value === null || value === undefined ? "–" : value.toFixed(digits); }
+  function short(name) { return name.length > 40 ? name.slice(0, 24) + "…" + name.slice(-14) : name; }
   function chance(p) { return p !== null && p !== undefined && p < 0.00005 ? "< 0.0001" : fixed(p, 4); }
   function signed(value, digits) {
     if (value === null || value === undefined) return "–";
@@ -35,8 +37,8 @@
     svg.append(
       draw("rect", { class: "frame", x: across(0), y: up(1), width: across(1) - across(0), height: up(0) - up(1) }),
       draw("line", { class: "even", x1: across(0), y1: up(0), x2: across(1), y2: up(1) }),
-      draw("text", { x: across(0.5), y: SIDE - 8, "text-anchor": "middle" }, a),
-      draw("text", { x: -up(0.5), y: 14, transform: "rotate(-90)", "text-anchor": "middle" }, b)
+      draw("text", { x: across(0.5), y: SIDE - 8, "text-anchor": "middle" }, short(a)),
+      draw("text", { x: -up(0.5), y: 14, transform: "rotate(-90)", "text-anchor": "middle" }, short(b))
     );
     for (const end of [0, 1]) {
       svg.append(draw("text", { x: across(end), y: up(0) + 16, "text-anchor": "middle" }, String(end)));
