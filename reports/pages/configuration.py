@@ -9,6 +9,7 @@ from typing import Any, Final
 
 from c4s.records.analysis import Table, Value
 from reports.frame import Answer, Board, Grid, SiteContext, SitePage, grid, links
+from reports.frame.asked import made_with
 from reports.frame.board import Row
 from reports.pages.leaderboard import SCORES, STUDIED
 from reports.pages.matrix import mean_of
@@ -77,6 +78,10 @@ def _values(site: SiteContext, board: Board, standing: Row) -> dict[str, Any]:
         "weak": against[::-1][: min(MOST_ENDS, len(against) // 2)],
         "zeros": [row for row in board.zeros if row["configuration"] == name],
         "trials": trials,
+        "made_with": made_with(site.warehouse, board, name),
+        "content": sorted({row["trial"]["configuration_digest"] for row in trials}),
+        "sandboxes": sorted({row["trial"]["sandbox"] for row in trials if row["trial"]["sandbox"]}),
+        "runs": sorted({row["trial"]["run_id"] for row in trials}),
         "pictured": any(row["picture"] for row in trials),
     }
 

@@ -16,6 +16,7 @@ from reports.drawing import Dot, Scatter, scatter
 from reports.frame import Board, Grid, SiteContext, SitePage, grid, links
 from reports.frame.board import Row
 from reports.frame.studies import Answer
+from reports.statements import CAVEATS
 from warehouse.release import PrivateStanding
 
 SCORES: Final = {
@@ -41,7 +42,7 @@ def pages(site: SiteContext) -> Iterator[SitePage]:
     yield SitePage(
         links.LEADERBOARD,
         "leaderboard.html.j2",
-        lambda: {"told": [_told(site, board) for board in site.boards]},
+        lambda: {"told": [_told(site, board) for board in site.boards], "caveats": CAVEATS},
         site.stamp(),
         navigation="Leaderboard",
     )
