@@ -166,7 +166,9 @@ def _category_profile(answer: Answer, name: str) -> list[Place]:
                 others = [
                     one
                     for row in table.rows
-                    if row["configuration"] != name and isinstance(one := row.get(column.name), float)
+                    if row.get("ranked")
+                    and row["configuration"] != name
+                    and isinstance(one := row.get(column.name), float)
                 ]
                 found.append(_place(column.title, value, None, None, others))
     return found
