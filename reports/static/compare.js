@@ -113,9 +113,11 @@
     else if (found) {
       side.append(make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Paired differences" }, parts(found, found.a === b)));
       side.append(make("p", { class: "source" }, "Get it again: c4s analyze paired -a " + found.a + " -a " + found.b + ", answer " + found.id));
+    } else if (data.whole.includes(a) && data.whole.includes(b)) {
+      side.append(make("p", { class: "source" }, "Not among the pairs that are told here. Their difference: c4s analyze paired -a " + a + " -a " + b));
     } else side.append(make("p", { class: "dim" }, "One of the two lacks outcomes: cases that both have are shown, no difference is told."));
     const most = Math.max(0, ...rows.map(function (row) { return Math.abs(row.a - row.b); }));
-    const list = table("Cases, where the first is better on top", ["Case", a, b, "Δ points"], rows.map(function (row) {
+    const list = table("Cases, where the first is better on top", ["Case", short(a), short(b), "Δ points"], rows.map(function (row) {
       const link = make("a", { href: place.dataset.root + row.link }, row.id);
       return [[link], fixed(row.a, 3), fixed(row.b, 3), [signed(100 * (row.a - row.b), 1), bar(row.a - row.b, most)]];
     }));
