@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from reports.case.asked import CaseRows, case_rows
 from reports.case.matrix import Matrix, matrix_of
+from reports.case.pair import RunPair, pair_of
 from reports.case.renders import Renders, renders_of
 from reports.case.requirements import requirement_rows
 from reports.case.runs import CaseRun, case_runs, higher_and_lower
@@ -18,6 +19,7 @@ __all__ = [
     "CaseRun",
     "Matrix",
     "Renders",
+    "RunPair",
     "WalkMap",
     "astray",
     "attempts_of",
@@ -25,6 +27,7 @@ __all__ = [
     "case_runs",
     "higher_and_lower",
     "matrix_of",
+    "pair_of",
     "renders_of",
     "requirement_rows",
     "trace_of",

@@ -49,6 +49,11 @@ def _values(site: SiteContext, board: Board, case: Row, trial: Row) -> dict[str,
     documents = asked.documents.get(trial_id, {})
     runs = case_runs(board, case, asked.documents)
     (run,) = (run for run in runs if run.trial["trial_id"] == trial_id)
+    attempts = attempts_of(site, board, trial, asked, own.get("screenshot", []))
+    looked = {
+        attempt.row["attempt"]: [picture for call in attempt.calls for picture in call.screenshots]
+        for attempt in attempts
+    }
     seen: list[SitePicture] = [*own.get("claim", []), *own.get("submission", [])]
     return {
         "board": board,
@@ -60,7 +65,7 @@ def _values(site: SiteContext, board: Board, case: Row, trial: Row) -> dict[str,
         "documents": documents,
         "working": worked_score(trial, documents, asked.semantic.get(trial_id)),
         "renders": renders_of(pictures, [run], construction=is_construction(case["setting"])),
-        "trace": trace_of(trial, asked),
+        "trace": trace_of(trial, asked, own, looked),
         "requirements": requirement_rows(documents.get(DETAILED.name, {}), asked.claims.get(trial_id, []), seen),
         "findings": _physical(asked, trial_id),
         "walk": walk_of(documents.get(NAVIGATION.name)),
@@ -68,7 +73,7 @@ def _values(site: SiteContext, board: Board, case: Row, trial: Row) -> dict[str,
         "unreached": astray(asked.findings.get(trial_id, [])),
         "limit": FINDINGS_SHOWN,
         "profiles": list(PROFILES),
-        "attempts": attempts_of(site, board, trial, asked, own.get("screenshot", [])),
+        "attempts": attempts,
     }
 
 
