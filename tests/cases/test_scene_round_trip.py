@@ -20,6 +20,7 @@ from cases.importers.importing import import_scene
 from cases.starter.farm_scene import build as farm_scene
 from tests.built import built_packs
 
+LOOKS = ("base_color", "roughness", "metallic", "emissive", "opacity", "alpha")
 MOST_CM = 0.01
 """A tenth of a millimetre."""
 
@@ -46,8 +47,7 @@ def looks(shown: list[Drawable]) -> dict[str, list[tuple[object, ...]]]:
     found = defaultdict(list)
     for one in shown:
         found[one.actor.get_actor_label()] += [
-            (m.path.rsplit(".", 1)[-1].removeprefix("M_"), m.base_color, m.roughness, m.metallic, m.emissive, m.opacity, m.alpha)
-            for m in one.materials
+            (m.path.rsplit(".", 1)[-1].removeprefix("M_"), *(getattr(m, name) for name in LOOKS)) for m in one.materials
         ]
     return {label: sorted(slots, key=repr) for label, slots in found.items()}
 
