@@ -17,8 +17,9 @@ import numpy as np
 from c4s.errors import BadInput
 from c4s.records.level import Level, Vector
 from c4s.records.pack import Pack
-from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, Kind
+from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption
 from cases.model import GROUP_OF_KIND, CaseView, RepairCase, SourceScene, SuiteDefinition, difficulty_of
+from cases.recipe import Kind
 from cases.standing import snapshot_of, unsound
 from cases.views import orbit
 

@@ -10,7 +10,8 @@ from c4s.protocol.settings import Setting
 from c4s.records.binding import ReviewedBindings
 from c4s.records.level import Level, Vector
 from c4s.records.suite import Budget, Visibility
-from cases.corruption import Corruption, Kind, Operation
+from cases.corruption import Corruption
+from cases.recipe import Entry, Kind, Operation
 from cases.requirements import RequirementSpec
 
 Group = Literal["Restore", "Lifecycle", "Layout", "Symmetry", "Transform"]
@@ -80,6 +81,16 @@ class RepairCase:
     def operations(self) -> list[Operation]:
         """All operations in order."""
         return [operation for corruption in self.corruptions for operation in corruption.operations]
+
+    @property
+    def entries(self) -> list[Entry]:
+        """The changes in order, each with its operations by their place in ``operations``."""
+        made: list[Entry] = []
+        first = 0
+        for corruption in self.corruptions:
+            made.append(Entry(label=corruption.kind, operations=list(range(first, first + len(corruption.operations)))))
+            first += len(corruption.operations)
+        return made
 
     @property
     def kinds(self) -> list[str]:

@@ -17,7 +17,8 @@ import numpy as np
 from c4s.geometry.transform import normalize_axis
 from c4s.records.level import Level, LevelActor, Transform, Vector
 from cases.boxes import Array, Boxes, world_box
-from cases.corruption import STATIC_MESH_ACTOR, Operation, SetTransform, SpawnActor, id_of
+from cases.corruption import STATIC_MESH_ACTOR, id_of
+from cases.recipe import Operation, SetTransform, SpawnActor
 
 CLEAR_CM = 4.0
 """Air that is kept beside what is shifted, turned or scaled."""

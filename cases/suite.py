@@ -25,21 +25,23 @@ from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
 from cases import exports
 from cases.admissible import Refusal, Refused, TargetSighting, looked_at, refusals, sightings
+from cases.applying import apply
 from cases.audit import audit, check_blind
 from cases.binding import freeze_binding
 from cases.boxes import boxes_of
 from cases.checks import check_definition, check_repair, check_scene
-from cases.corruption import Operation, Recipe, SpawnActor, apply, id_of, with_identities
+from cases.corruption import id_of, with_identities
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.natural import lived_in, plans_of, rebased, settled_spawns
 from cases.prompts import repair_prompt, text_prompt
+from cases.recipe import Operation, Recipe, SpawnActor
 from cases.requirements import bundle
 from cases.settle import to_build
 from cases.standing import settled
 from cases.veil import Veil
 from cases.views import cameras_record, changed, targets_record
 
-BUILDER_VERSION = 5
+BUILDER_VERSION = 6
 """Part of the definition's digest: raise it when the same definition is built into other files."""
 STAMP = "build.json"
 """Beside ``suite.json``: the digest of the definition that the suite was built from."""
@@ -277,6 +279,7 @@ class _Builder:
             ground_truth_map=truth.package,
             input_map=corrupted.package,
             operations=self.operations[case.case_id],
+            entries=case.entries,
         ).write(withheld / "recipe.json")
         write_json(withheld / "cameras.json", cameras_record(case))
         write_json(withheld / "target-cameras.json", targets_record(case.case_id, exported.targets[case.case_id]))

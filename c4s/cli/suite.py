@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -168,10 +168,17 @@ def audit_suite(
 def code4scene(
     folder: Annotated[Path, typer.Argument(help="folder with the published task layout")],
     suite_id: Annotated[str | None, typer.Option("--id", help="id of the suite to write")] = None,
+    content: Annotated[
+        Path | None,
+        typer.Option(help="CSV of content given for image tasks: published, pack, asset (docs/published-tasks.md)"),
+    ] = None,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes."""
+    """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes.
+
+    Of image-to-scene it tells which packs, levels and assets would be needed; the levels are not published.
+    """
     from cases.code4scene.importer import import_code4scene
 
     name = checked_id("code4scene" if suite_id is None else suite_id, "suite")
@@ -181,7 +188,9 @@ def code4scene(
         def step(message: str) -> None:
             progress.update(task, description=f"importing {message:41.41}")
 
-        report = import_code4scene(folder, place_in(suites_root(), name, "suite"), packs_root(), step, replace=replace)
+        report = import_code4scene(
+            folder, place_in(suites_root(), name, "suite"), packs_root(), step, content=content, replace=replace
+        )
     if json_output:
         print_json(report)
         return
@@ -189,7 +198,30 @@ def code4scene(
         ["case", "setting", "assets", "runnable", "note"],
         [[row["case_id"], row["setting"], row["assets"], row["runnable"], row["note"]] for row in report["cases"]],
     )
+    _tell_needs(report["needs"], report["content_pack"])
     say(f"{report['runnable']} of {len(report['cases'])} cases are runnable here: c4s run {name} --agent planner")
+
+
+def _tell_needs(needs: dict[str, Any], content_pack: str | None) -> None:
+    """What image tasks would need, for people."""
+    if not needs["packs"]:
+        return
+    print_table(
+        ["pack", "tasks", "title", "where"],
+        [[row["folder"], row["tasks"], row.get("title"), row.get("url")] for row in needs["packs"]],
+        title="Content that the image tasks need",
+    )
+    print_table(
+        ["asset", "tasks", "given"],
+        [[path, count, needs["given"].get(path)] for path, count in needs["assets"].items()],
+        title="Assets that they name",
+    )
+    say(f"{len(needs['given'])} of {len(needs['assets'])} assets are given; {len(needs['levels'])} levels are needed:")
+    say(needs["levels_note"])
+    for path in needs["not_needed"]:
+        say(f"given and not needed: {path}")
+    if content_pack is not None:
+        say(f"given meshes under their published paths: pack {content_pack}")
 
 
 @app.command("import-scene")

@@ -18,8 +18,9 @@ from c4s.verify.actors.roles import roles, words
 from c4s.verify.physics.verdict import verify_physics
 from c4s.verify.repair import repair_verdict
 from cases.admissible.looked import Looked
-from cases.corruption import Operation, RemoveActor, SetStaticMesh, SetTransform, SpawnActor, id_of, meshes
+from cases.corruption import id_of, meshes
 from cases.model import RepairCase
+from cases.recipe import Operation, RemoveActor, SetStaticMesh, SetTransform, SpawnActor
 from cases.standing import unsound
 
 Snapshot = dict[str, Any]

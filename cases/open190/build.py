@@ -45,7 +45,9 @@ def overview(place: Place) -> CaseView:
 
 def source_scene(spec: SceneSpec, place: Place) -> SourceScene:
     """A laid out scene as the suite's builder takes it."""
-    return SourceScene(spec.scene_id, "indoor" if spec.kind == "indoor" else "outdoor", spec.title, place.level(), (place.pack_id,))
+    return SourceScene(
+        spec.scene_id, "indoor" if spec.kind == "indoor" else "outdoor", spec.title, place.level(), (place.pack_id,)
+    )
 
 
 def sources() -> str:
@@ -61,7 +63,11 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
     """
     folder = out / spec.scene_id
     stamp = digest([sources(), spec.scene_id, quick])
-    if (folder / REPORT).is_file() and read_json(folder / REPORT).get("stamp") == stamp and (packs / f"open-{spec.scene_id}" / MANIFEST).is_file():
+    if (
+        (folder / REPORT).is_file()
+        and read_json(folder / REPORT).get("stamp") == stamp
+        and (packs / f"open-{spec.scene_id}" / MANIFEST).is_file()
+    ):
         report: dict[str, Any] = read_json(folder / REPORT)
         return report
     started = time.perf_counter()
@@ -76,13 +82,17 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
     views = [overview(place), *place.views]
     with tempfile.TemporaryDirectory(prefix="c4s-open-") as scratch:
         evidence = Path(scratch) / "evidence"
-        with open_level(engine=DEFAULT_ENGINE, packs=[packs / place.pack_id], level=folder / "scene.level.json") as clean:
+        with open_level(
+            engine=DEFAULT_ENGINE, packs=[packs / place.pack_id], level=folder / "scene.level.json"
+        ) as clean:
             snapshot = clean.export(evidence)
             half = {"width": 640, "height": 360} if quick else {}
             clean.look(evidence, [{**camera(view), **half} for view in views])
         for view in views:
             (folder / "views").mkdir(exist_ok=True)
-            shutil.copyfile(EvidenceFolder(evidence).captures / f"{view.name}.png", folder / "views" / f"{view.name}.png")
+            shutil.copyfile(
+                EvidenceFolder(evidence).captures / f"{view.name}.png", folder / "views" / f"{view.name}.png"
+            )
     seen = time.perf_counter()
     verdict = verify_physics("text-to-scene", snapshot)
     leaves = {leaf["leaf_id"]: leaf for leaf in verdict.measurements["leaf_results"]}
@@ -107,7 +117,12 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
         "left_out": {name: count for name, count in place.left_out.most_common(20) if count},
         "level_sha256": digest(level.plain()),
         "pack_sha256": pack.sha256(),
-        "seconds": {"layout": round(laid - started, 1), "pack": round(packed - laid, 1), "pictures": round(seen - packed, 1), "physics": round(time.perf_counter() - seen, 1)},
+        "seconds": {
+            "layout": round(laid - started, 1),
+            "pack": round(packed - laid, 1),
+            "pictures": round(seen - packed, 1),
+            "physics": round(time.perf_counter() - seen, 1),
+        },
     }
     write_json(folder / REPORT, report)
     return report
@@ -122,8 +137,26 @@ def main() -> None:
     parser.add_argument("--quick", action="store_true", help="no previews, small pictures")
     options = parser.parse_args()
     for name in options.scenes or list(SCENES):
-        report = build_scene(SCENES[name], options.packs or packs_root(), options.out or suites_root() / "open-190-scenes", quick=options.quick)
-        shown = ("scene", "kind", "style", "actors", "assets", "used", "physics", "unsound_count", "floating", "penetrating", "left_out", "seconds")
+        report = build_scene(
+            SCENES[name],
+            options.packs or packs_root(),
+            options.out or suites_root() / "open-190-scenes",
+            quick=options.quick,
+        )
+        shown = (
+            "scene",
+            "kind",
+            "style",
+            "actors",
+            "assets",
+            "used",
+            "physics",
+            "unsound_count",
+            "floating",
+            "penetrating",
+            "left_out",
+            "seconds",
+        )
         print(json.dumps({key: report[key] for key in shown}), flush=True)
 
 

@@ -36,7 +36,9 @@ class SceneSpec:
 SCENES: dict[str, SceneSpec] = {}
 
 
-def scene(scene_id: str, kind: Kind, title: str, style: Style, plate_m: float = 0.0, *, slot: bool = False) -> Callable[[Build], Build]:
+def scene(
+    scene_id: str, kind: Kind, title: str, style: Style, plate_m: float = 0.0, *, slot: bool = False
+) -> Callable[[Build], Build]:
     """Register a scene."""
 
     def register(build: Build) -> Build:

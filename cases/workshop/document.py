@@ -28,11 +28,10 @@ from c4s.records.base import Record
 from c4s.records.level import Number, Vector
 from c4s.records.suite import SUITE_FILE, Budget, Visibility
 from cases.model import Difficulty, Group
+from cases.recipe import LONGEST_CHAIN
 from cases.requirements import EntitySpec, PredicateSpec
 
 __all__ = ["SUITE_FILE", "SuiteFile"]
-MOST_CHANGES = 20
-"""Changes of one case."""
 
 
 class ViewEntry(Record):
@@ -142,7 +141,7 @@ class RepairCaseEntry(Record):
     case_id: Name
     scene_id: Name
     title: str = ""
-    corruptions: list[ChangeEntry] = Field(min_length=1, max_length=MOST_CHANGES)
+    corruptions: list[ChangeEntry] = Field(min_length=1, max_length=LONGEST_CHAIN)
     views: list[ViewEntry] = Field(min_length=1)
     group: Group | None = None
     difficulty: Difficulty | None = None

@@ -14,7 +14,7 @@ from c4s.files import read_plain_text, read_yaml
 from c4s.names import file_in
 from c4s.records.base import first_fault
 from c4s.records.level import Level
-from cases.corruption import Author, Corruption, Kind
+from cases.corruption import Author, Corruption
 from cases.importers.scene import imported_scene
 from cases.model import (
     GROUP_OF_KIND,
@@ -28,6 +28,7 @@ from cases.model import (
     TextCase,
     difficulty_of,
 )
+from cases.recipe import Kind
 from cases.requirements import RequirementSpec
 from cases.workshop.document import (
     SUITE_FILE,

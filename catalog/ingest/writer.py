@@ -42,6 +42,11 @@ def identifier(text: str) -> str:
     return name if len(name) <= MAX_NAME else f"{name[: MAX_NAME - 9]}_{digest(text)[:8]}"
 
 
+def _prefixed(prefix: str, name: str) -> str:
+    """An Unreal name with the prefix of its kind, once."""
+    return f"{prefix}{identifier(name.removeprefix(prefix) or name)}"
+
+
 def _colors(parts: list[SourcePart]) -> NDArray[np.float32] | None:
     """Colours of the vertices of all parts, white where a part has none; ``None`` when none has."""
     if all(part.colors is None for part in parts):
@@ -92,7 +97,7 @@ class PackWriter:
         )
         key = digest([surface.name, record.plain()])
         if key not in self._by_surface:
-            name = self._free(f"M_{identifier(surface.name)}")
+            name = self._free(_prefixed("M_", surface.name))
             path = f"/Game/{self.folder_name}/Materials/{name}.{name}"
             self.materials[path] = record.model_copy(update={"path": path})
             self._by_surface[key] = path
@@ -143,7 +148,7 @@ class PackWriter:
             ),
             colors=_colors(parts),
         )
-        stem = self._free(f"SM_{identifier(name)}")
+        stem = self._free(_prefixed("SM_", name))
         identity = stem[3:].lower()
         colors = {slot.name: self.materials[slot.material].base_color for slot in slots}
         data = glb(mesh, [slot.name for slot in slots], colors)

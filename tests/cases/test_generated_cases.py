@@ -8,8 +8,8 @@ import pytest
 
 from c4s.errors import BadInput
 from c4s.records.level import Level
+from cases.applying import apply
 from cases.checks import check_definition, check_repair
-from cases.corruption import apply
 from cases.generate import SoundThing, generated, sound_things
 from cases.importers.importing import import_scene
 from cases.model import RepairCase
