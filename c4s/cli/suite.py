@@ -177,13 +177,21 @@ def code4scene(
 
 @app.command("import-scene")
 def import_scene_file(
-    file: Annotated[Path, typer.Argument(help="SDF world, glTF/GLB/DAE node tree, or placement table (CSV)")],
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            help="SDF world (several join), glTF/GLB/DAE node tree, or placement table (CSV)", metavar="FILE..."
+        ),
+    ],
     scene_id: Annotated[str, typer.Option("--id", help="id of the scene: its pack and its folder under the suites")],
     scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
     without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
     mesh: Annotated[
         list[str] | None,
         typer.Option(help="NAME=FILE#PART: read a mesh that an SDF world names from another file; repeatable"),
+    ] = None,
+    resources: Annotated[
+        list[Path] | None, typer.Option(help="further folder with models of an SDF world; repeatable")
     ] = None,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
@@ -199,13 +207,14 @@ def import_scene_file(
             progress.update(task, description=f"reading {message:43.43}")
 
         report = import_scene(
-            file,
+            files,
             scene_id,
             suites=suites_root(),
             packs=packs_root(),
             scale=scale,
             without=without or [],
             meshes=mesh or [],
+            resources=resources or [],
             replace=replace,
             progress=step,
         )
@@ -217,8 +226,9 @@ def import_scene_file(
         f"{report['actors']} actors, {report['lights']} lights, {report['assets']} assets (pack {report['pack']}, "
         f"licence {report['license']}): {report['level']}"
     )
-    for reason, names in grouped(report["skipped"], "reason", "name").items():
-        say(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
+    if report["skipped"]:
+        kinds = ", ".join(f"{kind} ({count})" for kind, count in report["skipped_kinds"].items())
+        say(f"skipped {len(report['skipped'])}: {kinds}; each by name in {suites_root() / scene_id / 'import.json'}")
     if any("mesh" in row["reason"] and row["reason"].endswith("is missing") for row in report["skipped"]):
         say(
             "a missing mesh can be read from a part of another file: see --mesh; "

@@ -19,7 +19,7 @@ SDF, TREE, TABLE = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",)
 
 
 def import_scene(
-    source: Path,
+    source: Path | Sequence[Path],
     suite_id: str,
     *,
     suites: Path,
@@ -27,19 +27,21 @@ def import_scene(
     scale: float = 1.0,
     without: Sequence[str] = (),
     meshes: Sequence[str] = (),
+    resources: Sequence[Path] = (),
     replace: bool = False,
     progress: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
     """Bring a scene file in as pack ``suite_id`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
     Args:
-        source: SDF world, glTF/GLB/DAE node tree, or placement table.
+        source: SDF world, glTF/GLB/DAE node tree, or placement table; several SDF worlds join into one scene.
         suite_id: id of the pack and name of the folder; a suite with cases of this name is not touched.
         suites: where suites lie.
         packs: where packs lie.
         scale: metres per unit; SDF is metres by definition.
         without: patterns of actors that are left out.
         meshes: ``NAME=FILE`` or ``NAME=FILE#PART,PART``: meshes of an SDF world that are read from another file.
+        resources: further folders in which an SDF world's models are looked for.
         replace: put the scene and its pack in the place of others of this name.
         progress: told what is being read.
 
@@ -47,10 +49,19 @@ def import_scene(
         BadInput: an unknown kind of file, a bad id, a file that is wrong as a whole, or nothing that can be placed.
     """
     place_in(suites, checked_id(suite_id, "pack"), "scene")
-    check_written(source)
-    kind = source.suffix.lower()
-    if not source.is_file():
-        raise BadInput("no such file", where=str(source))
+    sources = [source] if isinstance(source, Path) else list(source)
+    for path in sources:
+        check_written(path)
+        if not path.is_file():
+            raise BadInput("no such file", where=str(path))
+    source, kind = sources[0], sources[0].suffix.lower()
+    if len(sources) > 1 and not all(path.suffix.lower() in SDF for path in sources):
+        raise BadInput("only SDF worlds join into one scene", where=str(sources[1]))
+    for folder in resources:
+        if not folder.is_dir():
+            raise BadInput("no such folder", where=f"--resources {folder}")
+    if resources and kind not in SDF:
+        raise BadInput("only an SDF world has models in other folders", where=f"--resources {resources[0]}")
     if not np.isfinite(scale) or not 1e-6 <= scale <= 1e6:
         raise BadInput("the scale must be a positive number", where=f"--scale {scale}")
     if (suites / suite_id / "suite.json").exists():
@@ -61,7 +72,7 @@ def import_scene(
     if kind in SDF:
         if scale != 1.0:
             raise BadInput("SDF is in metres", where=f"--scale {scale}", todo="leave --scale out")
-        scene, folder = read_sdf(source, progress, _replacements(meshes)), scene_root(source)
+        scene, folder = read_sdf(sources, progress, _replacements(meshes), resources), scene_root(source)
     elif kind in TREE:
         scene = read_tree(source, scale=scale)
     elif kind in TABLE:

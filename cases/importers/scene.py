@@ -98,15 +98,23 @@ class ImportedScene:
     skipped: list[dict[str, str]] = field(default_factory=list)
     notes: list[dict[str, str]] = field(default_factory=list)
 
-    def skip(self, name: str, reason: str) -> None:
-        """Record that something of the source is left out."""
-        self.skipped.append({"name": name, "reason": reason})
+    def skip(self, name: str, reason: str, kind: str = "") -> None:
+        """Record that something of the source is left out; what has one ``kind`` is told together.
+
+        Without one it is the reason, its quoted names left out.
+        """
+        self.skipped.append({"name": name, "reason": reason, "kind": _kind(kind or reason)})
 
     def note(self, name: str, text: str) -> None:
         """Record something about what was read, once."""
         row = {"name": name, "note": text}
         if row not in self.notes:
             self.notes.append(row)
+
+
+def _kind(reason: str) -> str:
+    """A reason without what it says of one thing alone: quoted names, what stands in brackets or behind a colon."""
+    return " ".join(re.sub(r"'[^']*'|\([^)]*\)|: .*", " ", reason).split()) or reason
 
 
 def place(matrix: Matrix) -> tuple[Transform, bool]:
@@ -216,6 +224,7 @@ def write_scene(
         "assets": len(pack.assets),
         "left_out": len(scene.actors) - len(kept),
         "skipped": scene.skipped,
+        "skipped_kinds": dict(Counter(row["kind"] for row in scene.skipped).most_common()),
         "notes": scene.notes,
         "proposed_scale": proposed,
         "sha256": level.sha256(),

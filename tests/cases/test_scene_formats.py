@@ -95,7 +95,7 @@ def test_every_geometry_has_its_size_and_its_body(tmp_path: Path) -> None:
             f"<collision name='c'><geometry><{kind}>{text}</{kind}></geometry></collision></link></model>"
             for kind, (text, _) in shapes.items()
         )
-        + "<model name='odd'><link name='l'><visual name='v'><geometry><heightmap/></geometry></visual></link></model>",
+        + "<model name='odd'><link name='l'><visual name='v'><geometry><image/></geometry></visual></link></model>",
     )
     store = PackStore([tmp_path / "packs" / "a"])
     placed = actors_of(report)
@@ -104,7 +104,7 @@ def test_every_geometry_has_its_size_and_its_body(tmp_path: Path) -> None:
         assert asset is not None and asset.size_m == pytest.approx(size, rel=0.03, abs=0.01), kind
         assert asset.collision_source == "authored", kind
         assert asset.collision[0].kind == {"sphere": "sphere", "capsule": "capsule"}.get(kind, "hull")
-    assert "heightmap" in report["skipped"][0]["reason"]
+    assert "<image>" in report["skipped"][0]["reason"]
 
 
 def test_parts_of_meshes_scripts_transparency_state_and_lights(tmp_path: Path) -> None:
