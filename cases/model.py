@@ -111,3 +111,5 @@ class SuiteDefinition:
     packs: Sequence[str]
     scenes: Sequence[SourceScene]
     cases: Sequence[RepairCase | TextCase]
+    most: int | None = None
+    """Of each scene so many repairs are kept, the first good ones (``cases.sifting``); every case when left out."""

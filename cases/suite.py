@@ -12,6 +12,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,7 @@ from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, Wit
 from cases import exports
 from cases.audit import audit, check_blind
 from cases.binding import freeze_binding
-from cases.boxes import boxes_of
+from cases.boxes import Boxes, boxes_of
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
@@ -33,6 +34,7 @@ from cases.natural import lived_in, plans_of, rebased, settled_spawns
 from cases.prompts import repair_prompt, text_prompt
 from cases.requirements import bundle
 from cases.settle import to_build
+from cases.sifting import Candidate, Refusal, sifted, summed
 from cases.standing import settled
 from cases.veil import Veil
 from cases.views import cameras_record, changed, targets_record
@@ -69,6 +71,7 @@ def definition_digest(definition: SuiteDefinition, packs: Sequence[PackRef]) -> 
                 for scene in definition.scenes
             ],
             "cases": [_case_digest(case) for case in definition.cases],
+            **({} if definition.most is None else {"most": definition.most}),
         }
     )
 
@@ -111,11 +114,23 @@ def build_suite(
         builder = _Builder(definition, folder, packs, packs_root, Veil(wanted), progress)
         with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
             list(pool.map(builder.scene, definition.scenes))
+        if definition.most is not None and len(builder.refused) == len(definition.cases):
+            raise BadInput(
+                f"none of {len(definition.cases)} made cases is a good one: {summed(builder.refused)}",
+                where=f"{builder.refused[0].case_id}: {builder.refused[0].reason}",
+                todo="give another --seed, or fewer --changes",
+            )
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
-        write_json(folder.root / STAMP, {"definition": wanted})
+        refused = [one.plain() for one in builder.refused]
+        write_json(folder.root / STAMP, {"definition": wanted, **({"refused": refused} if refused else {})})
         put_folder(folder.root, root, marker=SUITE)
     return suite
+
+
+def refused_cases(root: Path) -> list[Refusal]:
+    """The made cases that were refused when the suite at ``root`` was built."""
+    return [Refusal(**row) for row in read_json(root / STAMP).get("refused", [])]
 
 
 class _Builder:
@@ -134,6 +149,8 @@ class _Builder:
         self.packs_root, self.veil, self.progress = packs_root, veil, progress
         self.operations: dict[str, list[Operation]] = {}
         """Of each repair, as they were made."""
+        self.refused: list[Refusal] = []
+        """Repairs that are not taken where only so many are kept."""
 
     def scene(self, scene: SourceScene) -> None:
         """Write every case of a scene."""
@@ -151,6 +168,12 @@ class _Builder:
         corrupted: dict[str, Level] = {}
         if repairs:
             truth, corrupted = self._damaged(scene, truth, repairs, assets)
+        if self.definition.most is not None:
+            corrupted = self._sifted(repairs, truth, corrupted, folders, boxes_of(assets.values()))
+            repairs = [case for case in repairs if case.case_id in corrupted]
+            cases = [case for case in cases if isinstance(case, TextCase) or case.case_id in corrupted]
+            if not cases:
+                return
         views = {case.case_id: list(case.views) for case in repairs}
         with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
             known = boxes_of(assets.values())
@@ -171,21 +194,51 @@ class _Builder:
         packs = [self.packs_root / pack_id for pack_id in scene.packs]
         plans = plans_of([operation for case in repairs for operation in case.operations], authored)
         original = settled(authored, lived_in(authored, boxes, chance, plans), packs)
-        damaged = [original]
+        damaged, usable = [original], list[RepairCase]()
         for case in repairs:
             operations = rebased(case.operations, authored, original, chance)
             put = [operation.stable_id for operation in operations if isinstance(operation, SpawnActor)]
             package = self.veil.start_map(case.case_id)
             corrupted = lived_in(apply(original, operations, package), boxes, chance, only=put)
             operations = settled_spawns(operations, corrupted)
-            check_repair(case, operations, original, corrupted)
+            try:
+                check_repair(case, operations, original, corrupted)
+            except BadInput as error:
+                if self.definition.most is None:
+                    raise
+                self.refused.append(Refusal(case.case_id, error.what))
+                continue
             damaged.append(corrupted)
+            usable.append(case)
             self.operations[case.case_id] = operations
         truth, *veiled = self.veil.scene(scene.scene_id, damaged)
-        for case, level in zip(repairs, veiled, strict=True):
+        for case, level in zip(usable, veiled, strict=True):
             told = self.veil.operations(scene.scene_id, self.operations[case.case_id], level)
             self.operations[case.case_id] = told
-        return truth, {case.case_id: level for case, level in zip(repairs, veiled, strict=True)}
+        return truth, {case.case_id: level for case, level in zip(usable, veiled, strict=True)}
+
+    def _sifted(
+        self,
+        repairs: Sequence[RepairCase],
+        truth: Level,
+        corrupted: dict[str, Level],
+        folders: list[Path],
+        boxes: Boxes,
+    ) -> dict[str, Level]:
+        """The corrupted levels of the first good cases, as many as are wanted."""
+        settings = {case.case_id: case.setting for case in repairs}
+        with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
+            levels = {"": truth, **corrupted}
+            with closing(exports.snapshots(folders, levels, Path(scratch))) as exported:
+                original = next(exported)[1]
+                candidates = (
+                    Candidate(case_id, settings[case_id], corrupted[case_id], snapshot, original)
+                    for case_id, snapshot in exported
+                )
+                most = self.definition.most or len(repairs)
+                good, refused = sifted(candidates, boxes, most, self.progress)
+        self.refused += refused
+        return {case_id: corrupted[case_id] for case_id in good}
 
     def _pack(self, pack_id: str) -> Pack:
         if pack_id not in self.packs:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Annotated
 
 import typer
@@ -253,12 +255,17 @@ def make_cases(
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original."""
+    """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original.
+
+    A case whose own truth loses points, or that can be repaired without a look at a picture, is refused with the number
+    and another takes its place.
+    """
     import dataclasses
 
     from cases.generate import generated, sound_things
     from cases.importers.scene import imported_scene
-    from cases.suite import build_suite
+    from cases.sifting import summed
+    from cases.suite import build_suite, refused_cases
 
     if suite_id is not None and checked_id(suite_id, "suite") == checked_name(scene, "scene"):
         raise BadInput("the suite cannot have the scene's own id", where=f"--id {scene}")
@@ -286,12 +293,19 @@ def make_cases(
         suite = build_suite(
             definition, place_in(suites_root(), definition.suite_id, "suite"), packs_root(), step, replace=replace
         )
-    _tell(suite, suites_root() / suite.suite_id, json_output)
-
-
-def _tell(suite: Suite, root: Path, json_output: bool) -> None:
+    refused = refused_cases(suites_root() / suite.suite_id)
+    _tell(suite, suites_root() / suite.suite_id, json_output, {"refused": [one.plain() for one in refused]})
     if json_output:
-        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root)})
+        return
+    if refused:
+        say(f"refused {len(refused)} others: {summed(refused)}; for one, {refused[0].case_id}: {refused[0].reason}")
+    if len(suite.cases) < count:
+        say(f"{len(suite.cases)} of the {count} cases that were asked for: give another --seed or fewer --changes")
+
+
+def _tell(suite: Suite, root: Path, json_output: bool, more: Mapping[str, object] = MappingProxyType({})) -> None:
+    if json_output:
+        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root), **more})
         return
     folder = SuiteFolder(root)
     print_table(

@@ -1,0 +1,112 @@
+"""Which of many made cases are good ones: their truth loses nothing, and no guess without a picture repairs anything.
+
+A case that is made by chance may have a truth that its own scene costs points for (a chair that stands in a table's leg
+as its maker left it), and a change that stands out in the scene's numbers. Such a case is refused with the number, and
+another is taken in its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from c4s.protocol.settings import Setting
+from c4s.records.level import Level
+from c4s.verify.physics.verdict import verify_physics
+from c4s.verify.repair import repair_verdict
+from cases.audit import audit_repair
+from cases.boxes import Boxes
+
+WHOLE = 1.0 - 1e-9
+MOST_ACTORS_TOLD = 4
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """A made case that is not taken, and why."""
+
+    case_id: str
+    reason: str
+
+    def plain(self) -> dict[str, str]:
+        """As a row of a report."""
+        return {"case_id": self.case_id, "reason": self.reason}
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A made case before its pictures: its levels and what a clean engine exports of them."""
+
+    case_id: str
+    setting: Setting
+    start: Level
+    input_snapshot: Mapping[str, Any]
+    truth_snapshot: Mapping[str, Any]
+
+
+def fault_of(case: Candidate, boxes: Boxes) -> str | None:
+    """Why a case is not a good one, with the number.
+
+    ``None`` where its truth scores fully and it gives nothing away.
+    """
+    told = lost_physics(case.setting, case.truth_snapshot, case.input_snapshot)
+    if told is not None:
+        return told
+    repair = repair_verdict(case.input_snapshot, case.truth_snapshot, case.truth_snapshot)
+    if (repair.score or 0.0) < WHOLE:
+        return f"its truth has a Repair F1 of {repair.score or 0.0:.3f}"
+    way, f1 = audit_repair(case.case_id, case.start, case.input_snapshot, case.truth_snapshot, boxes).best
+    if f1 > 0:
+        return f"{way!r} repairs it without a look at a picture (F1 {f1:.2f})"
+    return None
+
+
+def lost_physics(setting: Setting, truth: Mapping[str, Any], start: Mapping[str, Any] | None) -> str | None:
+    """What a truth loses to physics, with its score and the actors that lose it; ``None`` where it loses nothing."""
+    verdict = verify_physics(setting, truth, start)
+    if verdict.score is not None and verdict.score >= WHOLE:
+        return None
+    score = "not measured" if verdict.score is None else f"{verdict.score:.3f}"
+    reasons = list(_reasons(verdict.measurements)) or [verdict.status]
+    more = f" and {len(reasons) - MOST_ACTORS_TOLD} more" if len(reasons) > MOST_ACTORS_TOLD else ""
+    return f"its truth has a physics score of {score}: {'; '.join(reasons[:MOST_ACTORS_TOLD])}{more}"
+
+
+def _reasons(measurements: Mapping[str, Any]) -> Iterator[str]:
+    leaves = {leaf["leaf_id"]: leaf for leaf in measurements.get("leaf_results", [])}
+    for leaf in leaves.values():
+        for name in leaf.get("floating_actors", []):
+            yield f"{name} stands on nothing"
+        for name in leaf.get("unresolved_actors", []):
+            yield f"{name} cannot be told to stand"
+    for row in leaves.get("solid_penetration", {}).get("actors", []):
+        if row["state"] != "clean":
+            deep = max(row.get("contacts", []), key=lambda contact: contact["depth_cm"], default=None)
+            yield f"{row['actor']} sinks " + (f"{deep['depth_cm']:.1f} cm into {deep['actor']}" if deep else "in")
+
+
+def sifted(
+    candidates: Iterator[Candidate], boxes: Boxes, most: int, progress: Callable[[str], None]
+) -> tuple[list[str], list[Refusal]]:
+    """The first ``most`` good ones, by id, and those that were refused before that many were found."""
+    good, refused = list[str](), list[Refusal]()
+    for case in candidates:
+        reason = fault_of(case, boxes)
+        if reason is None:
+            good.append(case.case_id)
+        else:
+            refused.append(Refusal(case.case_id, reason))
+            progress(f"  {case.case_id} is refused: {reason}")
+        if len(good) == most:
+            break
+    return good, refused
+
+
+def summed(refused: Sequence[Refusal]) -> str:
+    """What was refused in one line: how many for which reason."""
+    physics = sum("physics" in one.reason for one in refused)
+    blind = sum("without a look" in one.reason for one in refused)
+    rest = len(refused) - physics - blind
+    told = [(physics, "lose physics"), (blind, "can be guessed"), (rest, "cannot be repaired fully")]
+    return ", ".join(f"{count} {what}" for count, what in told if count)
