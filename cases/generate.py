@@ -21,7 +21,7 @@ from c4s.records.pack import Pack
 from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, Kind
 from cases.model import CaseView, Group, RepairCase, SourceScene, SuiteDefinition
 from cases.natural import LARGEST_CM
-from cases.standing import snapshot_of, unsound
+from cases.standing import snapshot_of, unscored, unsound
 from cases.views import orbit
 
 KINDS: tuple[Kind, ...] = ("removal", "move", "rotate", "rescale", "insertion", "duplication", "replacement", "mirror")
@@ -125,12 +125,12 @@ def generated(
 
 
 def sound_things(level: Level, packs: Sequence[Path]) -> list[SoundThing]:
-    """Static mesh actors of a handy size that are supported and sink into nothing, by name.
+    """Static mesh actors of a handy size that are solid, are supported and sink into nothing, by name.
 
     Raises ``MachineryFault`` when the engine cannot export the scene.
     """
     snapshot = snapshot_of(level, packs)
-    bad = unsound(snapshot)
+    bad = unsound(snapshot) | unscored(snapshot)
     known = {actor.name: actor for actor in level.actors if actor.class_path == STATIC_MESH_ACTOR}
     boxes = {
         actor["name"]: (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"], actor.get("label"))

@@ -182,7 +182,8 @@ def import_scene_file(
     files: Annotated[
         list[Path],
         typer.Argument(
-            help="SDF world (several join), glTF/GLB/DAE node tree, or placement table (CSV)", metavar="FILE..."
+            help="SDF world (several join), glTF/GLB/DAE node tree, Blender file, or placement table (CSV)",
+            metavar="FILE...",
         ),
     ],
     scene_id: Annotated[str, typer.Option("--id", help="id of the scene: its pack and its folder under the suites")],
@@ -195,6 +196,7 @@ def import_scene_file(
     resources: Annotated[
         list[Path] | None, typer.Option(help="further folder with models of an SDF world; repeatable")
     ] = None,
+    ground: Annotated[bool, typer.Option("--ground", help="lay a flat ground under a scene that has none")] = False,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
@@ -217,6 +219,7 @@ def import_scene_file(
             without=without or [],
             meshes=mesh or [],
             resources=resources or [],
+            ground=ground,
             replace=replace,
             progress=step,
         )

@@ -10,12 +10,13 @@ import numpy as np
 
 from c4s.errors import BadInput
 from c4s.names import check_written, checked_id, place_in
+from cases.importers.blend import read_blend
 from cases.importers.gltf import read_tree
 from cases.importers.scene import ImportedScene, write_scene
 from cases.importers.sdf import read_sdf, scene_root
 from cases.importers.table import read_table
 
-SDF, TREE, TABLE = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",)
+SDF, TREE, TABLE, BLEND = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",), (".blend",)
 
 
 def import_scene(
@@ -28,13 +29,14 @@ def import_scene(
     without: Sequence[str] = (),
     meshes: Sequence[str] = (),
     resources: Sequence[Path] = (),
+    ground: bool = False,
     replace: bool = False,
     progress: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
     """Bring a scene file in as pack ``suite_id`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
     Args:
-        source: SDF world, glTF/GLB/DAE node tree, or placement table; several SDF worlds join into one scene.
+        source: SDF world, glTF/GLB/DAE node tree, Blender file, or placement table; several SDF worlds join.
         suite_id: id of the pack and name of the folder; a suite with cases of this name is not touched.
         suites: where suites lie.
         packs: where packs lie.
@@ -42,6 +44,7 @@ def import_scene(
         without: patterns of actors that are left out.
         meshes: ``NAME=FILE`` or ``NAME=FILE#PART,PART``: meshes of an SDF world that are read from another file.
         resources: further folders in which an SDF world's models are looked for.
+        ground: lay a flat ground under all of it: tiles and islands stand on nothing else.
         replace: put the scene and its pack in the place of others of this name.
         progress: told what is being read.
 
@@ -75,13 +78,15 @@ def import_scene(
         scene, folder = read_sdf(sources, progress, _replacements(meshes), resources), scene_root(source)
     elif kind in TREE:
         scene = read_tree(source, scale=scale)
+    elif kind in BLEND:
+        scene = read_blend(source, scale=scale)
     elif kind in TABLE:
         scene = read_table(source, scale=scale)
     else:
         raise BadInput(
             f"no importer for {kind or 'this file'}",
             where=str(source),
-            todo=f"it reads {', '.join(SDF + TREE + TABLE)}",
+            todo=f"it reads {', '.join(SDF + TREE + TABLE + BLEND)}",
         )
     return write_scene(
         scene,
@@ -92,6 +97,7 @@ def import_scene(
         packs=packs,
         without=without,
         scale=scale,
+        ground=ground,
         replace=replace,
     )
 

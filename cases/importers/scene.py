@@ -24,15 +24,18 @@ from c4s.records.pack import CollisionBody
 from c4s.records.suite import IMPORTED_SCENE
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
 from catalog.ingest.colours import colours_of
-from catalog.ingest.hulls import bodies
+from catalog.ingest.hulls import bodies, hull
 from catalog.ingest.licence import licence
-from catalog.ingest.surface import SourcePart
+from catalog.ingest.surface import SourcePart, Surface
 from catalog.ingest.units import check_units, words
 from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.ingest.writer import PackWriter, identifier
 
 Matrix = NDArray[np.float64]
 REPORT = "import.json"
+GROUND, GROUND_BEYOND_CM, GROUND_CM, GROUND_COLOR = "c4s|ground", 400.0, 4.0, (0.23, 0.24, 0.2)
+GROUND_GAP_CM = 0.2
+"""What stands on a ground that was laid stands so far above it: what sinks by a rounding error counts as floating."""
 
 
 @dataclass
@@ -132,6 +135,24 @@ def place(matrix: Matrix) -> tuple[Transform, bool]:
     return Transform(location_cm=place[0], rotation_deg=place[1], scale=place[2]), sheared
 
 
+def under(scene: ImportedScene, kept: Sequence[SceneActor]) -> tuple[SceneAsset, SceneActor]:
+    """A flat ground under all actors and a little beyond, its pivot in its upper face."""
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    for actor in kept:
+        for part in scene.assets[actor.asset].parts:
+            points = part.vertices @ actor.matrix[:3, :3].T + actor.matrix[:3, 3]
+            low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
+    middle, half = (low + high) / 2, (high - low) / 2 + GROUND_BEYOND_CM
+    corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) * half
+    up = np.tile([0.0, 0.0, 1.0], (4, 1))
+    faces = np.array([[0, 2, 1], [0, 3, 2]])
+    part = SourcePart("ground", Surface("ground", GROUND_COLOR, roughness=1.0), corners, faces, up, np.zeros((4, 2)))
+    place = np.eye(4)
+    place[:3, 3] = (*middle[:2], low[2] - GROUND_GAP_CM)
+    body = hull(np.concatenate([corners, corners - [0, 0, GROUND_CM]]))
+    return SceneAsset("ground", [part], [body]), SceneActor("Ground", GROUND, place)
+
+
 def short_names(names: Iterable[str]) -> dict[str, str]:
     """Names without the words that all begin with and without the numbers that all end with."""
     every = sorted(set(names))
@@ -156,19 +177,23 @@ def write_scene(
     packs: Path,
     without: Sequence[str] = (),
     scale: float = 1.0,
+    ground: bool = False,
     replace: bool = False,
 ) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
     ``without`` are patterns of actors' paths that are left out (a roof, say); ``scale`` is the factor that was applied,
-    in units of which another is proposed. The report is written beside the level
-    as ``import.json``. Raises ``BadInput`` when no actor is left; without ``replace`` also where another scene or pack
-    of this name is there.
+    in units of which another is proposed; ``ground`` lays a plate under all of it. The report is written beside the
+    level as ``import.json``. Raises ``BadInput`` when no actor is left; without ``replace`` also where another scene or
+    pack of this name is there.
     """
     kept = [actor for actor in scene.actors if not any(fnmatch(actor.path, pattern) for pattern in without)]
     if not kept:
         reason = f"; {scene.skipped[0]['name']}: {scene.skipped[0]['reason']}" if scene.skipped else ""
         raise BadInput(f"no actor of this scene can be placed{reason}", where=str(source))
+    if ground:
+        scene.assets[GROUND], actor = under(scene, kept)
+        kept.append(actor)
     count = Counter(actor.asset for actor in kept)
     licence_id, text = licence(license_folder)
     if licence_id == "unknown":

@@ -9,6 +9,7 @@ or link; its collision elements are its bodies. Several worlds join into one sce
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -256,13 +257,13 @@ class _Reader:
         self.scene.actors.append(SceneActor(path, key, to_unreal(matrix), not static))
 
     def _asset(self, path: str, name: str, links: Sequence[Link]) -> SceneAsset:
-        asset, lost = SceneAsset(name, []), list[str]()
+        asset, lost = SceneAsset(name, []), Counter[str]()
         for link in links:
             for visual in link.element.findall("visual"):
                 try:
                     parts, notes = self.shapes.visual(visual, link.matrix @ link.within(visual))
                 except BadInput as error:
-                    lost.append(f"visual {visual.get('name')} is left out: {error.line()}")
+                    lost[f"left out of what is seen: {error.line()}"] += 1
                     continue
                 asset.parts += parts
                 for text in notes:
@@ -271,11 +272,11 @@ class _Reader:
                 try:
                     asset.collision += self.shapes.collision(collision, link.matrix @ link.within(collision))
                 except BadInput as error:
-                    lost.append(f"collision {collision.get('name')} is left out: {error.line()}")
+                    lost[f"left out of what can be touched: {error.line()}"] += 1
         if not asset.parts:
-            raise BadInput(lost[0].partition(": ")[2] if lost else "it has nothing to see")
-        for text in lost:
-            self.scene.note(path, text)
+            raise BadInput(next(iter(lost)).partition(": ")[2] if lost else "it has nothing to see")
+        for text, count in lost.items():
+            self.scene.note(path, f"{count} {text}")
         return asset
 
     def _road(self, element: Element, name: str, scope: Scope) -> None:

@@ -123,7 +123,7 @@ def test_importing_twice_gives_the_same_level(world: Path, tmp_path: Path) -> No
         ("a.world", "<sdf><world>", "not valid XML"),
         ("a.world", "<robot/>", "no SDF world"),
         ("a.world", "<!DOCTYPE a [<!ENTITY b 'c'>]><sdf/>", "no entities"),
-        ("a.blend", "", "no importer"),
+        ("a.max", "", "no importer"),
         ("a.csv", "actor,asset\na,b\n", "no column 'grid_x'"),
         ("a.glb", "glTF", "cannot read"),
         ("a.world", "<sdf><world name='w'/></sdf>", "no actor"),
