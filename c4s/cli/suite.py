@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from c4s.cli import requirements
+from c4s.cli.hulls import Hulls, HullsOf
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
@@ -185,6 +186,8 @@ def import_scene_file(
         list[str] | None,
         typer.Option(help="NAME=FILE#PART: read a mesh that an SDF world names from another file; repeatable"),
     ] = None,
+    hulls: Hulls = "auto",
+    hulls_of: HullsOf = None,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
@@ -206,6 +209,8 @@ def import_scene_file(
             scale=scale,
             without=without or [],
             meshes=mesh or [],
+            hulls=hulls,
+            hulls_of=hulls_of or (),
             replace=replace,
             progress=step,
         )

@@ -14,6 +14,7 @@ from cases.importers.gltf import read_tree
 from cases.importers.scene import ImportedScene, write_scene
 from cases.importers.sdf import read_sdf, scene_root
 from cases.importers.table import read_table
+from catalog.ingest.collision import How, HullChoice
 
 SDF, TREE, TABLE = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",)
 
@@ -27,6 +28,8 @@ def import_scene(
     scale: float = 1.0,
     without: Sequence[str] = (),
     meshes: Sequence[str] = (),
+    hulls: How = "auto",
+    hulls_of: Sequence[str] = (),
     replace: bool = False,
     progress: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
@@ -40,6 +43,8 @@ def import_scene(
         scale: metres per unit; SDF is metres by definition.
         without: patterns of actors that are left out.
         meshes: ``NAME=FILE`` or ``NAME=FILE#PART,PART``: meshes of an SDF world that are read from another file.
+        hulls: how collision is made where the scene states none; ``auto`` also where what it states is far from the mesh.
+        hulls_of: other choices for some things, as ``bench*=decompose``, by the name of their mesh; the last that fits.
         replace: put the scene and its pack in the place of others of this name.
         progress: told what is being read.
 
@@ -57,6 +62,7 @@ def import_scene(
         raise BadInput("a suite of this name exists", where=suite_id, todo="choose another --id")
     if meshes and kind not in SDF:
         raise BadInput("only meshes of an SDF world can be read from another file", where=f"--mesh {meshes[0]}")
+    choice = HullChoice.parse(hulls, hulls_of)
     folder, scene = source.parent, ImportedScene()
     if kind in SDF:
         if scale != 1.0:
@@ -81,6 +87,7 @@ def import_scene(
         packs=packs,
         without=without,
         scale=scale,
+        hulls=choice,
         replace=replace,
     )
 

@@ -23,8 +23,9 @@ from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.pack import CollisionBody
 from c4s.records.suite import IMPORTED_SCENE
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
+from cases.importers.collision import scene_collision
 from catalog.ingest.colours import colours_of
-from catalog.ingest.hulls import bodies
+from catalog.ingest.collision import HullChoice
 from catalog.ingest.licence import licence
 from catalog.ingest.surface import SourcePart
 from catalog.ingest.units import check_units, words
@@ -148,6 +149,7 @@ def write_scene(
     packs: Path,
     without: Sequence[str] = (),
     scale: float = 1.0,
+    hulls: HullChoice = HullChoice(),
     replace: bool = False,
 ) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
@@ -169,18 +171,18 @@ def write_scene(
         paths, shown = {}, short_names(scene.assets[key].name for key in count)
         for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
             asset = scene.assets[key]
-            solid = asset.collision or list(
-                bodies([(part.node, part.vertices, part.faces) for part in asset.parts], "piece")
-            )
+            own = scene_collision(asset.parts, asset.collision, hulls.how(asset.name))
+            for text in own.notes:
+                scene.note(asset.name, text)
             name = shown[asset.name]
             record = writer.add(
                 name,
                 asset.parts,
-                solid,
+                own.bodies,
                 category=kind_of(name) or (words(name) or ["props"])[-1],
                 readable=readable(name),
                 tags=search_words(name),
-                source="authored" if asset.collision else "hull",
+                source=own.source,
                 description=f"{readable(name)}; {', '.join(colours_of(asset.parts))}; {count[key]} in the scene",
             )
             paths[key] = record.path

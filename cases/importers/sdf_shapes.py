@@ -16,7 +16,8 @@ from c4s.records.pack import CapsuleBody, CollisionBody, SphereBody
 from cases.importers.sdf_frames import Matrix, numbers, pose
 from cases.importers.sdf_materials import SdfMaterials
 from cases.importers.sdf_solids import solid
-from catalog.ingest.hulls import bodies, hull
+from catalog.ingest.collision import made_bodies
+from catalog.ingest.hulls import hull
 from catalog.ingest.resolver import FolderResolver
 from catalog.ingest.source import GLTF, read_source
 from catalog.ingest.surface import Source, SourcePart, Surface
@@ -63,7 +64,7 @@ class SdfShapes:
         return [_moved(part, matrix, surface, repeat) for part in parts], notes
 
     def collision(self, element: Element, frame: Matrix) -> list[CollisionBody]:
-        """Bodies of a collision element placed in ``frame``: hulls, a hull a connected piece of a mesh."""
+        """Bodies of a collision element placed in ``frame``: of a mesh the solid parts and panels that it tells."""
         geometry = element.find("geometry")
         if geometry is None or not len(geometry):
             return []
@@ -82,7 +83,7 @@ class SdfShapes:
             return [hull(_moved(solid(geometry[0]), matrix, None, 1.0).vertices)]
         found, factors, _ = self._mesh(geometry[0])
         parts = [_moved(part, matrix @ np.diag([*factors, 1.0]), None, 1.0) for part in found]
-        return list(bodies([(part.node, part.vertices, part.faces) for part in parts], "piece"))
+        return made_bodies(parts, "auto")[0]
 
     def _mesh(self, element: Element) -> tuple[list[SourcePart], list[float], list[str]]:
         """Parts of a mesh element (of its submesh, if it names one), its scale factors, and notes."""

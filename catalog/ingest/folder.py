@@ -89,7 +89,7 @@ def ingest(
     scale: float = 1.0,
     title: str | None = None,
     up: Up | None = None,
-    hulls: How = "asset",
+    hulls: How = "auto",
     hulls_of: Sequence[str] = (),
     replace: bool = False,
     progress: Callable[[int, int, str], None] | None = None,
