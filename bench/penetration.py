@@ -1,10 +1,10 @@
 """False penetrations in scenes that people made: what the physics verifier says against the triangles themselves.
 
-``python -m bench.penetration FILE[,FILE...] [--hulls HOW ...] [--home FOLDER] [--misses] [--json]`` imports each scene file (SDF
-world, node tree, placement table) once with each way of making collision and prints a row for each; ``--home``
-measures the scenes that were imported into that ``C4S_HOME`` instead. An actor penetrates falsely when the verifier
-says that it sinks into others by more than its tolerance, and its triangles truly do so into none of them
-(``bench/mesh_truth.py``, which knows nothing of collision bodies). A pair is missed when the triangles do and the verifier says nothing.
+``python -m bench.penetration FILE ... [--hulls HOW ...] [--misses] [--json]`` imports each scene file (SDF world, node
+tree, placement table) with each way of making collision and prints a row for each; ``--home FOLDER`` measures the
+scenes that were imported into that ``C4S_HOME``. An actor penetrates falsely when the verifier says that it sinks into
+others by more than its tolerance, and its triangles truly do so into none of them (``bench/mesh_truth.py``, which knows
+nothing of collision bodies). With ``--misses`` pairs are counted whose triangles do and of which it says nothing.
 """
 
 from __future__ import annotations
@@ -12,13 +12,12 @@ from __future__ import annotations
 import argparse
 import copy
 import json
-import sys
 import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import shapely
@@ -27,7 +26,9 @@ from bench.mesh_truth import Triangles, penetrates, world_triangles
 from c4s.packs.store import PackStore
 from c4s.records.level import Level
 from c4s.verify.physics.verdict import verify_physics
+from cases.importers.importing import import_scene
 from cases.standing import ASIDE_CM, snapshot_of
+from catalog.ingest.collision import How
 
 TOLERANCE_CM = 5.0
 
@@ -132,3 +133,42 @@ def of_home(home: Path, *, misses: bool = False) -> list[Found]:
         )
         for path in sorted((home / "suites").glob("*/scene.level.json"))
     ]
+
+
+def of_file(file: Path, hulls: How, *, misses: bool = False) -> Found:
+    """A scene file, imported with one way of making collision."""
+    with tempfile.TemporaryDirectory(prefix="c4s-penetration-") as scratch:
+        home, begin = Path(scratch), time.perf_counter()
+        report = import_scene(file, "scene", suites=home / "suites", packs=home / "packs", hulls=hulls)
+        spent = time.perf_counter() - begin
+        found = measured(Level.read(Path(report["level"])), [home / "packs" / "scene"], misses=misses)
+    return Found(scene=file.stem, hulls=hulls, import_s=round(spent, 1), **found)
+
+
+def main() -> None:
+    """Command line of the benchmark."""
+    parser = argparse.ArgumentParser(prog="python -m bench.penetration", description=__doc__)
+    parser.add_argument("files", nargs="*", type=Path, metavar="FILE")
+    parser.add_argument("--hulls", action="append", choices=get_args(How), help="repeatable; asset, piece and auto")
+    parser.add_argument("--home", type=Path, help="measure the scenes imported there")
+    parser.add_argument("--misses", action="store_true", help="count what the verifier misses too")
+    parser.add_argument("--json", action="store_true", help="all of it, each false actor with its contacts")
+    given = parser.parse_args()
+    rows = of_home(given.home, misses=given.misses) if given.home else []
+    for file in given.files:
+        rows += [of_file(file, how, misses=given.misses) for how in given.hulls or ("asset", "piece", "auto")]
+    if given.json:
+        print(json.dumps([asdict(row) for row in rows], indent=1))
+        return
+    titles = ("actors", "bodies", "said", "false", "rate", "missed", "import s")
+    print(f"{'scene':28} {'hulls':12} " + " ".join(f"{title:>{max(7, len(title))}}" for title in titles))
+    for row in rows:
+        missed = "-" if row.missed is None else row.missed
+        print(
+            f"{row.scene:28.28} {row.hulls:12} {row.actors:7} {row.bodies:7} {row.said:7} {row.false:7} "
+            f"{row.rate:7.1%} {missed:>7} {row.import_s:8.1f}"
+        )
+
+
+if __name__ == "__main__":
+    main()

@@ -28,6 +28,7 @@ from cases.binding import freeze_binding
 from cases.boxes import boxes_of
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
+from cases.losses import told, truth_losses
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.natural import lived_in, plans_of, rebased, settled_spawns
 from cases.prompts import repair_prompt, text_prompt
@@ -40,7 +41,7 @@ from cases.views import cameras_record, changed, targets_record
 BUILDER_VERSION = 5
 """Part of the definition's digest: raise it when the same definition is built into other files."""
 STAMP = "build.json"
-"""Beside ``suite.json``: the digest of the definition that the suite was built from."""
+"""Beside ``suite.json``: the digest of the definition that the suite was built from, and what its truth loses."""
 SCENES_AT_ONCE = 2
 """An engine starts and writes its files on one processor; meanwhile that of another scene renders on the others."""
 BLANK_STAGE = "/Game/SceneBench/BlankStage"
@@ -113,9 +114,18 @@ def build_suite(
             list(pool.map(builder.scene, definition.scenes))
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
-        write_json(folder.root / STAMP, {"definition": wanted})
+        losses = truth_losses(folder, packs_root)
+        for line in told(losses):
+            progress(line)
+        write_json(folder.root / STAMP, {"definition": wanted, "physics_of_truth": losses})
         put_folder(folder.root, root, marker=SUITE)
     return suite
+
+
+def losses_of_build(root: Path) -> dict[str, Any] | None:
+    """What a built suite's truth loses to physics, as its build found it; None where its build did not look."""
+    found: dict[str, Any] | None = read_json(root / STAMP).get("physics_of_truth") if (root / STAMP).is_file() else None
+    return found
 
 
 class _Builder:

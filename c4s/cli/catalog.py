@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from c4s.cli.hulls import Hulls, HullsOf
+from c4s.cli.hulls import Hulls, HullsOf, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars
@@ -160,6 +160,7 @@ def build(
         for text, names in grouped(rows, key, "file").items():
             more = f" and {len(names) - NAMES_SHOWN} more (see --json)" if len(names) > NAMES_SHOWN else ""
             say(f"{word}: {text}" + (f": {', '.join(names[:NAMES_SHOWN])}{more}" if names[0] else ""))
+    say_excess(report["collision_excess"])
     units = report["units"]
     if units["proposed_scale"]:
         say(f"sizes look wrong: {units['reason']}. An estimate: --scale {units['proposed_scale']}")

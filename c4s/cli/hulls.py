@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, TypeAlias
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal, TypeAlias
 
 import typer
+
+from c4s.cli.output import say
 
 Hulls: TypeAlias = Annotated[
     Literal["auto", "asset", "node", "piece", "panels", "decompose", "none"],
@@ -16,3 +19,10 @@ Hulls: TypeAlias = Annotated[
 HullsOf: TypeAlias = Annotated[
     list[str] | None, typer.Option(help="another choice for some files, once for each: 'bench*=decompose'")
 ]
+
+
+def say_excess(rows: Sequence[dict[str, Any]]) -> None:
+    """The assets whose bodies hold most beyond their mesh, in one line."""
+    if rows:
+        named = ", ".join(f"{row['asset']} ({row['bodies_l']:.3g} l for {row['mesh_l']:.3g} l)" for row in rows)
+        say(f"collision holds more than the mesh: {named}")

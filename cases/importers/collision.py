@@ -9,9 +9,12 @@ from __future__ import annotations
 
 from c4s.protocol.rules import FIXED_TOLERANCE_CM
 from c4s.records.pack import CollisionBody
+from catalog.ingest.automatic import is_tight
 from catalog.ingest.collision import AssetCollision, How, made_bodies
 from catalog.ingest.excess import corners_of, free_depth_cm
+from catalog.ingest.hulls import joined
 from catalog.ingest.surface import SourcePart
+from catalog.ingest.surfaces import pieces
 
 
 def scene_collision(parts: list[SourcePart], stated: list[CollisionBody], how: How) -> AssetCollision:
@@ -21,7 +24,9 @@ def scene_collision(parts: list[SourcePart], stated: list[CollisionBody], how: H
     made, source, notes = made_bodies(parts, how)
     if not stated:
         return AssetCollision(parts, made, source, notes)
-    free = free_depth_cm(stated, [corners_of(body) for body in made])
+    mesh = joined([(part.node, part.vertices, part.faces) for part in parts])
+    full = [piece.points for piece in pieces(*mesh) if piece.hull is not None and piece.volume > 0 and is_tight(piece)]
+    free = free_depth_cm(stated, [*full, *(corners_of(body) for body in made)])
     if free <= FIXED_TOLERANCE_CM:
         return AssetCollision(parts, stated, "authored")
     told = f"its stated collision is {free:.0f} cm deep where nothing is to be seen: made from its triangles"

@@ -43,8 +43,8 @@ def import_scene(
         scale: metres per unit; SDF is metres by definition.
         without: patterns of actors that are left out.
         meshes: ``NAME=FILE`` or ``NAME=FILE#PART,PART``: meshes of an SDF world that are read from another file.
-        hulls: how collision is made where the scene states none; ``auto`` also where what it states is far from the mesh.
-        hulls_of: other choices for some things, as ``bench*=decompose``, by the name of their mesh; the last that fits.
+        hulls: how collision is made where the scene states none; ``auto`` also where that is far from the mesh.
+        hulls_of: other choices for some things by the name of their mesh, as ``bench*=decompose``; the last that fits.
         replace: put the scene and its pack in the place of others of this name.
         progress: told what is being read.
 

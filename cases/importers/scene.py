@@ -24,8 +24,9 @@ from c4s.records.pack import CollisionBody
 from c4s.records.suite import IMPORTED_SCENE
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
 from cases.importers.collision import scene_collision
-from catalog.ingest.colours import colours_of
 from catalog.ingest.collision import HullChoice
+from catalog.ingest.colours import colours_of
+from catalog.ingest.excess import excess_row, worst
 from catalog.ingest.licence import licence
 from catalog.ingest.surface import SourcePart
 from catalog.ingest.units import check_units, words
@@ -34,6 +35,7 @@ from catalog.ingest.writer import PackWriter, identifier
 
 Matrix = NDArray[np.float64]
 REPORT = "import.json"
+AUTOMATIC = HullChoice()
 
 
 @dataclass
@@ -149,7 +151,7 @@ def write_scene(
     packs: Path,
     without: Sequence[str] = (),
     scale: float = 1.0,
-    hulls: HullChoice = HullChoice(),
+    hulls: HullChoice = AUTOMATIC,
     replace: bool = False,
 ) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
@@ -168,6 +170,7 @@ def write_scene(
     if licence_id == "unknown":
         scene.note("", "no file of the scene tells the licence")
     with PackWriter(suite_id, packs, replace=replace) as writer:
+        held: list[dict[str, Any]] = []
         paths, shown = {}, short_names(scene.assets[key].name for key in count)
         for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
             asset = scene.assets[key]
@@ -186,6 +189,7 @@ def write_scene(
                 description=f"{readable(name)}; {', '.join(colours_of(asset.parts))}; {count[key]} in the scene",
             )
             paths[key] = record.path
+            held.append(excess_row(asset.name, own.shown, own.bodies))
         sizes = [(asset.name, max(asset.size_m)) for asset in writer.assets]
         level = with_identities(
             Level(
@@ -220,6 +224,7 @@ def write_scene(
         "skipped": scene.skipped,
         "notes": scene.notes,
         "proposed_scale": proposed,
+        "collision_excess": worst(held),
         "sha256": level.sha256(),
         "pack_sha256": pack.sha256(),
     }

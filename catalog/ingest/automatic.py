@@ -31,8 +31,10 @@ SMALL_CM = 25.0
 """Smaller pieces keep a hull: what is in one is no deeper than the tolerance of contacts, or not much."""
 MOST_SECONDS = 600.0
 """Of cutting a mesh, all its pieces together."""
-MOST_CUT = 24
-"""The largest pieces that are cut; of the rest each keeps a hull."""
+MOST_CUT = 6
+"""The largest pieces that are cut; of the rest each becomes panels."""
+MOST_PANELLED = 64
+"""The largest pieces that become panels; of the rest each keeps a hull."""
 
 
 @dataclass
@@ -57,19 +59,21 @@ def automatic(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
     if all(id(piece) in solid for piece in whole) and gap_cm(volume, _filled(whole), area) <= allowed_cm(size):
         return Found([corners])
     made, deadline = Found([]), time.monotonic() + MOST_SECONDS
-    cut = 0
+    cut, panelled = 0, 0
     hulls: list[Points] = []
     for piece in whole:
         if any(holds(other, piece.points) for other in hulls[:64]):
             continue
         tight = piece.hull is not None and id(piece) in solid and is_tight(piece)
-        if tight or (piece.hull is not None and _little(piece, size)):
+        if (
+            tight
+            or (piece.hull is not None and _little(piece, size))
+            or (piece.hull is not None and panelled >= MOST_PANELLED)
+        ):
             hulls.append(piece.points)
-        elif id(piece) not in solid:
+        elif id(piece) not in solid or cut >= MOST_CUT:
             made.bodies += panels(piece)
-            made.parts = True
-        elif cut >= MOST_CUT:
-            hulls.append(piece.points)
+            panelled, made.parts = panelled + (piece.hull is not None), True
         else:
             cut, made.parts = cut + 1, True
             closed = piece.lidded() if piece.hole_share > SEALED else piece
@@ -82,7 +86,7 @@ def automatic(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
 
 def is_solid(piece: Piece, ground: float) -> bool:
     """Whether a piece bounds a solid; ``ground`` is where the whole mesh stands (cm)."""
-    if piece.hull is None or piece.two_sided and piece.holes:
+    if piece.hull is None or (piece.two_sided and piece.holes):
         return False
     if piece.volume < 0:
         return not piece.holes and float(piece.hull.volume) < ROOM_CM3

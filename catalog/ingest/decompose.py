@@ -41,13 +41,14 @@ FINEST, COARSEST = 0.03, 0.12
 """Thresholds of coacd that ``cut_piece`` keeps to."""
 MOST_PLAIN = 20_000
 """A piece of more triangles is made anew by coacd before it is cut."""
+QUICK = {"resolution": 500, "mcts_iterations": 20, "mcts_nodes": 10, "mcts_max_depth": 2}
+"""Of ``cut_piece``: a third of the time again."""
 MOST_SECONDS = 300.0
 """Of cutting a mesh, all its pieces together; what is left whole then keeps one hull a piece."""
 MOST_PIECES = 64
 """A mesh of more pieces is cut as a whole: the many little ones of a decoration are no bodies of their own."""
-PIECE_CPU_SECONDS = 60
+PIECE_CPU_SECONDS = 20
 """Of cutting one piece: processor time, so that a busy machine cuts what an idle one does."""
-LATE = "the time for the mesh is spent"
 BULGE = 0.025
 """A piece is convex when no point lies further outside the plane of a face than this share of its size: about what
 coacd's threshold, which is told in half sizes, lets pass."""
@@ -113,7 +114,9 @@ def _piece(corners: Points, faces: Faces) -> tuple[Points, Faces]:
 
 def holds(hull: Points, points: Points) -> bool:
     """Whether the hull of some points holds all of others, within ``HIDDEN_CM``."""
-    if (points.min(axis=0) < hull.min(axis=0) - HIDDEN_CM).any() or (points.max(axis=0) > hull.max(axis=0) + HIDDEN_CM).any():
+    if (points.min(axis=0) < hull.min(axis=0) - HIDDEN_CM).any() or (
+        points.max(axis=0) > hull.max(axis=0) + HIDDEN_CM
+    ).any():
         return False
     try:
         planes = ConvexHull(hull).equations
@@ -122,9 +125,7 @@ def holds(hull: Points, points: Points) -> bool:
     return bool((points @ planes[:, :3].T + planes[:, 3] <= HIDDEN_CM).all())
 
 
-def cut_piece(
-    piece: Piece, gap_cm: float, deadline: float, folder: Path | None = None
-) -> tuple[list[Points], str]:
+def cut_piece(piece: Piece, gap_cm: float, deadline: float, folder: Path | None = None) -> tuple[list[Points], str]:
     """The parts (corners in cm) of a solid piece, concave by about ``gap_cm`` at most; none and why where it cannot be.
 
     ``deadline``: of ``time.monotonic``. A piece that is no plain closed surface is made anew by coacd first.
@@ -132,7 +133,7 @@ def cut_piece(
     half = float(np.ptp(piece.points, axis=0).max()) / 2
     threshold = float(np.clip(gap_cm / half, FINEST, COARSEST).round(3))
     plain = len(piece.faces) <= MOST_PLAIN
-    parameters = {**PARAMETERS, "threshold": threshold, "preprocess_mode": "off" if plain else "on"}
+    parameters = {**PARAMETERS, **QUICK, "threshold": threshold, "preprocess_mode": "off" if plain else "on"}
     return _cut(piece.points, piece.faces, folder or cache_root() / "convex", deadline, parameters)
 
 
@@ -148,41 +149,41 @@ def _cut(
     parts = _read(data) if data is not None else None
     if parts is None:
         failed = file.with_suffix(".failed")
-        if failed.is_file():
-            data, problem = None, failed.read_text()
-        else:
-            data, problem = _run(centred, faces, deadline, parameters)
-            parts = _read(data) if data is not None else None
+        known = failed.is_file()
+        data, problem, own = (None, failed.read_text(), True) if known else _run(centred, faces, deadline, parameters)
+        parts = _read(data) if data is not None else None
         if data is None or parts is None:
-            if problem != LATE:
+            if own and not known:
                 write_bytes(failed, problem.encode())
             return [], f"a piece of {len(faces)} triangles could not be cut ({problem})"
         write_bytes(file, data)
     return [part + centre for part in parts], ""
 
 
-def _run(points: Points, faces: Faces, deadline: float, parameters: dict[str, Any]) -> tuple[bytes | None, str]:
+def _run(points: Points, faces: Faces, deadline: float, parameters: dict[str, Any]) -> tuple[bytes | None, str, bool]:
+    """What coacd wrote, or why it wrote nothing, and whether that is the piece's own doing and would be so again."""
+    late = f"coacd took more than {MOST_SECONDS:g} s for the mesh"
     if time.monotonic() >= deadline:
-        return None, LATE
+        return None, late, False
     sent = io.BytesIO()
     np.savez(sent, vertices=points, faces=faces.astype(np.int32), parameters=np.array(json.dumps(parameters)))
     try:
         done = subprocess.run(
             [sys.executable, "-m", "catalog.ingest.coacd_run"],
-            env={**os.environ, CPU_LIMIT: f"{PIECE_CPU_SECONDS}"},
+            env={**os.environ, "OMP_NUM_THREADS": "1", CPU_LIMIT: f"{PIECE_CPU_SECONDS}"},
             input=sent.getvalue(),
             capture_output=True,
             timeout=max(0.0, deadline - time.monotonic()),
             check=False,
         )
     except subprocess.TimeoutExpired:
-        return None, LATE
+        return None, late, False
     if done.returncode == -signal.SIGXCPU:
-        return None, f"coacd took more than {PIECE_CPU_SECONDS} s of processor time"
+        return None, f"coacd took more than {PIECE_CPU_SECONDS} s of processor time", True
     if done.returncode:
         lines = done.stderr.decode(errors="replace").strip().splitlines()
-        return None, f"coacd ended with {done.returncode}{': ' + lines[-1] if lines else ''}"
-    return done.stdout, "coacd gave no parts"
+        return None, f"coacd ended with {done.returncode}{': ' + lines[-1] if lines else ''}", done.returncode < 0
+    return done.stdout, "coacd gave no parts", True
 
 
 def _read(data: bytes) -> list[Points] | None:

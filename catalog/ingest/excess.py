@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
@@ -10,12 +11,15 @@ from scipy.spatial import ConvexHull, QhullError
 from c4s.geometry.transform import rotation_matrix
 from c4s.records.pack import BoxBody, CollisionBody, HullBody, SphereBody
 from catalog.ingest.automatic import is_solid, without_cavities
+from catalog.ingest.hulls import joined
+from catalog.ingest.surface import SourcePart
 from catalog.ingest.surfaces import FLAT_CM, Faces, Points, pieces
 
 GRID = 14
 """Points along each side of a body that are looked at."""
 NEAR_CM = 2.0
 """What lies this near to a body is no free place."""
+MOST_LISTED = 10
 _SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
 _TURNS = np.arange(16) * 2 * np.pi / 16
 
@@ -81,6 +85,25 @@ def bodies_volume(bodies: Sequence[CollisionBody]) -> float:
         except QhullError:
             continue
     return total
+
+
+def excess_row(name: str, parts: Sequence[SourcePart], bodies: Sequence[CollisionBody]) -> dict[str, Any]:
+    """What an asset's bodies hold and what its mesh does, in litres, and their ratio; None for an empty mesh."""
+    held = bodies_volume(bodies) / 1000
+    own = own_volume(*joined([(part.node, part.vertices, part.faces) for part in parts])) / 1000
+    return {
+        "asset": name,
+        "bodies": len(bodies),
+        "bodies_l": round(held, 3),
+        "mesh_l": round(own, 3),
+        "factor": round(held / own, 2) if own > 0 else None,
+    }
+
+
+def worst(rows: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The ``MOST_LISTED`` rows whose bodies hold most beyond their mesh."""
+    beyond = [row for row in rows if row["bodies_l"] > row["mesh_l"]]
+    return sorted(beyond, key=lambda row: (row["mesh_l"] - row["bodies_l"], row["asset"]))[:MOST_LISTED]
 
 
 def own_volume(vertices: Points, faces: Faces) -> float:

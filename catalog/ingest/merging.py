@@ -67,7 +67,10 @@ def merged(bodies: Sequence[Points], *, most: int = MOST_BODIES) -> list[Points]
         limit = np.inf if len(known) > HARD_LIMIT else LARGEST_GAP_CM if len(known) > most else GAP_CM
         if gap > limit:
             break
-        known[fresh], boxes[fresh] = (corners, known.pop(a)[1] + known.pop(b)[1]), (corners.min(axis=0), corners.max(axis=0))
+        known[fresh], boxes[fresh] = (
+            (corners, known.pop(a)[1] + known.pop(b)[1]),
+            (corners.min(axis=0), corners.max(axis=0)),
+        )
         low, high = boxes[fresh][0] - REACH_CM, boxes[fresh][1] + REACH_CM
         for other in list(known):
             if other != fresh and (boxes[other][0] <= high).all() and (boxes[other][1] >= low).all():

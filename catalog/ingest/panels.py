@@ -20,18 +20,29 @@ SAME_WAY = 0.98
 """Cosine between the normal of a triangle and that of its region."""
 NOTCH_CM = 0.5
 """An outline is convex when its hull adds a strip of no more than this width on average."""
-MOST_FACES = 60_000
-"""A surface of more triangles is not looked at region by region."""
+MOST_FACES = 30_000
+"""Corners of a surface of more triangles are moved to a grid of ``GRID_SHARE`` of its size first."""
+GRID_SHARE = 0.01
 
 
 def panels(piece: Piece) -> list[Points]:
-    """Corners (cm) of the panels of a piece; one hull's when it is beyond ``MOST_FACES``."""
+    """Corners (cm) of the panels of a piece."""
     if len(piece.faces) > MOST_FACES:
-        return [piece.points]
+        piece = _coarse(piece)
     found: list[Points] = []
     for rows, normal in _regions(piece):
         found += _outlines(piece.triangles[rows], normal, piece.two_sided)
     return found
+
+
+def _coarse(piece: Piece) -> Piece:
+    step = GRID_SHARE * piece.size
+    corners, same = np.unique(np.round(piece.points / step), axis=0, return_inverse=True)
+    faces = same.reshape(-1)[piece.faces]
+    across = np.cross(corners[faces[:, 1]] - corners[faces[:, 0]], corners[faces[:, 2]] - corners[faces[:, 0]])
+    faces = faces[np.linalg.norm(across, axis=1) > 0]
+    _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
+    return Piece(corners * step, faces[np.sort(first)], piece.two_sided) if len(first) else piece
 
 
 def _regions(piece: Piece) -> list[tuple[NDArray[np.int64], Points]]:

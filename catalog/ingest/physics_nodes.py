@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from c4s.errors import BadInput
 from c4s.records.pack import CapsuleBody, CollisionBody, SphereBody
 from catalog.ingest.authored import framed_box, rotator
+from catalog.ingest.automatic import automatic
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.gltf_tree import GltfTree
-from catalog.ingest.automatic import automatic
 from catalog.ingest.hulls import hull, joined
 from catalog.ingest.source import GLTF, TO_UNREAL
 from catalog.ingest.surfaces import Points
@@ -65,9 +65,7 @@ def _shapes(file: GltfFile) -> list[dict[str, Any]]:
     ]
 
 
-def _bodies(
-    file: GltfFile, tree: GltfTree, collider: dict[str, Any], matrix: _Matrix
-) -> Sequence[CollisionBody]:
+def _bodies(file: GltfFile, tree: GltfTree, collider: dict[str, Any], matrix: _Matrix) -> Sequence[CollisionBody]:
     if "shape" not in collider:
         return _mesh(tree, collider.get("mesh"), matrix, convex=collider.get("convexHull", True) is not False)
     shape = _shapes(file)[collider["shape"]]
