@@ -11,15 +11,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from c4s.packs.store import PackStore
 from c4s.protocol.settings import Setting
 from c4s.records.level import Level
-from c4s.verify.physics.verdict import verify_physics
 from c4s.verify.repair import repair_verdict
 from cases.audit import audit_repair
 from cases.boxes import Boxes
+from cases.losses import loss_line, losses_of
 
 WHOLE = 1.0 - 1e-9
-MOST_ACTORS_TOLD = 4
+MOST_TOLD = 3
 
 
 @dataclass(frozen=True)
@@ -45,14 +46,17 @@ class Candidate:
     truth_snapshot: Mapping[str, Any]
 
 
-def fault_of(case: Candidate, boxes: Boxes) -> str | None:
+def fault_of(case: Candidate, boxes: Boxes, store: PackStore) -> str | None:
     """Why a case is not a good one, with the number.
 
     ``None`` where its truth scores fully and it gives nothing away.
     """
-    told = lost_physics(case.setting, case.truth_snapshot, case.input_snapshot)
-    if told is not None:
-        return told
+    physics, losses = losses_of(case.setting, case.truth_snapshot, case.input_snapshot, store)
+    if physics is None or physics < WHOLE:
+        score = "not measured" if physics is None else f"{physics:.3f}"
+        told = [loss_line(row) for row in losses] or ["physics scores nothing of what it changes"]
+        more = f" and {len(told) - MOST_TOLD} more" if len(told) > MOST_TOLD else ""
+        return f"its truth has a physics score of {score}: {'; '.join(told[:MOST_TOLD])}{more}"
     repair = repair_verdict(case.input_snapshot, case.truth_snapshot, case.truth_snapshot)
     if (repair.score or 0.0) < WHOLE:
         return f"its truth has a Repair F1 of {repair.score or 0.0:.3f}"
@@ -62,37 +66,13 @@ def fault_of(case: Candidate, boxes: Boxes) -> str | None:
     return None
 
 
-def lost_physics(setting: Setting, truth: Mapping[str, Any], start: Mapping[str, Any] | None) -> str | None:
-    """What a truth loses to physics, with its score and the actors that lose it; ``None`` where it loses nothing."""
-    verdict = verify_physics(setting, truth, start)
-    if verdict.score is not None and verdict.score >= WHOLE:
-        return None
-    score = "not measured" if verdict.score is None else f"{verdict.score:.3f}"
-    reasons = list(_reasons(verdict.measurements)) or [verdict.status]
-    more = f" and {len(reasons) - MOST_ACTORS_TOLD} more" if len(reasons) > MOST_ACTORS_TOLD else ""
-    return f"its truth has a physics score of {score}: {'; '.join(reasons[:MOST_ACTORS_TOLD])}{more}"
-
-
-def _reasons(measurements: Mapping[str, Any]) -> Iterator[str]:
-    leaves = {leaf["leaf_id"]: leaf for leaf in measurements.get("leaf_results", [])}
-    for leaf in leaves.values():
-        for name in leaf.get("floating_actors", []):
-            yield f"{name} stands on nothing"
-        for name in leaf.get("unresolved_actors", []):
-            yield f"{name} cannot be told to stand"
-    for row in leaves.get("solid_penetration", {}).get("actors", []):
-        if row["state"] != "clean":
-            deep = max(row.get("contacts", []), key=lambda contact: contact["depth_cm"], default=None)
-            yield f"{row['actor']} sinks " + (f"{deep['depth_cm']:.1f} cm into {deep['actor']}" if deep else "in")
-
-
 def sifted(
-    candidates: Iterator[Candidate], boxes: Boxes, most: int, progress: Callable[[str], None]
+    candidates: Iterator[Candidate], boxes: Boxes, store: PackStore, most: int, progress: Callable[[str], None]
 ) -> tuple[list[str], list[Refusal]]:
     """The first ``most`` good ones, by id, and those that were refused before that many were found."""
     good, refused = list[str](), list[Refusal]()
     for case in candidates:
-        reason = fault_of(case, boxes)
+        reason = fault_of(case, boxes, store)
         if reason is None:
             good.append(case.case_id)
         else:

@@ -20,6 +20,7 @@ from c4s.errors import BadInput
 from c4s.files import digest, read_json, write_json, write_text
 from c4s.folders import beside, put_folder
 from c4s.packs.check import check_pack
+from c4s.packs.store import PackStore
 from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
@@ -29,6 +30,7 @@ from cases.binding import freeze_binding
 from cases.boxes import Boxes, boxes_of
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
+from cases.losses import told, truth_losses
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.natural import lived_in, plans_of, rebased, settled_spawns
 from cases.prompts import repair_prompt, text_prompt
@@ -42,7 +44,7 @@ from cases.views import cameras_record, changed, targets_record
 BUILDER_VERSION = 5
 """Part of the definition's digest: raise it when the same definition is built into other files."""
 STAMP = "build.json"
-"""Beside ``suite.json``: the digest of the definition that the suite was built from."""
+"""Beside ``suite.json``: the digest of the definition that the suite was built from, and what its truth loses."""
 SCENES_AT_ONCE = 2
 """An engine starts and writes its files on one processor; meanwhile that of another scene renders on the others."""
 BLANK_STAGE = "/Game/SceneBench/BlankStage"
@@ -123,7 +125,11 @@ def build_suite(
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
         refused = [one.plain() for one in builder.refused]
-        write_json(folder.root / STAMP, {"definition": wanted, **({"refused": refused} if refused else {})})
+        losses = truth_losses(folder, packs_root)
+        for line in told(losses):
+            progress(line)
+        made = {"definition": wanted, "physics_of_truth": losses}
+        write_json(folder.root / STAMP, {**made, **({"refused": refused} if refused else {})})
         put_folder(folder.root, root, marker=SUITE)
     return suite
 
@@ -131,6 +137,12 @@ def build_suite(
 def refused_cases(root: Path) -> list[Refusal]:
     """The made cases that were refused when the suite at ``root`` was built."""
     return [Refusal(**row) for row in read_json(root / STAMP).get("refused", [])]
+
+
+def losses_of_build(root: Path) -> dict[str, Any] | None:
+    """What a built suite's truth loses to physics, as its build found it; None where its build did not look."""
+    found: dict[str, Any] | None = read_json(root / STAMP).get("physics_of_truth") if (root / STAMP).is_file() else None
+    return found
 
 
 class _Builder:
@@ -236,7 +248,7 @@ class _Builder:
                     for case_id, snapshot in exported
                 )
                 most = self.definition.most or len(repairs)
-                good, refused = sifted(candidates, boxes, most, self.progress)
+                good, refused = sifted(candidates, boxes, PackStore(folders), most, self.progress)
         self.refused += refused
         return {case_id: corrupted[case_id] for case_id in good}
 

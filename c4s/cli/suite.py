@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from c4s.cli import requirements
+from c4s.cli.hulls import Hulls, HullsOf, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
@@ -108,12 +109,25 @@ def check(
         found = suite_changes(folder, told)
         progress.update(task, total=read, completed=read, description=f"{f'{read} files read':51}")
     rows = [{"file": str(change.file), "problem": change.told()} for change in found]
+    from cases.suite import losses_of_build
+
+    losses = losses_of_build(folder.root)
     if json_output:
-        print_json({"suite": name, "sha256": folder.suite().sha256(), "files": read, "problems": rows})
+        print_json(
+            {
+                "suite": name,
+                "sha256": folder.suite().sha256(),
+                "files": read,
+                "problems": rows,
+                "physics_of_truth": losses,
+            }
+        )
     elif rows:
         print_table(["file", "problem"], [[row["file"], row["problem"]] for row in rows])
     else:
         say(f"{name}: {read} files are as they were frozen ({folder.suite().sha256()[:12]})")
+    if not json_output:
+        _say_losses(losses)
     refuse(found, todo="restore the files, or build again with --replace")
 
 
@@ -197,6 +211,8 @@ def import_scene_file(
         list[Path] | None, typer.Option(help="further folder with models of an SDF world; repeatable")
     ] = None,
     ground: Annotated[bool, typer.Option("--ground", help="lay a flat ground under a scene that has none")] = False,
+    hulls: Hulls = "auto",
+    hulls_of: HullsOf = None,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
@@ -220,6 +236,8 @@ def import_scene_file(
             meshes=mesh or [],
             resources=resources or [],
             ground=ground,
+            hulls=hulls,
+            hulls_of=hulls_of or (),
             replace=replace,
             progress=step,
         )
@@ -241,6 +259,7 @@ def import_scene_file(
         )
     for text, names in grouped(report["notes"], "note", "name").items():
         say(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
+    say_excess(report["collision_excess"])
     if report["proposed_scale"]:
         say(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
 
@@ -307,8 +326,11 @@ def make_cases(
 
 
 def _tell(suite: Suite, root: Path, json_output: bool, more: Mapping[str, object] = MappingProxyType({})) -> None:
+    from cases.suite import losses_of_build
+
+    losses = losses_of_build(root)
     if json_output:
-        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root), **more})
+        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root), "physics_of_truth": losses, **more})
         return
     folder = SuiteFolder(root)
     print_table(
@@ -320,3 +342,11 @@ def _tell(suite: Suite, root: Path, json_output: bool, more: Mapping[str, object
         ],
         title=f"{suite.title} ({suite.suite_id}, {suite.sha256()[:12]})",
     )
+    _say_losses(losses)
+
+
+def _say_losses(losses: dict[str, Any] | None) -> None:
+    from cases.losses import told
+
+    for line in told(losses) if losses else []:
+        say(line)

@@ -15,6 +15,7 @@ from cases.importers.gltf import read_tree
 from cases.importers.scene import ImportedScene, write_scene
 from cases.importers.sdf import read_sdf, scene_root
 from cases.importers.table import read_table
+from catalog.ingest.collision import How, HullChoice
 
 SDF, TREE, TABLE, BLEND = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",), (".blend",)
 
@@ -30,6 +31,8 @@ def import_scene(
     meshes: Sequence[str] = (),
     resources: Sequence[Path] = (),
     ground: bool = False,
+    hulls: How = "auto",
+    hulls_of: Sequence[str] = (),
     replace: bool = False,
     progress: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
@@ -45,6 +48,8 @@ def import_scene(
         meshes: ``NAME=FILE`` or ``NAME=FILE#PART,PART``: meshes of an SDF world that are read from another file.
         resources: further folders in which an SDF world's models are looked for.
         ground: lay a flat ground under all of it: tiles and islands stand on nothing else.
+        hulls: how collision is made where the scene states none; ``auto`` also where that is far from the mesh.
+        hulls_of: other choices for some things by the name of their mesh, as ``bench*=decompose``; the last that fits.
         replace: put the scene and its pack in the place of others of this name.
         progress: told what is being read.
 
@@ -71,6 +76,7 @@ def import_scene(
         raise BadInput("a suite of this name exists", where=suite_id, todo="choose another --id")
     if meshes and kind not in SDF:
         raise BadInput("only meshes of an SDF world can be read from another file", where=f"--mesh {meshes[0]}")
+    choice = HullChoice.parse(hulls, hulls_of)
     folder, scene = source.parent, ImportedScene()
     if kind in SDF:
         if scale != 1.0:
@@ -98,6 +104,7 @@ def import_scene(
         without=without,
         scale=scale,
         ground=ground,
+        hulls=choice,
         replace=replace,
     )
 

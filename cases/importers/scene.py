@@ -23,8 +23,11 @@ from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.pack import CollisionBody
 from c4s.records.suite import IMPORTED_SCENE
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
+from cases.importers.collision import scene_collision
+from catalog.ingest.collision import AssetCollision, HullChoice
 from catalog.ingest.colours import colours_of
-from catalog.ingest.hulls import bodies, hull
+from catalog.ingest.excess import excess_row, worst
+from catalog.ingest.hulls import hull
 from catalog.ingest.licence import licence
 from catalog.ingest.surface import SourcePart, Surface
 from catalog.ingest.units import check_units, words
@@ -36,15 +39,20 @@ REPORT = "import.json"
 GROUND, GROUND_BEYOND_CM, GROUND_CM, GROUND_COLOR = "c4s|ground", 400.0, 4.0, (0.23, 0.24, 0.2)
 GROUND_GAP_CM = 0.2
 """What stands on a ground that was laid stands so far above it: what sinks by a rounding error counts as floating."""
+AUTOMATIC = HullChoice()
 
 
 @dataclass
 class SceneAsset:
-    """A mesh that actors share: parts in cm and Unreal's axes about its pivot."""
+    """A mesh that actors share: parts in cm and Unreal's axes about its pivot.
+
+    ``ground``: its bodies are slabs under its surface, which nothing is to be seen of.
+    """
 
     name: str
     parts: list[SourcePart]
     collision: list[CollisionBody] = field(default_factory=list)
+    ground: bool = False
 
 
 @dataclass
@@ -150,7 +158,7 @@ def under(scene: ImportedScene, kept: Sequence[SceneActor]) -> tuple[SceneAsset,
     place = np.eye(4)
     place[:3, 3] = (*middle[:2], low[2] - GROUND_GAP_CM)
     body = hull(np.concatenate([corners, corners - [0, 0, GROUND_CM]]))
-    return SceneAsset("ground", [part], [body]), SceneActor("Ground", GROUND, place)
+    return SceneAsset("ground", [part], [body], ground=True), SceneActor("Ground", GROUND, place)
 
 
 def short_names(names: Iterable[str]) -> dict[str, str]:
@@ -178,6 +186,7 @@ def write_scene(
     without: Sequence[str] = (),
     scale: float = 1.0,
     ground: bool = False,
+    hulls: HullChoice = AUTOMATIC,
     replace: bool = False,
 ) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
@@ -199,24 +208,30 @@ def write_scene(
     if licence_id == "unknown":
         scene.note("", "no file of the scene tells the licence")
     with PackWriter(suite_id, packs, replace=replace) as writer:
+        held: list[dict[str, Any]] = []
         paths, shown = {}, short_names(scene.assets[key].name for key in count)
         for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
             asset = scene.assets[key]
-            solid = asset.collision or list(
-                bodies([(part.node, part.vertices, part.faces) for part in asset.parts], "piece")
+            own = (
+                AssetCollision(asset.parts, asset.collision, "authored")
+                if asset.ground and asset.collision
+                else scene_collision(asset.parts, asset.collision, hulls.how(asset.name))
             )
+            for text in own.notes:
+                scene.note(asset.name, text)
             name = shown[asset.name]
             record = writer.add(
                 name,
                 asset.parts,
-                solid,
+                own.bodies,
                 category=kind_of(name) or (words(name) or ["props"])[-1],
                 readable=readable(name),
                 tags=search_words(name),
-                source="authored" if asset.collision else "hull",
+                source=own.source,
                 description=f"{readable(name)}; {', '.join(colours_of(asset.parts))}; {count[key]} in the scene",
             )
             paths[key] = record.path
+            held.append(excess_row(asset.name, own.shown, own.bodies))
         sizes = [(asset.name, max(asset.size_m)) for asset in writer.assets]
         level = with_identities(
             Level(
@@ -252,6 +267,7 @@ def write_scene(
         "skipped_kinds": dict(Counter(row["kind"] for row in scene.skipped).most_common()),
         "notes": scene.notes,
         "proposed_scale": proposed,
+        "collision_excess": worst(held),
         "sha256": level.sha256(),
         "pack_sha256": pack.sha256(),
     }

@@ -257,7 +257,8 @@ class _Reader:
         self.scene.actors.append(SceneActor(path, key, to_unreal(matrix), not static))
 
     def _asset(self, path: str, name: str, links: Sequence[Link]) -> SceneAsset:
-        asset, lost = SceneAsset(name, []), Counter[str]()
+        ground = any(link.element.find("visual/geometry/heightmap") is not None for link in links)
+        asset, lost = SceneAsset(name, [], ground=ground), Counter[str]()
         for link in links:
             for visual in link.element.findall("visual"):
                 try:
@@ -284,7 +285,7 @@ class _Reader:
         middle, part, slabs = self.shapes.road(element, notes)
         place = np.eye(4)
         place[:3, 3] = middle
-        self.scene.assets[f"road|{name}"] = SceneAsset(_bare(name) or "road", [part], slabs)
+        self.scene.assets[f"road|{name}"] = SceneAsset(_bare(name) or "road", [part], slabs, ground=True)
         self.scene.actors.append(SceneActor(name, f"road|{name}", to_unreal(scope.frame @ place)))
         for text in notes:
             self.scene.note(name, text)

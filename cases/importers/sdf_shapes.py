@@ -19,7 +19,8 @@ from cases.importers.sdf_library import SdfFiles
 from cases.importers.sdf_materials import SdfMaterials
 from cases.importers.sdf_solids import solid
 from cases.importers.sdf_submesh import part_names
-from catalog.ingest.hulls import bodies, hull
+from catalog.ingest.collision import made_bodies
+from catalog.ingest.hulls import hull
 from catalog.ingest.source import GLTF, Up, read_source
 from catalog.ingest.surface import Source, SourcePart, Surface, color_of, linear
 
@@ -68,7 +69,7 @@ class SdfShapes:
         return [_moved(part, matrix, surface, repeat) for part in parts], notes
 
     def collision(self, element: Element, frame: Matrix) -> list[CollisionBody]:
-        """Bodies of a collision element placed in ``frame``: hulls, a hull a connected piece of a mesh."""
+        """Bodies of a collision element placed in ``frame``: of a mesh the solid parts and panels that it tells."""
         geometry = element.find("geometry")
         if geometry is None or not len(geometry):
             return []
@@ -89,7 +90,7 @@ class SdfShapes:
             return [hull(_moved(solid(geometry[0]), matrix, None, 1.0).vertices)]
         found, factors, _ = self._mesh(geometry[0])
         parts = [_moved(part, matrix @ np.diag([*factors, 1.0]), None, 1.0) for part in found]
-        return list(bodies([(part.node, part.vertices, part.faces) for part in parts], "piece"))
+        return made_bodies(parts, "auto")[0]
 
     def road(self, element: Element, notes: list[str]) -> tuple[Matrix, SourcePart, list[CollisionBody]]:
         """Where a road of the world lies (metres, SDF's axes), and its surface and bodies about that place."""
