@@ -32,7 +32,7 @@ from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
 from cases.losses import told, truth_losses
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
-from cases.natural import lived_in, plans_of, rebased, settled_spawns
+from cases.natural import lived_in, plans_of, rebased, rounded, settled_spawns
 from cases.prompts import repair_prompt, text_prompt
 from cases.requirements import bundle
 from cases.settle import to_build
@@ -201,7 +201,7 @@ class _Builder:
         self, scene: SourceScene, authored: Level, repairs: list[RepairCase], assets: dict[str, Asset]
     ) -> tuple[Level, dict[str, Level]]:
         """The original as people would have left it, and the corrupted level of each case; all of it veiled."""
-        chance = self.veil.chance(scene.scene_id)
+        authored, chance = rounded(authored), self.veil.chance(scene.scene_id)
         boxes = boxes_of(assets.values())
         packs = [self.packs_root / pack_id for pack_id in scene.packs]
         plans = plans_of([operation for case in repairs for operation in case.operations], authored)

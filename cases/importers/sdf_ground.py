@@ -181,11 +181,12 @@ def _sides(points: Matrix) -> Matrix:
 
 
 def _shown(node: str, points: Matrix, faces: NDArray[np.int64], uvs: Matrix, surface: Surface) -> SourcePart:
-    """A part whose normals are smooth and point up."""
+    """A part whose triangles and smooth normals look up."""
     placed = points * [100, -100, 100]
     corners = placed[faces]
     flat = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    flat *= np.where(flat[:, 2] < 0, -1.0, 1.0)[:, None]
+    down = flat[:, 2] < 0
+    flat, faces = np.where(down[:, None], -flat, flat), np.where(down[:, None], faces[:, ::-1], faces)
     normals = np.zeros_like(placed)
     for corner in range(3):
         np.add.at(normals, faces[:, corner], flat)
