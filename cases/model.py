@@ -135,6 +135,8 @@ class SuiteDefinition:
     cases: Sequence[RepairCase | TextCase]
     authors: Mapping[str, str] = field(default_factory=dict)
     """Who made a case, by its id."""
+    most: int | None = None
+    """Of each scene so many repairs are kept, the first good ones (``cases.sifting``); every case when left out."""
 
 
 def difficulty_of(changes: int) -> Difficulty:

@@ -191,6 +191,11 @@ def _disturbed(
     return now
 
 
+def rounded(level: Level) -> Level:
+    """The level with as many decimals as all that is written of a scene: what is left as it was is the same in all."""
+    return level.model_copy(update={"actors": [_rounded(actor) for actor in level.actors]})
+
+
 def _rounded(actor: LevelActor) -> LevelActor:
     """The actor with as many decimals as all that is written of a scene."""
     place = actor.transform

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 import typer
 
+from c4s.cli.hulls import Hulls, HullsOf, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars
@@ -118,16 +119,8 @@ def build(
     scale: Annotated[float, typer.Option(help="metres per unit of the files")] = 1.0,
     title: Annotated[str | None, typer.Option(help="title of the pack; the folder's name when left out")] = None,
     up: Annotated[Literal["y", "z"], typer.Option(help="axis that points up in OBJ files")] = "y",
-    hulls: Annotated[
-        Literal["asset", "node", "piece", "decompose", "none"],
-        typer.Option(
-            help="collision where a file brings none: one convex hull an asset, a node of its file or a connected "
-            "piece, or convex parts (coacd; slow once)"
-        ),
-    ] = "asset",
-    hulls_of: Annotated[
-        list[str] | None, typer.Option(help="another choice for some files, once for each: 'bench*=decompose'")
-    ] = None,
+    hulls: Hulls = "auto",
+    hulls_of: HullsOf = None,
     replace: Annotated[
         bool, typer.Option("--replace", help="replace a pack of this id that is another, or was changed")
     ] = False,
@@ -167,6 +160,7 @@ def build(
         for text, names in grouped(rows, key, "file").items():
             more = f" and {len(names) - NAMES_SHOWN} more (see --json)" if len(names) > NAMES_SHOWN else ""
             say(f"{word}: {text}" + (f": {', '.join(names[:NAMES_SHOWN])}{more}" if names[0] else ""))
+    say_excess(report["collision_excess"])
     units = report["units"]
     if units["proposed_scale"]:
         say(f"sizes look wrong: {units['reason']}. An estimate: --scale {units['proposed_scale']}")

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Annotated, Any
 
 import typer
 
 from c4s.cli import asking, requirements, workshop
+from c4s.cli.hulls import Hulls, HullsOf, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
@@ -123,12 +126,25 @@ def check(
         found = suite_changes(folder, told)
         progress.update(task, total=read, completed=read, description=f"{f'{read} files read':51}")
     rows = [{"file": str(change.file), "problem": change.told()} for change in found]
+    from cases.suite import losses_of_build
+
+    losses = losses_of_build(folder.root)
     if json_output:
-        print_json({"suite": name, "sha256": folder.suite().sha256(), "files": read, "problems": rows})
+        print_json(
+            {
+                "suite": name,
+                "sha256": folder.suite().sha256(),
+                "files": read,
+                "problems": rows,
+                "physics_of_truth": losses,
+            }
+        )
     elif rows:
         print_table(["file", "problem"], [[row["file"], row["problem"]] for row in rows])
     else:
         say(f"{name}: {read} files are as they were frozen ({folder.suite().sha256()[:12]})")
+    if not json_output:
+        _say_losses(losses)
     refuse(found, todo="restore the files, or build again with --replace")
 
 
@@ -226,7 +242,13 @@ def _tell_needs(needs: dict[str, Any], content_pack: str | None) -> None:
 
 @app.command("import-scene")
 def import_scene_file(
-    file: Annotated[Path, typer.Argument(help="SDF world, glTF/GLB/DAE node tree, or placement table (CSV)")],
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            help="SDF world (several join), glTF/GLB/DAE node tree, Blender file, or placement table (CSV)",
+            metavar="FILE...",
+        ),
+    ],
     scene_id: Annotated[str, typer.Option("--id", help="id of the scene: its pack and its folder under the suites")],
     scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
     without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
@@ -234,6 +256,12 @@ def import_scene_file(
         list[str] | None,
         typer.Option(help="NAME=FILE#PART: read a mesh that an SDF world names from another file; repeatable"),
     ] = None,
+    resources: Annotated[
+        list[Path] | None, typer.Option(help="further folder with models of an SDF world; repeatable")
+    ] = None,
+    ground: Annotated[bool, typer.Option("--ground", help="lay a flat ground under a scene that has none")] = False,
+    hulls: Hulls = "auto",
+    hulls_of: HullsOf = None,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
@@ -248,13 +276,17 @@ def import_scene_file(
             progress.update(task, description=f"reading {message:43.43}")
 
         report = import_scene(
-            file,
+            files,
             scene_id,
             suites=suites_root(),
             packs=packs_root(),
             scale=scale,
             without=without or [],
             meshes=mesh or [],
+            resources=resources or [],
+            ground=ground,
+            hulls=hulls,
+            hulls_of=hulls_of or (),
             replace=replace,
             progress=step,
         )
@@ -266,8 +298,9 @@ def import_scene_file(
         f"{report['actors']} actors, {report['lights']} lights, {report['assets']} assets (pack {report['pack']}, "
         f"licence {report['license']}): {report['level']}"
     )
-    for reason, names in grouped(report["skipped"], "reason", "name").items():
-        say(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
+    if report["skipped"]:
+        kinds = ", ".join(f"{kind} ({count})" for kind, count in report["skipped_kinds"].items())
+        say(f"skipped {len(report['skipped'])}: {kinds}; each by name in {suites_root() / scene_id / 'import.json'}")
     if any("mesh" in row["reason"] and row["reason"].endswith("is missing") for row in report["skipped"]):
         say(
             "a missing mesh can be read from a part of another file: see --mesh; "
@@ -275,6 +308,7 @@ def import_scene_file(
         )
     for text, names in grouped(report["notes"], "note", "name").items():
         say(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
+    say_excess(report["collision_excess"])
     if report["proposed_scale"]:
         say(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
 
@@ -286,18 +320,23 @@ def make_cases(
         str | None, typer.Option("--id", help="id of the suite to write; else the scene's with `-cases`")
     ] = None,
     count: Annotated[int, typer.Option(min=1, max=200, help="number of cases")] = 3,
-    changes: Annotated[int, typer.Option(min=1, max=8, help="most changes of a case")] = 3,
+    changes: Annotated[int, typer.Option(min=1, max=5, help="most changes of a case")] = 3,
     seed: Annotated[int, typer.Option(help="another seed, other cases")] = 0,
     outdoor: Annotated[bool, typer.Option(help="cases of the outdoor setting")] = False,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original."""
+    """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original.
+
+    A case whose own truth loses points, or that can be repaired without a look at a picture, is refused with the number
+    and another takes its place.
+    """
     import dataclasses
 
     from cases.generate import generated, sound_things
     from cases.importers.scene import imported_scene
-    from cases.suite import build_suite
+    from cases.sifting import summed
+    from cases.suite import build_suite, refused_cases
 
     if suite_id is not None and checked_id(suite_id, "suite") == checked_name(scene, "scene"):
         raise BadInput("the suite cannot have the scene's own id", where=f"--id {scene}")
@@ -325,7 +364,14 @@ def make_cases(
         suite = build_suite(
             definition, place_in(suites_root(), definition.suite_id, "suite"), packs_root(), step, replace=replace
         )
-    _tell(suite, suites_root() / suite.suite_id, json_output)
+    refused = refused_cases(suites_root() / suite.suite_id)
+    _tell(suite, suites_root() / suite.suite_id, json_output, {"refused": [one.plain() for one in refused]})
+    if json_output:
+        return
+    if refused:
+        say(f"refused {len(refused)} others: {summed(refused)}; for one, {refused[0].case_id}: {refused[0].reason}")
+    if len(suite.cases) < count:
+        say(f"{len(suite.cases)} of the {count} cases that were asked for: give another --seed or fewer --changes")
 
 
 def _is_file(name: str) -> bool:
@@ -333,9 +379,12 @@ def _is_file(name: str) -> bool:
     return name.endswith((".yaml", ".yml")) or (Path(name) / SUITE_FILE).is_file()
 
 
-def _tell(suite: Suite, root: Path, json_output: bool) -> None:
+def _tell(suite: Suite, root: Path, json_output: bool, more: Mapping[str, object] = MappingProxyType({})) -> None:
+    from cases.suite import losses_of_build
+
+    losses = losses_of_build(root)
     if json_output:
-        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root)})
+        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root), "physics_of_truth": losses, **more})
         return
     folder = SuiteFolder(root)
     print_table(
@@ -347,3 +396,11 @@ def _tell(suite: Suite, root: Path, json_output: bool) -> None:
         ],
         title=f"{suite.title} ({suite.suite_id}, {suite.sha256()[:12]})",
     )
+    _say_losses(losses)
+
+
+def _say_losses(losses: dict[str, Any] | None) -> None:
+    from cases.losses import told
+
+    for line in told(losses) if losses else []:
+        say(line)

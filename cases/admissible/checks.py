@@ -51,6 +51,10 @@ class Refusal:
     case_id: str
     reason: str
 
+    def plain(self) -> dict[str, str]:
+        """As a row of a report."""
+        return {"case_id": self.case_id, "reason": self.reason}
+
 
 @dataclass(frozen=True)
 class TargetSighting:

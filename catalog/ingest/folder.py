@@ -19,6 +19,7 @@ from c4s.trees import refuse
 from catalog.build import sources_digest
 from catalog.ingest.collision import How, HullChoice, collision_of
 from catalog.ingest.colours import colours_of
+from catalog.ingest.excess import excess_row, worst
 from catalog.ingest.licence import UNKNOWN, licence
 from catalog.ingest.listing import ListingRow, inputs_digest, listing, table
 from catalog.ingest.source import Up, read_source
@@ -89,7 +90,7 @@ def ingest(
     scale: float = 1.0,
     title: str | None = None,
     up: Up | None = None,
-    hulls: How = "asset",
+    hulls: How = "auto",
     hulls_of: Sequence[str] = (),
     replace: bool = False,
     progress: Callable[[int, int, str], None] | None = None,
@@ -157,6 +158,7 @@ def _built(
     progress: Callable[[int, int, str], None] | None,
 ) -> dict[str, Any]:
     (rows, notes), kinds, sizes, described = table(folder), categories(files, folder), [], 0
+    held: list[dict[str, Any]] = []
     name, text = licence(folder)
     if name == UNKNOWN:
         notes.append({"file": "", "note": "no file here tells the licence"})
@@ -188,6 +190,7 @@ def _built(
                 description=row.description or _description(path, kinds[path], collision.shown),
             )
             sizes.append((path.stem, max(asset.size_m)))
+            held.append(excess_row(relative, collision.shown, collision.bodies))
         if not writer.assets:
             first = skipped[0]
             raise BadInput(
@@ -213,6 +216,7 @@ def _built(
         "scale": scale,
         "skipped": sorted(skipped, key=lambda row: row["file"]),
         "notes": notes,
+        "collision_excess": worst(held),
         "units": {
             "known": check.known,
             "implausible": check.implausible,
