@@ -27,7 +27,7 @@ STUDIES: Final = (
 
 
 @dataclass(frozen=True)
-class Part:
+class FigurePart:
     """A part of a bar: its kind, which has a colour, where it starts and how long it is, in per cent of the widest."""
 
     kind: str
@@ -36,11 +36,11 @@ class Part:
 
 
 @dataclass(frozen=True)
-class Bar:
+class FigureBar:
     """A bar with its name and its numbers in words."""
 
     label: str
-    parts: Sequence[Part]
+    parts: Sequence[FigurePart]
     told: str
     low: float | None = None
     high: float | None = None
@@ -51,11 +51,11 @@ class Bar:
 
 
 @dataclass(frozen=True)
-class Bars:
-    """Bars under a title."""
+class FigureBars:
+    """FigureBars under a title."""
 
     title: str
-    rows: Sequence[Bar]
+    rows: Sequence[FigureBar]
 
 
 def pages(site: SiteContext) -> Iterator[SitePage]:
@@ -91,12 +91,12 @@ def _table(answers: dict[str, Answer], name: str) -> Table | None:
     return answers["conditional-spatial"].table(name)
 
 
-def _shares(table: Table) -> Bars:
+def _shares(table: Table) -> FigureBars:
     """Shares of mismatches with their intervals."""
     rows = [
-        Bar(
+        FigureBar(
             str(row["of_what"]) if table.name == "configurations" else str(row["of_what"]).capitalize(),
-            [Part("mismatched", 0.0, 100 * share)],
+            [FigurePart("mismatched", 0.0, 100 * share)],
             _of_all(row["count"], row["of"]),
             _hundredfold(row.get("share_low")),
             _hundredfold(row.get("share_high")),
@@ -105,28 +105,28 @@ def _shares(table: Table) -> Bars:
         for row in table.rows
         if isinstance(share := row["share"], float)
     ]
-    return Bars(table.title, rows)
+    return FigureBars(table.title, rows)
 
 
-def _shares_of(rows: Sequence[Row]) -> Bars | None:
+def _shares_of(rows: Sequence[Row]) -> FigureBars | None:
     """Kinds of unintended changes, of the complete recoveries."""
     told = [
-        Bar(
+        FigureBar(
             str(row["kind"]),
-            [Part("spoilt", 0.0, 100 * row["submissions"] / row["of"])],
+            [FigurePart("spoilt", 0.0, 100 * row["submissions"] / row["of"])],
             _of_all(row["submissions"], row["of"]),
         )
         for row in rows
         if row["of"]
     ]
-    return Bars("Kinds of unintended changes in complete recoveries; they overlap", told) if told else None
+    return FigureBars("Kinds of unintended changes in complete recoveries; they overlap", told) if told else None
 
 
 def _of_all(count: Any, of: Any) -> str:
     return f"{count} of {of} · {100 * count / of:.1f} %"
 
 
-def _categories(board: Board, answer: Answer) -> list[Bars]:
+def _categories(board: Board, answer: Answer) -> list[FigureBars]:
     """Each operation category with the highest ranked configurations, the best of them marked."""
     table = answer.table("categories")
     if table is None:
@@ -140,22 +140,24 @@ def _categories(board: Board, answer: Answer) -> list[Bars]:
         scores = {name: float(value) for name in chosen if isinstance(value := rows[name].get(column.name), float)}
         most = max(scores.values(), default=0.0)
         bars = [
-            Bar(name, [Part("score", 0.0, 100 * score)], number(score), best=score == most > 0, configuration=True)
+            FigureBar(
+                name, [FigurePart("score", 0.0, 100 * score)], number(score), best=score == most > 0, configuration=True
+            )
             for name, score in scores.items()
         ]
-        found.append(Bars(column.title, bars))
+        found.append(FigureBars(column.title, bars))
     return found
 
 
-def _recovery(board: Board, answer: Answer) -> list[Bars]:
+def _recovery(board: Board, answer: Answer) -> list[FigureBars]:
     """Repairs by domain: complete and nothing else changed, complete with more changed, the rest."""
     rows = _ordered(board, answer.rows("configurations"))
     domains = dict.fromkeys(str(row["domain"]) for row in rows)
     made = [
-        Bars(
+        FigureBars(
             domain,
             [
-                Bar(
+                FigureBar(
                     row["configuration"],
                     _stacked([(kind, row[kind]) for kind in ("clean", "spoilt", "incomplete")], row["cases"]),
                     f"{row['clean']} + {row['spoilt']} of {row['cases']}",
@@ -170,16 +172,16 @@ def _recovery(board: Board, answer: Answer) -> list[Bars]:
     return [one for one in made if one.rows]
 
 
-def _calls(board: Board, answer: Answer) -> list[Bars]:
+def _calls(board: Board, answer: Answer) -> list[FigureBars]:
     """Mean calls of a run by setting, Python apart from other tools."""
     rows = [row for row in _ordered(board, answer.rows("calls")) if row["set"] == "public"]
     most = max((float(row["calls"]) for row in rows), default=0.0)
     settings = dict.fromkeys(str(row["setting"]) for row in rows)
     return [
-        Bars(
+        FigureBars(
             setting,
             [
-                Bar(
+                FigureBar(
                     row["configuration"],
                     _stacked([("python", row["python"]), ("other", row["other"])], most),
                     f"{number(row['python'], 1)} + {number(row['other'], 1)}",
@@ -215,11 +217,11 @@ def _grid(board: Board, answer: Answer, name: str) -> Grid | None:
     return None if table is None else grid(table, order=board.order)
 
 
-def _stacked(values: Sequence[tuple[str, float]], most: float) -> list[Part]:
+def _stacked(values: Sequence[tuple[str, float]], most: float) -> list[FigurePart]:
     parts, start = [], 0.0
     for kind, value in values:
         length = 100 * value / most if most else 0.0
-        parts.append(Part(kind, start, length))
+        parts.append(FigurePart(kind, start, length))
         start += length
     return parts
 
