@@ -22,8 +22,7 @@ from typing import Any
 import numpy as np
 
 from c4s.cli.levels import packs_of
-from c4s.engine.headless import asset_paths
-from c4s.engine.headless.glb.export import export
+from c4s.engine import backend
 from c4s.engine.headless.process.boot import boot
 from c4s.engine.headless.world.state import world
 from c4s.records.level import Level
@@ -141,9 +140,10 @@ def main() -> int:
         return 0
     given.out.mkdir(parents=True, exist_ok=True)
     view = [*map(float, given.view.split(",")), 640.0, 360.0]
-    packs = packs_of(asset_paths(given.level))
+    engine = backend("headless")
+    packs = packs_of(engine.asset_paths(given.level))
     glb = given.out / "level.glb"
-    export(given.level, packs, glb)
+    engine.export_glb(given.level, packs, glb)
     ours = own_boxes(given.level, packs, given.out / "ours.png", view)
     theirs = in_blender(given.blender, glb, given.out / "blender.png", view)
     return report(ours, theirs)

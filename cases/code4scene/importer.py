@@ -18,7 +18,7 @@ from c4s.protocol.settings import is_construction
 from c4s.records.level import Level
 from c4s.records.suite import SUITE, AgentCase, PackRef, SuiteFolder, WithheldCase, WithheldFolder
 from cases.binding import freeze_binding, reviewed_beside
-from cases.code4scene.needs import Needs, content_pack, listings, needs_of, read_table, told
+from cases.code4scene.needs import TaskNeeds, content_pack, listings, needs_of, read_table, told
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
 from cases.settle import to_build
 from cases.veil import Veil
@@ -101,7 +101,7 @@ def _checked_bundle(task: Task) -> str:
 def _cases(
     tasks: list[Task],
     notes: dict[str, str],
-    needs: dict[str, Needs],
+    needs: dict[str, TaskNeeds],
     suite: SuiteFolder,
     packs_root: Path,
     progress: Callable[[str], None],

@@ -31,7 +31,7 @@ MOST_ROWS = 100_000
 
 
 @dataclass(frozen=True)
-class Needs:
+class TaskNeeds:
     """What an image task needs: content folders, level packages, and asset paths."""
 
     case_id: str
@@ -40,7 +40,7 @@ class Needs:
     assets: tuple[str, ...]
 
 
-def needs_of(task: Task) -> Needs:
+def needs_of(task: Task) -> TaskNeeds:
     """The needs of an image task, by its recipe and its scene where these lie beside it.
 
     ``BadInput`` names the file and field where one of these is wrong.
@@ -58,7 +58,7 @@ def needs_of(task: Task) -> Needs:
             scene = (task.folder / recipe.scene_spec).resolve()
             assets |= _scene_assets(scene) - levels if scene.is_file() and scene.name == "scene.json" else set()
     packs = tuple(pack for pack in task.packs if not task.start_map.startswith(f"/Game/{pack}/"))
-    return Needs(task.case_id, packs, tuple(sorted(levels)), tuple(sorted(assets)))
+    return TaskNeeds(task.case_id, packs, tuple(sorted(levels)), tuple(sorted(assets)))
 
 
 def _assets_of(recipe: Recipe) -> set[str]:
@@ -210,7 +210,7 @@ def content_pack(given: Given, wanted: Sequence[str], packs_root: Path, root: Pa
     return pack
 
 
-def told(needs: Sequence[Needs], given: Given | None, known: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+def told(needs: Sequence[TaskNeeds], given: Given | None, known: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
     """The needs of all tasks together: each pack, level and asset with how many tasks need it, and what is given."""
     packs = Counter(pack for one in needs for pack in one.packs)
     levels = Counter(level for one in needs for level in one.levels)

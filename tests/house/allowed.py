@@ -38,6 +38,11 @@ judgement and of the published rows; the purpose of a view."""
 
 BACKENDS: dict[str, set[str]] = {
     "bench/attacks/trial.py": {"c4s.engine.headless.host.session"},
+    "bench/blender_view.py": {
+        "c4s.engine.headless.pictures.take",
+        "c4s.engine.headless.process.boot",
+        "c4s.engine.headless.world.state",
+    },
     "bench/looks.py": {"c4s.engine.headless.pictures", "c4s.engine.headless.process.boot"},
     "bench/pictures.py": {
         "c4s.engine.headless.pictures",
