@@ -33,7 +33,7 @@ PLATE_CM = 20_000.0
 
 
 @dataclass(frozen=True)
-class Agreement:
+class SceneAgreement:
     """One scene in both."""
 
     cells: int
@@ -103,7 +103,7 @@ def bounds_of(bodies: Sequence[Body]) -> tuple[np.ndarray, np.ndarray]:
     return np.min([body.low for body in bodies], axis=0), np.max([body.high for body in bodies], axis=0)
 
 
-def compare(bodies: Sequence[Body]) -> Agreement:
+def compare(bodies: Sequence[Body]) -> SceneAgreement:
     """Both on one scene."""
     space = build_space(bodies, bounds_of(bodies), SETTINGS)
     theirs = recast_cells(bodies, space, SETTINGS)
@@ -113,7 +113,7 @@ def compare(bodies: Sequence[Body]) -> Agreement:
     both, mine, its = np.intersect1d(ours, other, assume_unique=True, return_indices=True)
     pairs = np.unique(np.column_stack([space.region[spans][mine], theirs.component[its]]), axis=0)
     one_to_one = all(len(np.unique(side)) == len(pairs) for side in pairs.T)
-    return Agreement(
+    return SceneAgreement(
         cells=len(ours),
         cells_off=len(ours) + len(other) - 2 * len(both),
         area_off=abs(len(ours) - len(other)) / max(len(other), 1),

@@ -50,19 +50,18 @@ def library() -> Any:
     compiler = shutil.which("g++")
     if compiler is None or not Path(_HEADERS, "Recast.h").is_file():
         raise NoRecast("Recast is not here: it takes g++ and the Debian package librecast-dev")
-    folder = tempfile.mkdtemp(prefix="c4s-recast-")
-    made = Path(folder) / "recast.so"
     source = Path(__file__).with_name("shim.cpp")
-    done = subprocess.run(
-        [compiler, "-O2", "-shared", "-fPIC", f"-I{_HEADERS}", str(source), "-o", str(made), "-lRecast"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    if done.returncode:
-        raise NoRecast(f"Recast does not build here: {done.stderr.strip()[-300:]}")
-    loaded = ctypes.CDLL(str(made))
-    shutil.rmtree(folder)
+    with tempfile.TemporaryDirectory(prefix="c4s-recast-") as folder:
+        made = Path(folder) / "recast.so"
+        done = subprocess.run(
+            [compiler, "-O2", "-shared", "-fPIC", f"-I{_HEADERS}", str(source), "-o", str(made), "-lRecast"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        if done.returncode:
+            raise NoRecast(f"Recast does not build here: {done.stderr.strip()[-300:]}")
+        loaded = ctypes.CDLL(str(made))
     loaded.recast_build.restype = ctypes.c_void_p
     loaded.recast_count.argtypes = [ctypes.c_void_p]
     loaded.recast_free.argtypes = [ctypes.c_void_p]

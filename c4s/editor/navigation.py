@@ -148,20 +148,28 @@ def _projected(world: Any, place: Point, extent: Point) -> list[float] | None:
     return point if all(abs(a - b) <= e + 1.0 for a, b, e in zip(point, place, extent, strict=True)) else None
 
 
-def lattice(low: Point, high: Point, pitch_cm: float, stratum_cm: float) -> list[float]:
-    """Points of the mesh over a lattice within a box: x, y, z in a row, one a place and stratum at most."""
+def lattice(low: Point, high: Point, pitch_cm: float, stratum_cm: float, phase_cm: float) -> list[float]:
+    """Points of the mesh over a lattice within a box: x, y, z in a row, one a place and stratum at most.
+
+    Its places are the multiples of the pitch in the world, and the phase.
+    """
     world, made = _world(), []
-    extent = (1.0, 1.0, stratum_cm / 2)
+    extent = (_SKIN_CM, _SKIN_CM, stratum_cm / 2)
     strata = range(math.floor(low[2] / stratum_cm), math.floor(high[2] / stratum_cm) + 1)
-    for j in range(math.ceil(low[1] / pitch_cm), math.floor(high[1] / pitch_cm) + 1):
-        for i in range(math.ceil(low[0] / pitch_cm), math.floor(high[0] / pitch_cm) + 1):
+    x, y = ([n * pitch_cm + phase_cm for n in _steps(low[axis], high[axis], pitch_cm, phase_cm)] for axis in (0, 1))
+    for right in y:
+        for ahead in x:
             last = None
             for k in strata:
-                point = _projected(world, (i * pitch_cm, j * pitch_cm, (k + 0.5) * stratum_cm), extent)
+                point = _projected(world, (ahead, right, (k + 0.5) * stratum_cm), extent)
                 if point is not None and point[2] != last:
                     made += point
                     last = point[2]
     return made
+
+
+def _steps(low: float, high: float, pitch_cm: float, phase_cm: float) -> range:
+    return range(math.ceil((low - phase_cm) / pitch_cm), math.floor((high - phase_cm) / pitch_cm) + 1)
 
 
 def components(points: Sequence[Point]) -> list[int]:

@@ -17,7 +17,7 @@ from c4s.engine import Engine
 from c4s.engine.answers import ask
 from c4s.navigation import NavigationSettings, NotBuilt, measure
 from c4s.navigation.solids import navigation_bounds
-from c4s.protocol.navigation import SETTLE_LIMIT_S, SPEED_CM_S, STALL_S, STALLS
+from c4s.protocol.navigation import PHASE_CM, SETTLE_LIMIT_S, SPEED_CM_S, STALL_S, STALLS
 from c4s.records.navigation import NavigationEvidence
 
 OWN_MESH: Final = frozenset({"unreal"})
@@ -47,7 +47,12 @@ class EditorMesh:
         """Points of the mesh on a lattice."""
         if (pitch_cm, stratum_cm) not in self._lattices:
             told = self._ask(
-                "lattice", low=_row(self._low), high=_row(self._high), pitch_cm=pitch_cm, stratum_cm=stratum_cm
+                "lattice",
+                low=_row(self._low),
+                high=_row(self._high),
+                pitch_cm=pitch_cm,
+                stratum_cm=stratum_cm,
+                phase_cm=PHASE_CM,
             )
             self._lattices[pitch_cm, stratum_cm] = np.array(told, dtype=float).reshape(-1, 3)
         return self._lattices[pitch_cm, stratum_cm]

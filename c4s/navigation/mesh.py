@@ -11,9 +11,12 @@ from numpy.typing import NDArray
 from c4s.collision.mesh_body import Array
 from c4s.navigation import paths
 from c4s.navigation.space import WalkableSpace
+from c4s.protocol.navigation import PHASE_CM
 
 NONE = -1
 _KEPT = 4
+_INSIDE_CM = 0.01
+"""A point of a cell is no nearer to its edge: it belongs to one cell alone."""
 
 
 class NavigationMesh(Protocol):
@@ -56,13 +59,14 @@ class SpaceMesh:
         return self.space.bounds_cm()
 
     def lattice(self, pitch_cm: float, stratum_cm: float) -> Array:
-        """See ``NavigationMesh``; lattices lie at multiples of the pitch in the world."""
+        """See ``NavigationMesh``; a lattice lies at multiples of the pitch in the world, and ``PHASE_CM``."""
         space, bounds = self.space, self.space.bounds_cm()
         if bounds is None:
             return np.zeros((0, 3))
         x, y = (
-            np.arange(np.ceil(bounds[0][axis] / pitch_cm), np.floor(bounds[1][axis] / pitch_cm) + 1) * pitch_cm
-            for axis in (0, 1)
+            np.arange(np.ceil((low - PHASE_CM) / pitch_cm), np.floor((high - PHASE_CM) / pitch_cm) + 1) * pitch_cm
+            + PHASE_CM
+            for low, high in zip(bounds[0][:2], bounds[1][:2], strict=True)
         )
         plan = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
         column = space.column_of(plan)
@@ -110,7 +114,7 @@ class SpaceMesh:
         )
         z = space.origin_cm[2] + space.floor[spans] * space.settings.cell_height_cm
         low = space.origin_cm[:2] + np.column_stack([x.ravel(), y.ravel()]).repeat(counts, axis=0) * cell
-        places = np.column_stack([np.clip(point[:2], low, low + cell), z])
+        places = np.column_stack([np.clip(point[:2], low + _INSIDE_CM, low + cell - _INSIDE_CM), z])
         away = np.abs(places - point)
         near = np.flatnonzero((space.region[spans] >= 0) & (away <= extent + 1e-9).all(axis=1))
         if not len(near):

@@ -27,6 +27,8 @@ COMPONENT_PITCH_CM: Final = 200.0
 PROJECTION_PITCH_CM: Final = 25.0
 STRATUM_CM: Final = 100.0
 """Pitches of the lattices: for components, for targets, and of both upwards."""
+PHASE_CM: Final = 6.25
+"""Lattices lie this far beside the multiples of their pitch in the world: in the middle of our cells, on no edge."""
 REACH_CM: Final = 100.0
 """A sample of a footprint is projected to cells this near in plan."""
 SAMPLES: Final[tuple[tuple[float, float], ...]] = (

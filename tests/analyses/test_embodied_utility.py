@@ -35,7 +35,7 @@ def record(agent: str, setting: Setting, case: int, utility: float | None, **own
         "utility": np.nan if utility is None else utility,
         "approachability": np.nan if utility is None else utility,
         "completion": np.nan if not utility else 1.0,
-        "reason_code": None if utility is not None else "no_route",
+        "because": None if utility is not None else "no_route",
         "excluded": None if utility is not None else False,
         **own,
     }
@@ -59,7 +59,7 @@ def as_printed(row: dict[str, str], setting: Setting, planned: int) -> list[dict
     value = float(row["measured"]) * (scored + zero) / scored
     values: list[float | None] = [value] * scored + [0.0] * zero + [None] * withheld
     made = [record(row["agent"], setting, case, one) for case, one in enumerate(values)]
-    not_read = {"reason_code": "content_failure", "excluded": True}
+    not_read = {"because": "content_failure", "excluded": True}
     return made + [record(row["agent"], setting, case, None, **not_read) for case in range(len(values), planned)]
 
 
@@ -133,11 +133,11 @@ def test_a_withheld_scene_is_no_zero_and_few_scenes_have_no_error() -> None:
     assert row["W"] == 1.0 and row["A"] == 0.5
     found = study(rows)
     assert [dict(one) for one in table(found, "reasons").rows] == [
-        {"configuration": "a", "setting": OUTDOOR_REPAIR, "reason_code": "no_route", "trials": 1}
+        {"configuration": "a", "setting": OUTDOOR_REPAIR, "because": "no_route", "trials": 1}
     ]
 
 
 def test_trials_without_a_scene_are_no_records() -> None:
-    rows = [record("a", TEXT_TO_SCENE, case, None, walked=None, reason_code=None, excluded=None) for case in range(3)]
+    rows = [record("a", TEXT_TO_SCENE, case, None, walked=None, because=None, excluded=None) for case in range(3)]
     (row,) = table(study(rows), "panel_text_to_scene").rows
     assert (row["records"], row["absent"], row.get("eus")) == (0, 3, None)

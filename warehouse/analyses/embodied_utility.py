@@ -226,8 +226,8 @@ def _alignment(cases: CaseTable) -> Table:
 
 def _reasons(cases: CaseTable) -> Table:
     """Why records have no number, and how often."""
-    told = cases.rows[cases.rows["reason_code"].notna()]
-    counted = told.groupby(["configuration", "setting", "reason_code"]).size().reset_index(name="trials")
+    told = cases.rows[cases.rows["because"].notna()]
+    counted = told.groupby(["configuration", "setting", "because"]).size().reset_index(name="trials")
     rows: list[dict[str, Value]] = [
         {str(key): number(value) if isinstance(value, float) else value for key, value in row.items()}
         for row in counted.to_dict("records")
@@ -235,7 +235,7 @@ def _reasons(cases: CaseTable) -> Table:
     columns = [
         _AGENT,
         Column(name="setting", title="setting"),
-        Column(name="reason_code", title="withheld because"),
+        Column(name="because", title="withheld because"),
         Column(name="trials", title="trials", unit="trials"),
     ]
     return Table(name="reasons", title="Why there is no number", columns=columns, rows=rows)
@@ -248,7 +248,7 @@ EMBODIED_UTILITY = StudyDefinition(
     sources={
         "trials": """
             SELECT c.*, v.status AS walked, v.score AS utility, a.value AS approachability, w.value AS completion,
-                v.document ->> '$.measurements.reason_code' AS reason_code,
+                v.document ->> '$.measurements.reason_code' AS because,
                 CAST(v.document ->> '$.measurements.excluded' AS BOOLEAN) AS excluded
             FROM chosen AS c
             LEFT JOIN (SELECT * FROM verdicts WHERE verifier = 'navigation') AS v USING (trial_id)

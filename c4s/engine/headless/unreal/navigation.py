@@ -53,16 +53,16 @@ class RecastNavMesh(NavigationData):
 
     _class_module = "NavigationSystem"
     _declares = {
-        "agent_radius": Prop("float", 34.0),
-        "agent_height": Prop("float", 144.0),
-        "agent_max_slope": Prop("float", 44.0),
+        "agent_radius": Prop("float", 34.0, attribute=False),
+        "agent_height": Prop("float", 144.0, attribute=False),
+        "agent_max_slope": Prop("float", 44.0, attribute=False),
         "agent_max_step_height": Prop("float", 35.0),
         "cell_size": Prop("float", 19.0),
         "cell_height": Prop("float", 10.0),
-        "tile_size_uu": Prop("float", 1000.0),
-        "min_region_area": Prop("float", 0.0),
-        "merge_region_size": Prop("float", 400.0),
-        "max_simplification_error": Prop("float", 1.3),
+        "tile_size_uu": Prop("float", 1000.0, attribute=False),
+        "min_region_area": Prop("float", 0.0, attribute=False),
+        "merge_region_size": Prop("float", 400.0, attribute=False),
+        "max_simplification_error": Prop("float", 1.3, attribute=False),
     }
 
 
