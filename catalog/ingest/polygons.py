@@ -59,7 +59,8 @@ def _bent(places: Floats) -> NDArray[np.bool_]:
     a, b, c, d = places.transpose(1, 0, 2)
     across = np.einsum("pi,pi->p", np.cross(b - a, c - a), np.cross(c - a, d - a))
     other = np.einsum("pi,pi->p", np.cross(b - a, d - a), np.cross(c - b, d - b))
-    return (across < 0) & (other > across)
+    bent: NDArray[np.bool_] = (across < 0) & (other > across)
+    return bent
 
 
 def _normals(places: Floats) -> Floats:
