@@ -144,6 +144,11 @@ class Pack(Record):
     content_folder: Name
     title: str
     license: str
+    """SPDX id, several joined by ``AND``; ``unknown`` where none is told."""
+    ai_use: Literal["allowed", "forbidden", "unknown"] = Field(
+        default="unknown", exclude_if=lambda value: value == "unknown"
+    )
+    """Whether its licence, or words of its authors, let the content be used by AI."""
     description: str = ""
     assets: list[Asset]
     materials: list[Material] = Field(default_factory=list)

@@ -162,9 +162,9 @@ def write_scene(
         reason = f"; {scene.skipped[0]['name']}: {scene.skipped[0]['reason']}" if scene.skipped else ""
         raise BadInput(f"no actor of this scene can be placed{reason}", where=str(source))
     count = Counter(actor.asset for actor in kept)
-    licence_id, text = licence(license_folder)
-    if licence_id == "unknown":
-        scene.note("", "no file of the scene tells the licence")
+    told = licence(license_folder)
+    for text in told.notes:
+        scene.note("", text)
     with PackWriter(suite_id, packs, replace=replace) as writer:
         paths, shown = {}, short_names(scene.assets[key].name for key in count)
         for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
@@ -197,8 +197,9 @@ def write_scene(
             _refuse_other(folder / IMPORTED_SCENE, level)
         pack = writer.finish(
             title=f"Meshes of {source.stem}",
-            license_id=licence_id,
-            license_text=text,
+            license_id=told.id,
+            license_text=told.text,
+            ai_use=told.ai_use,
             description=f"Imported from {source.name}",
         )
     level.write(folder / IMPORTED_SCENE)
@@ -210,6 +211,8 @@ def write_scene(
         "package": level.package,
         "pack": pack.pack_id,
         "license": pack.license,
+        "ai_use": pack.ai_use,
+        "ai_use_reason": told.ai_reason,
         "actors": len(kept),
         "lights": len(scene.lights),
         "cameras": len(scene.cameras),
