@@ -23,11 +23,12 @@ from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.pack import CollisionBody
 from c4s.records.suite import IMPORTED_SCENE
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
+from cases.importers.wild import wild
 from catalog.ingest.colours import colours_of
 from catalog.ingest.hulls import bodies
 from catalog.ingest.licence import licence
 from catalog.ingest.surface import SourcePart
-from catalog.ingest.units import check_units, words
+from catalog.ingest.units import check_units, odd_sizes, words
 from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.ingest.writer import PackWriter, identifier
 
@@ -161,6 +162,8 @@ def write_scene(
     if not kept:
         reason = f"; {scene.skipped[0]['name']}: {scene.skipped[0]['reason']}" if scene.skipped else ""
         raise BadInput(f"no actor of this scene can be placed{reason}", where=str(source))
+    for path, text in wild([(actor.path, actor.matrix) for actor in kept]).items():
+        scene.note(path, text)
     count = Counter(actor.asset for actor in kept)
     told = licence(license_folder)
     for text in told.notes:
@@ -204,6 +207,8 @@ def write_scene(
         )
     level.write(folder / IMPORTED_SCENE)
     units = check_units(sizes).proposed
+    for index, odd in odd_sizes([(name, side * (units or 1.0)) for name, side in sizes]).items():
+        scene.note(sizes[index][0], f"its size is unlike the others': {odd.reason}")
     proposed = None if scene.metric or units is None else float(f"{units * scale:.2g}")
     report = {
         "suite": suite_id,
