@@ -34,7 +34,7 @@ NEAR = 0.02
 
 
 @dataclass
-class Content:
+class FolderContent:
     """What one source holds."""
 
     source: str
@@ -53,9 +53,9 @@ class Content:
     """Of those, the assets that are as large."""
 
 
-def content(folder: Path, *, scale: float = 1.0) -> Content:
+def content(folder: Path, *, scale: float = 1.0) -> FolderContent:
     """Read every mesh file of a folder."""
-    found, row = listing(folder), Content(folder.name)
+    found, row = listing(folder), FolderContent(folder.name)
     told = licence(folder, found.files)
     row.licence, row.ai_use, row.files = told.id, told.ai_use, len(found.files) + len(found.skipped)
     skipped = Counter(_kind(one["reason"]) for one in found.skipped)

@@ -76,14 +76,14 @@ SHARED_NAMES = 3
 
 
 @dataclass(frozen=True)
-class AssetName:
+class FileName:
     """What a file is called (words as in a file name), and the folders that tell its category."""
 
     name: str
     above: tuple[str, ...]
 
 
-def named(files: Sequence[Path], folder: Path) -> dict[Path, AssetName]:
+def named(files: Sequence[Path], folder: Path) -> dict[Path, FileName]:
     """The name of each file.
 
     A name of words that say nothing (``model``, ``scene_final_2``, a number, a digest) gives way to the nearest folder
@@ -96,14 +96,14 @@ def named(files: Sequence[Path], folder: Path) -> dict[Path, AssetName]:
         above = [part for part in path.relative_to(folder).parts[:-1] if says(part)]
         plain = not says(path.stem, PLAIN_NAMES)
         if above and (plain or shared[path.stem.lower()] >= SHARED_NAMES):
-            found[path] = AssetName(above[-1], tuple(above[:-1]))
+            found[path] = FileName(above[-1], tuple(above[:-1]))
             takers[above[-1], path.parent].append(path)
         else:
-            found[path] = AssetName(path.stem, tuple(above))
+            found[path] = FileName(path.stem, tuple(above))
     for group in takers.values():
         if len(group) > 1:
             for path in group:
-                found[path] = AssetName(f"{found[path].name}_{path.stem}", found[path].above)
+                found[path] = FileName(f"{found[path].name}_{path.stem}", found[path].above)
     return found
 
 
@@ -115,7 +115,7 @@ def says(name: str, plain: set[str] = PLAIN_FOLDERS) -> bool:
     return bool({word.lower() for word in found} - plain) and bool(set(words(name)) - plain or not name.isascii())
 
 
-def categories(names: dict[Path, AssetName]) -> dict[Path, str]:
+def categories(names: dict[Path, FileName]) -> dict[Path, str]:
     """Category of each file: the nearest telling folder, else the first word of the name if two files share it,
     else the kind of thing that the name tells.
     """
