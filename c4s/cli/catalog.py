@@ -32,6 +32,7 @@ def list_packs(json_output: Annotated[bool, typer.Option("--json")] = False) -> 
                     "title": pack.title,
                     "assets": len(pack.assets),
                     "license": pack.license,
+                    "ai_use": pack.ai_use,
                     "sha256": pack.sha256(),
                 }
                 for pack in found
@@ -39,8 +40,8 @@ def list_packs(json_output: Annotated[bool, typer.Option("--json")] = False) -> 
         )
     else:
         print_table(
-            ["pack", "title", "assets", "licence"],
-            [[pack.pack_id, pack.title, len(pack.assets), pack.license] for pack in found],
+            ["pack", "title", "assets", "licence", "AI use"],
+            [[pack.pack_id, pack.title, len(pack.assets), pack.license, pack.ai_use] for pack in found],
         )
     refuse_left_out(left_out)
 
@@ -117,10 +118,16 @@ def build(
     folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ and DAE files")],
     pack_id: Annotated[str, typer.Option("--id", help="id of the pack to write")],
     scale: Annotated[float, typer.Option(help="metres per unit of the files")] = 1.0,
+    scale_of: Annotated[
+        list[str] | None, typer.Option(help="another scale for some files, once for each: 'chair*=0.01'")
+    ] = None,
     title: Annotated[str | None, typer.Option(help="title of the pack; the folder's name when left out")] = None,
     up: Annotated[Literal["y", "z"], typer.Option(help="axis that points up in OBJ files")] = "y",
     hulls: Hulls = "auto",
     hulls_of: HullsOf = None,
+    recentre: Annotated[
+        bool, typer.Option("--recentre", help="move pivots that lie outside their mesh to the middle of its bottom")
+    ] = False,
     replace: Annotated[
         bool, typer.Option("--replace", help="replace a pack of this id that is another, or was changed")
     ] = False,
@@ -141,10 +148,12 @@ def build(
             pack_id,
             packs_root(),
             scale=scale,
+            scale_of=scale_of or (),
             title=title,
             up=up,
             hulls=hulls,
             hulls_of=hulls_of or (),
+            recentre=recentre,
             replace=replace,
             progress=step,
         )
@@ -154,7 +163,8 @@ def build(
         return
     say(
         f"{report['pack']}: {report['assets']} assets of {report['files']} files, {report['materials']} materials, "
-        f"licence {report['license']}, in {report['folder']}{' (unchanged)' if report['cached'] else ''}"
+        f"licence {report['license']} (AI use {report['ai_use']}), in {report['folder']}"
+        f"{' (unchanged)' if report['cached'] else ''}"
     )
     for word, rows, key in (("skipped", report["skipped"], "reason"), ("note", report["notes"], "note")):
         for text, names in grouped(rows, key, "file").items():

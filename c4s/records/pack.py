@@ -7,7 +7,7 @@ OBJ or DAE; ``c4s.packs.meshes`` converts them.
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -148,20 +148,15 @@ class Pack(Record):
     content_folder: Name
     title: str
     license: str
-    ai_use: AIUse = "unknown"
+    """SPDX id, several joined by ``AND``; ``unknown`` where none is told."""
+    ai_use: AIUse = Field(default="unknown", exclude_if=lambda value: value == "unknown")
+    """Whether its licence, or words of its authors, let the content be used by AI."""
     description: str = ""
     assets: list[Asset]
     materials: list[Material] = Field(default_factory=list)
     files: dict[InnerPath, str] = Field(default_factory=dict)
     """SHA-256 (64 hex) of every file of the pack by its relative name: meshes, textures, previews, licence text."""
     category_descriptions: dict[str, str] = Field(default_factory=dict)
-
-    def plain(self) -> dict[str, Any]:
-        """The manifest as plain JSON data; a permission for AI use that is not known is left out."""
-        value = super().plain()
-        if self.ai_use == "unknown":
-            del value["ai_use"]
-        return value
 
     def named_files(self) -> set[str]:
         """The files that assets and materials name."""

@@ -25,13 +25,14 @@ from c4s.records.suite import IMPORTED_SCENE
 from c4s.render.textures import srgb_bytes
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
 from cases.importers.collision import scene_collision
+from cases.importers.wild import wild
 from catalog.ingest.collision import AssetCollision, HullChoice
 from catalog.ingest.colours import colours_of
 from catalog.ingest.excess import excess_row, worst
 from catalog.ingest.hulls import hull
 from catalog.ingest.licence import licence
 from catalog.ingest.surface import SourcePart, Surface
-from catalog.ingest.units import check_units, words
+from catalog.ingest.units import check_units, odd_sizes, words
 from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.ingest.writer import PackWriter, identifier
 
@@ -209,10 +210,12 @@ def write_scene(
     if ground:
         scene.assets[GROUND], actor = under(scene, kept)
         kept.append(actor)
+    for path, text in wild([(actor.path, actor.matrix) for actor in kept]).items():
+        scene.note(path, text)
     count = Counter(actor.asset for actor in kept)
-    licence_id, text = licence(license_folder)
-    if licence_id == "unknown":
-        scene.note("", "no file of the scene tells the licence")
+    told = licence(license_folder)
+    for text in told.notes:
+        scene.note("", text)
     with PackWriter(suite_id, packs, replace=replace) as writer:
         held: list[dict[str, Any]] = []
         paths, shown = {}, short_names(scene.assets[key].name for key in count)
@@ -251,12 +254,15 @@ def write_scene(
             _refuse_other(folder / IMPORTED_SCENE, level)
         pack = writer.finish(
             title=f"Meshes of {source.stem}",
-            license_id=licence_id,
-            license_text=text,
+            license_id=told.id,
+            license_text=told.text,
+            ai_use=told.ai_use,
             description=f"Imported from {source.name}",
         )
     level.write(folder / IMPORTED_SCENE)
     units = check_units(sizes).proposed
+    for index, odd in odd_sizes([(name, side * (units or 1.0)) for name, side in sizes]).items():
+        scene.note(sizes[index][0], f"its size is unlike the others': {odd.reason}")
     proposed = None if scene.metric or units is None else float(f"{units * scale:.2g}")
     report = {
         "suite": suite_id,
@@ -264,6 +270,8 @@ def write_scene(
         "package": level.package,
         "pack": pack.pack_id,
         "license": pack.license,
+        "ai_use": pack.ai_use,
+        "ai_use_reason": told.ai_reason,
         "actors": len(kept),
         "lights": len(scene.lights),
         "cameras": len(scene.cameras),

@@ -16,6 +16,7 @@ from c4s.names import checked_id
 from c4s.packs.meshes import Mesh
 from c4s.records.pack import MANIFEST, Asset, CollisionBody, Material, MaterialSlot, Pack
 from catalog.build import glb
+from catalog.ingest.licence_words import AiUse
 from catalog.ingest.surface import SourcePart, Surface
 from catalog.preview import write_previews
 from catalog.settle import settle
@@ -173,7 +174,9 @@ class PackWriter:
         self.assets.append(asset)
         return asset
 
-    def finish(self, *, title: str, license_id: str, description: str, license_text: str) -> Pack:
+    def finish(
+        self, *, title: str, license_id: str, description: str, license_text: str, ai_use: AiUse = "unknown"
+    ) -> Pack:
         """Write the manifest and put the folder in its place.
 
         Raises ``BadInput`` where another pack lies there that is not to be replaced.
@@ -184,6 +187,7 @@ class PackWriter:
             content_folder=self.folder_name,
             title=title,
             license=license_id,
+            ai_use=ai_use,
             description=description,
             assets=self.assets,
             materials=list(self.materials.values()),
