@@ -30,7 +30,7 @@ def truth_losses(folder: SuiteFolder, packs_root: Path) -> dict[str, Any]:
     """Physics of every case's truth: ``cases`` with score and losses, and their sums."""
     suite = folder.suite()
     store = PackStore([packs_root / pack.pack_id for pack in suite.packs])
-    cases = []
+    cases: list[dict[str, Any]] = []
     for case in suite.cases:
         withheld = WithheldFolder(folder.withheld(case.case_id))
         start = None if is_construction(case.setting) else read_json(withheld.input_snapshot)
@@ -39,7 +39,7 @@ def truth_losses(folder: SuiteFolder, packs_root: Path) -> dict[str, Any]:
     return {
         "cases": cases,
         "judged": len(cases),
-        "below_one": sum(case["score"] != 1.0 for case in cases),
+        "below_one": sum(1 for case in cases if case["score"] != 1.0),
         "losses": sum(len(case["losses"]) for case in cases),
     }
 

@@ -1,8 +1,8 @@
 """Collision that the author of a file made: nodes named as Unreal imports them, which are never shown.
 
-``UCX_`` is a mesh of convex parts (each connected piece is one, or several where it is concave), ``UBX_`` a box,
-``USP_`` a sphere and ``UCP_`` a capsule. What a box, sphere or capsule node holds is measured; one that is none becomes a hull,
-with a note.
+``UCX_`` is a mesh of convex parts: each connected piece is one, or several where it is concave. ``UBX_`` is a box,
+``USP_`` a sphere and ``UCP_`` a capsule. What a box, sphere or capsule node holds is measured; one that is none becomes
+a hull, with a note.
 """
 
 from __future__ import annotations
