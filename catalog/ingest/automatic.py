@@ -20,7 +20,9 @@ from catalog.ingest.panels import panels
 from catalog.ingest.surfaces import Faces, Piece, Points, pieces
 
 SEALED = 0.1
-"""Openings up to this share of the hull's surface do not make a shell."""
+"""Openings up to this share of the hull's surface do not make a shell, ..."""
+SLIT_CM2 = 400.0
+"""... unless one of them alone is larger than this: a bin is open at its top, however tall it is."""
 DOWN = -0.7
 """An opening faces down when its outward direction is lower than this."""
 ROOM_CM3 = 1_000_000.0
@@ -93,10 +95,8 @@ def is_solid(piece: Piece, ground: float) -> bool:
     if abs(piece.volume) < 1e-3 * float(piece.hull.volume):
         return False
     open_area = float(piece.hull.area) * SEALED
-    sides = sum(
-        hole.area for hole in piece.holes if not (hole.direction[2] < DOWN and hole.middle[2] < ground + FREE_CM)
-    )
-    return sides <= open_area
+    sides = [hole.area for hole in piece.holes if not (hole.direction[2] < DOWN and hole.middle[2] < ground + FREE_CM)]
+    return sum(sides) <= open_area and max(sides, default=0.0) <= SLIT_CM2
 
 
 def is_tight(piece: Piece) -> bool:
