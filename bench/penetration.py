@@ -35,7 +35,7 @@ TOLERANCE_CM = 5.0
 
 
 @dataclass
-class SceneRow:
+class PenetrationRow:
     """One scene with one way of making collision."""
 
     scene: str
@@ -123,10 +123,10 @@ def _near(scored: set[int], triangles: Any) -> list[tuple[int, int]]:
     return [(have[i][0], have[j][0]) for i, j in zip(a[keep].tolist(), b[keep].tolist(), strict=True)]
 
 
-def of_home(home: Path, *, misses: bool = False) -> list[SceneRow]:
+def of_home(home: Path, *, misses: bool = False) -> list[PenetrationRow]:
     """The imported scenes of a ``C4S_HOME``."""
     return [
-        SceneRow(
+        PenetrationRow(
             scene=path.parent.name,
             hulls="as imported",
             import_s=0.0,
@@ -136,14 +136,14 @@ def of_home(home: Path, *, misses: bool = False) -> list[SceneRow]:
     ]
 
 
-def of_file(file: Path, hulls: How, *, misses: bool = False) -> SceneRow:
+def of_file(file: Path, hulls: How, *, misses: bool = False) -> PenetrationRow:
     """A scene file, imported with one way of making collision."""
     with tempfile.TemporaryDirectory(prefix="c4s-penetration-") as scratch:
         home, begin = Path(scratch), time.perf_counter()
         report = import_scene(file, "scene", suites=home / "suites", packs=home / "packs", hulls=hulls)
         spent = time.perf_counter() - begin
         found = measured(Level.read(Path(report["level"])), [home / "packs" / "scene"], misses=misses)
-    return SceneRow(scene=file.stem, hulls=hulls, import_s=round(spent, 1), **found)
+    return PenetrationRow(scene=file.stem, hulls=hulls, import_s=round(spent, 1), **found)
 
 
 def main() -> None:

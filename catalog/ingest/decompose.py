@@ -128,7 +128,7 @@ def holds(hull: Points, points: Points) -> bool:
 def cut_piece(
     piece: SurfacePiece, gap_cm: float, deadline: float, folder: Path | None = None
 ) -> tuple[list[Points], str]:
-    """The parts (corners in cm) of a solid piece, concave by about ``gap_cm`` at most; none and why where it cannot be.
+    """Parts (corners in cm) of a solid piece, concave by about ``gap_cm`` at most; none and why where it cannot be.
 
     ``deadline``: of ``time.monotonic``. A piece that is no plain closed surface is made anew by coacd first.
     """

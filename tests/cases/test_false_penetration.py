@@ -9,7 +9,7 @@ import pytest
 import trimesh
 
 from bench.mesh_truth import penetrates, welded
-from bench.penetration import SceneRow, of_file
+from bench.penetration import PenetrationRow, of_file
 from tests.shared import SHARED
 
 SCENES = SHARED / "assets/scenes"
@@ -27,7 +27,7 @@ def test_few_actors_of_a_scene_penetrate_falsely(
     file: str, actors: int, said: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("C4S_HOME", str(tmp_path))
-    found: SceneRow = of_file(SCENES / file, "auto", misses=True)
+    found: PenetrationRow = of_file(SCENES / file, "auto", misses=True)
     assert found.actors >= actors and found.said >= said
     assert found.rate <= MOST_FALSE, found.pairs
     assert found.missed is not None and found.missed <= 2
