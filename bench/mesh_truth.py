@@ -42,7 +42,7 @@ WAYS = _directions()
 
 
 @dataclass(frozen=True)
-class Triangles:
+class WorldTriangles:
     """The world triangles of an actor (cm)."""
 
     vertices: Array
@@ -99,15 +99,15 @@ class Triangles:
         return bool((np.bincount(rays, minlength=len(near)) % 2 == 1).any())
 
 
-def welded(vertices: Array, faces: NDArray[np.int64]) -> Triangles:
+def welded(vertices: Array, faces: NDArray[np.int64]) -> WorldTriangles:
     """One corner a place; triangles without an area left out."""
     corners, same = np.unique(np.round(vertices, 3) + 0.0, axis=0, return_inverse=True)
     faces = same.reshape(-1)[faces].astype(np.int64)
     across = np.cross(corners[faces[:, 1]] - corners[faces[:, 0]], corners[faces[:, 2]] - corners[faces[:, 0]])
-    return Triangles(corners, faces[np.linalg.norm(across, axis=1) > 1e-9])
+    return WorldTriangles(corners, faces[np.linalg.norm(across, axis=1) > 1e-9])
 
 
-def touch(a: Triangles, b: Triangles, step: Array) -> bool:
+def touch(a: WorldTriangles, b: WorldTriangles, step: Array) -> bool:
     """Whether a, moved by ``step`` (cm), meets b: their triangles cross, or one lies inside the other."""
     if (a.low + step > b.high).any() or (a.high + step < b.low).any():
         return False
@@ -118,14 +118,14 @@ def touch(a: Triangles, b: Triangles, step: Array) -> bool:
     return b.holds(a.probes + step) or a.holds(b.probes - step)
 
 
-def penetrates(a: Triangles, b: Triangles, tolerance_cm: float) -> bool:
+def penetrates(a: WorldTriangles, b: WorldTriangles, tolerance_cm: float) -> bool:
     """Whether no move of at most the tolerance that was tried frees the two."""
     if not touch(a, b, np.zeros(3)):
         return False
     return all(touch(a, b, way * share * tolerance_cm) for share in SHARES for way in WAYS)
 
 
-def world_triangles(actor: Mapping[str, Any], store: PackStore, meshes: Mapping[str, Any]) -> Triangles | None:
+def world_triangles(actor: Mapping[str, Any], store: PackStore, meshes: Mapping[str, Any]) -> WorldTriangles | None:
     """The triangles of an exported actor that collide; None when it has none."""
     from c4s.verify.physics.surfaces import read_component
 

@@ -22,8 +22,9 @@ from typing import Any, get_args
 import numpy as np
 import shapely
 
-from bench.mesh_truth import Triangles, penetrates, world_triangles
+from bench.mesh_truth import WorldTriangles, penetrates, world_triangles
 from c4s.packs.store import PackStore
+from c4s.protocol.settings import INDOOR_REPAIR
 from c4s.records.level import Level
 from c4s.verify.physics.verdict import verify_physics
 from cases.importers.importing import import_scene
@@ -34,7 +35,7 @@ TOLERANCE_CM = 5.0
 
 
 @dataclass
-class Found:
+class PenetrationRow:
     """One scene with one way of making collision."""
 
     scene: str
@@ -64,13 +65,13 @@ def measured(level: Level, packs: Sequence[Path], *, misses: bool = False) -> di
     for actor in aside["actors"]:
         actor["transform"]["location_cm"][0] += ASIDE_CM
     begin = time.process_time()
-    leaf = verify_physics("image-to-scene/indoor", snapshot, aside, alone=True).measurements["leaf_results"][1]
+    leaf = verify_physics(INDOOR_REPAIR, snapshot, aside, alone=True).measurements["leaf_results"][1]
     spent = time.process_time() - begin
     names = {str(actor.get("name") or actor.get("label")): i for i, actor in enumerate(snapshot["actors"])}
     store, meshes = PackStore(packs), snapshot["c4s"]["meshes"]
-    kept: dict[int, Triangles | None] = {}
+    kept: dict[int, WorldTriangles | None] = {}
 
-    def triangles(index: int) -> Triangles | None:
+    def triangles(index: int) -> WorldTriangles | None:
         if index not in kept:
             kept[index] = world_triangles(snapshot["actors"][index], store, meshes)
         return kept[index]
@@ -122,10 +123,10 @@ def _near(scored: set[int], triangles: Any) -> list[tuple[int, int]]:
     return [(have[i][0], have[j][0]) for i, j in zip(a[keep].tolist(), b[keep].tolist(), strict=True)]
 
 
-def of_home(home: Path, *, misses: bool = False) -> list[Found]:
+def of_home(home: Path, *, misses: bool = False) -> list[PenetrationRow]:
     """The imported scenes of a ``C4S_HOME``."""
     return [
-        Found(
+        PenetrationRow(
             scene=path.parent.name,
             hulls="as imported",
             import_s=0.0,
@@ -135,14 +136,14 @@ def of_home(home: Path, *, misses: bool = False) -> list[Found]:
     ]
 
 
-def of_file(file: Path, hulls: How, *, misses: bool = False) -> Found:
+def of_file(file: Path, hulls: How, *, misses: bool = False) -> PenetrationRow:
     """A scene file, imported with one way of making collision."""
     with tempfile.TemporaryDirectory(prefix="c4s-penetration-") as scratch:
         home, begin = Path(scratch), time.perf_counter()
         report = import_scene(file, "scene", suites=home / "suites", packs=home / "packs", hulls=hulls)
         spent = time.perf_counter() - begin
         found = measured(Level.read(Path(report["level"])), [home / "packs" / "scene"], misses=misses)
-    return Found(scene=file.stem, hulls=hulls, import_s=round(spent, 1), **found)
+    return PenetrationRow(scene=file.stem, hulls=hulls, import_s=round(spent, 1), **found)
 
 
 def main() -> None:

@@ -39,7 +39,7 @@ def truth_losses(folder: SuiteFolder, packs_root: Path) -> dict[str, Any]:
     return {
         "cases": cases,
         "judged": len(cases),
-        "below_one": sum(case["score"] != 1.0 for case in cases),
+        "below_one": sum(1 for case in cases if case["score"] != 1.0),
         "losses": sum(len(case["losses"]) for case in cases),
     }
 

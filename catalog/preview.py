@@ -8,7 +8,9 @@ from __future__ import annotations
 import functools
 import math
 import sys
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +27,8 @@ from c4s.records.pack import MANIFEST, STAMP, Asset, Material, Pack
 from c4s.render import Camera, Instance, Lights, Renderer, Sky, Sun, SurfaceMaterial
 from c4s.trees import read_listing
 
+Part: TypeAlias = tuple[Mesh, NDArray[np.float64], tuple[SurfaceMaterial, ...]]
+"""A mesh, where it stands (4 x 4), and its materials."""
 SIZE = 320
 """Pixels a side of a preview."""
 _SAMPLES = 2
@@ -103,17 +107,24 @@ def _framed(points: NDArray[np.float64]) -> Camera:
 
 def preview(surfaces: PreviewSurfaces, asset: Asset) -> NDArray[np.uint8]:
     """(SIZE, SIZE, 3) picture of one asset from the front, right and above, on a grey ground."""
-    store = surfaces.store
+    parts = [
+        (surfaces.store.mesh(piece.path), matrix, tuple(surfaces.of(slot.material) for slot in piece.slots))
+        for piece, matrix in _pieces(surfaces.store, asset)
+    ]
+    return drawn(surfaces.store, parts, np.array(asset.bounds_min_cm), np.array(asset.bounds_max_cm))
+
+
+def drawn(store: PackStore, parts: Sequence[Part], low: NDArray[Any], high: NDArray[Any]) -> NDArray[np.uint8]:
+    """(SIZE, SIZE, 3) picture of parts between two corners (cm), framed and lit as every preview."""
     meshes: list[Mesh] = [store.mesh("/Engine/BasicShapes/Plane.Plane")]
-    low, high = np.array(asset.bounds_min_cm), np.array(asset.bounds_max_cm)
     reach = float(np.linalg.norm(high - low))
     middle = (low + high) / 2
     ground = affine((middle[0], middle[1], low[2] - 0.001 * reach), (0, 0, 0), (reach, reach, 1))
     instances, points = [Instance(0, ground, (_GROUND,), 0)], []
-    for piece, matrix in _pieces(store, asset):
-        instances.append(Instance(len(meshes), matrix, tuple(surfaces.of(s.material) for s in piece.slots), 1))
-        meshes.append(store.mesh(piece.path))
-        points.append(meshes[-1].vertices.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
+    for mesh, matrix, materials in parts:
+        instances.append(Instance(len(meshes), matrix, materials, 1))
+        meshes.append(mesh)
+        points.append(mesh.vertices.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
     lights = Lights(_SUN, sky=_SKY, ambient_occlusion_cm=max(1.0, reach / 3))
     renderer = Renderer(meshes, instances, lights)
     picture = renderer.render(_framed(np.concatenate(points)), samples=_SAMPLES)

@@ -12,6 +12,7 @@ from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars
 from c4s.errors import BadInput, unknown
+from c4s.folders import check_out
 from c4s.home import packs_root
 from c4s.names import checked_id, place_in
 from c4s.records.pack import MANIFEST, Pack
@@ -64,6 +65,28 @@ def show(
         ],
         title=pack.title,
     )
+
+
+@app.command("collision")
+def draw_collision(
+    pack_id: Annotated[str, typer.Argument(help="id of a pack")],
+    out: Annotated[Path, typer.Option(help="PNG to write")],
+    name: Annotated[list[str] | None, typer.Option(help="part of an asset's id, repeatable; all when left out")] = None,
+    replace: Annotated[bool, typer.Option("--replace", help="replace the file")] = False,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
+    """Draw what is to be seen of assets beside their collision bodies, each body in its own colour."""
+    from catalog.collision_sheet import collision_sheet
+
+    folder = _manifest(pack_id).parent
+    if out.suffix.lower() != ".png":
+        raise BadInput("a sheet is a PNG file", where=f"--out {out}")
+    check_out(out, replace=replace, magic=b"\x89PNG")
+    count = collision_sheet(folder, out, name or ())
+    if json_output:
+        print_json({"pack": pack_id, "assets": count, "file": str(out)})
+    else:
+        say(f"{count} assets drawn in {out}")
 
 
 @app.command()

@@ -17,10 +17,12 @@ import numpy as np
 from catalog.ingest.decompose import LITTLE, cut_piece, holds
 from catalog.ingest.merging import gap_cm, measured, merged
 from catalog.ingest.panels import panels
-from catalog.ingest.surfaces import Faces, Piece, Points, pieces
+from catalog.ingest.surfaces import Faces, Points, SurfacePiece, pieces
 
 SEALED = 0.1
-"""Openings up to this share of the hull's surface do not make a shell."""
+"""Openings up to this share of the hull's surface do not make a shell, ..."""
+SLIT_CM2 = 400.0
+"""... unless one of them alone is larger than this: a bin is open at its top, however tall it is."""
 DOWN = -0.7
 """An opening faces down when its outward direction is lower than this."""
 ROOM_CM3 = 1_000_000.0
@@ -38,7 +40,7 @@ MOST_PANELLED = 64
 
 
 @dataclass
-class Found:
+class AutomaticBodies:
     """Corners (cm) of each body, notes, and whether a piece was cut or became panels."""
 
     bodies: list[Points]
@@ -46,19 +48,19 @@ class Found:
     parts: bool = False
 
 
-def automatic(vertices: Points, faces: Faces, cache_folder: Path | None = None) -> Found:
+def automatic(vertices: Points, faces: Faces, cache_folder: Path | None = None) -> AutomaticBodies:
     """The convex bodies of a surface (cm); the same surface gives the same bodies."""
     found = pieces(vertices, faces)
     if not found:
-        return Found([vertices], ["it has no triangles with an area: one hull"])
+        return AutomaticBodies([vertices], ["it has no triangles with an area: one hull"])
     ground = min(float(piece.points[:, 2].min()) for piece in found)
     whole = without_cavities(found)
     solid = {id(piece) for piece in whole if is_solid(piece, ground)}
     corners, volume, area = measured(np.concatenate([piece.points for piece in whole]))
     size = float(np.linalg.norm(np.ptp(corners, axis=0)))
     if all(id(piece) in solid for piece in whole) and gap_cm(volume, _filled(whole), area) <= allowed_cm(size):
-        return Found([corners])
-    made, deadline = Found([]), time.monotonic() + MOST_SECONDS
+        return AutomaticBodies([corners])
+    made, deadline = AutomaticBodies([]), time.monotonic() + MOST_SECONDS
     cut, panelled = 0, 0
     hulls: list[Points] = []
     for piece in whole:
@@ -84,7 +86,7 @@ def automatic(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
     return made
 
 
-def is_solid(piece: Piece, ground: float) -> bool:
+def is_solid(piece: SurfacePiece, ground: float) -> bool:
     """Whether a piece bounds a solid; ``ground`` is where the whole mesh stands (cm)."""
     if piece.hull is None or (piece.two_sided and piece.holes):
         return False
@@ -93,13 +95,11 @@ def is_solid(piece: Piece, ground: float) -> bool:
     if abs(piece.volume) < 1e-3 * float(piece.hull.volume):
         return False
     open_area = float(piece.hull.area) * SEALED
-    sides = sum(
-        hole.area for hole in piece.holes if not (hole.direction[2] < DOWN and hole.middle[2] < ground + FREE_CM)
-    )
-    return sides <= open_area
+    sides = [hole.area for hole in piece.holes if not (hole.direction[2] < DOWN and hole.middle[2] < ground + FREE_CM)]
+    return sum(sides) <= open_area and max(sides, default=0.0) <= SLIT_CM2
 
 
-def is_tight(piece: Piece) -> bool:
+def is_tight(piece: SurfacePiece) -> bool:
     """Whether one hull fills little that is free."""
     assert piece.hull is not None
     own = abs(piece.volume)
@@ -111,7 +111,7 @@ def allowed_cm(size: float) -> float:
     return FREE_CM + FREE_SHARE * size
 
 
-def without_cavities(found: list[Piece]) -> list[Piece]:
+def without_cavities(found: list[SurfacePiece]) -> list[SurfacePiece]:
     """The pieces with each cavity made a part of the piece around it."""
     whole = list(found)
     for inner in [piece for piece in found if piece.volume < 0 and not piece.holes and piece.hull is not None]:
@@ -127,7 +127,7 @@ def without_cavities(found: list[Piece]) -> list[Piece]:
         ]
         if around:
             outer = min(around, key=lambda piece: piece.volume)
-            whole[whole.index(outer)] = Piece(
+            whole[whole.index(outer)] = SurfacePiece(
                 np.concatenate([outer.points, inner.points]),
                 np.concatenate([outer.faces, inner.faces + len(outer.points)]),
             )
@@ -135,7 +135,7 @@ def without_cavities(found: list[Piece]) -> list[Piece]:
     return whole
 
 
-def winding(piece: Piece, points: Points) -> Points:
+def winding(piece: SurfacePiece, points: Points) -> Points:
     """The generalised winding number of a surface about points (Jacobson et al. 2013): 1 inside a closed one."""
     sums = []
     for point in points:
@@ -147,7 +147,7 @@ def winding(piece: Piece, points: Points) -> Points:
     return np.array(sums)
 
 
-def _filled(whole: list[Piece]) -> float:
+def _filled(whole: list[SurfacePiece]) -> float:
     """Volume (cm3) of pieces that do not lie in the hull of a larger one."""
     total, seen = 0.0, list[Points]()
     for piece in whole:
@@ -157,5 +157,5 @@ def _filled(whole: list[Piece]) -> float:
     return total
 
 
-def _little(piece: Piece, size: float) -> bool:
+def _little(piece: SurfacePiece, size: float) -> bool:
     return piece.size < max(SMALL_CM, LITTLE * size) and piece.size < 4 * SMALL_CM

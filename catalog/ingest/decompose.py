@@ -22,7 +22,7 @@ from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, write_bytes
 from c4s.home import cache_root
 from catalog.ingest.coacd_run import CPU_LIMIT
-from catalog.ingest.surfaces import Faces, Piece, Points, connected, weld
+from catalog.ingest.surfaces import Faces, Points, SurfacePiece, connected, weld
 
 PARAMETERS: dict[str, Any] = {
     "threshold": 0.05,
@@ -125,8 +125,10 @@ def holds(hull: Points, points: Points) -> bool:
     return bool((points @ planes[:, :3].T + planes[:, 3] <= HIDDEN_CM).all())
 
 
-def cut_piece(piece: Piece, gap_cm: float, deadline: float, folder: Path | None = None) -> tuple[list[Points], str]:
-    """The parts (corners in cm) of a solid piece, concave by about ``gap_cm`` at most; none and why where it cannot be.
+def cut_piece(
+    piece: SurfacePiece, gap_cm: float, deadline: float, folder: Path | None = None
+) -> tuple[list[Points], str]:
+    """Parts (corners in cm) of a solid piece, concave by about ``gap_cm`` at most; none and why where it cannot be.
 
     ``deadline``: of ``time.monotonic``. A piece that is no plain closed surface is made anew by coacd first.
     """

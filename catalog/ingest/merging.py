@@ -1,7 +1,7 @@
 """Fewer convex bodies: neighbours become one where their common hull adds little that is not there.
 
-What a merge adds is told as a gap (cm): the volume that the common hull has beyond the two, by half its surface. It is
-the mean depth of what is filled and should be free.
+What a merge adds is told as a gap (cm): the volume that the common hull has beyond the two, by its narrowest side (its
+thickness times its length). It is the mean width of what is filled and should be free, also of a door between panels.
 """
 
 from __future__ import annotations
@@ -42,6 +42,13 @@ def gap_cm(hull_volume: float, own_volume: float, hull_area: float) -> float:
     return max(0.0, hull_volume - own_volume) / (hull_area / 2) if hull_area > 0 else 0.0
 
 
+def _narrowest_side(corners: Points) -> float:
+    """Smallest extent times largest (cm2), along the main axes of the corners."""
+    centred = corners - corners.mean(axis=0)
+    extents = np.ptp(centred @ np.linalg.eigh(centred.T @ centred)[1], axis=0)
+    return max(float(extents.min() * extents.max()), 1e-9)
+
+
 def merged(bodies: Sequence[Points], *, most: int = MOST_BODIES) -> list[Points]:
     """The bodies (corners in cm) with neighbours merged, cheapest first; the same bodies give the same result."""
     bodies = list(bodies)
@@ -53,8 +60,8 @@ def merged(bodies: Sequence[Points], *, most: int = MOST_BODIES) -> list[Points]
     fresh = len(known)
 
     def offer(a: int, b: int) -> None:
-        corners, volume, area = measured(np.concatenate([known[a][0], known[b][0]]))
-        gap = gap_cm(volume, known[a][1] + known[b][1], area)
+        corners, volume, _ = measured(np.concatenate([known[a][0], known[b][0]]))
+        gap = max(0.0, volume - known[a][1] - known[b][1]) / _narrowest_side(corners)
         if gap <= (np.inf if len(known) > HARD_LIMIT else LARGEST_GAP_CM):
             heapq.heappush(heap, (gap, min(a, b), max(a, b), corners))
 

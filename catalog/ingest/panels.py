@@ -11,7 +11,7 @@ import shapely
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
-from catalog.ingest.surfaces import Piece, Points
+from catalog.ingest.surfaces import Points, SurfacePiece
 
 THICK_CM = 0.5
 SAME_PLANE_CM = 0.3
@@ -25,7 +25,7 @@ MOST_FACES = 30_000
 GRID_SHARE = 0.01
 
 
-def panels(piece: Piece) -> list[Points]:
+def panels(piece: SurfacePiece) -> list[Points]:
     """Corners (cm) of the panels of a piece."""
     if len(piece.faces) > MOST_FACES:
         piece = _coarse(piece)
@@ -35,17 +35,17 @@ def panels(piece: Piece) -> list[Points]:
     return found
 
 
-def _coarse(piece: Piece) -> Piece:
+def _coarse(piece: SurfacePiece) -> SurfacePiece:
     step = GRID_SHARE * piece.size
     corners, same = np.unique(np.round(piece.points / step), axis=0, return_inverse=True)
     faces = same.reshape(-1)[piece.faces]
     across = np.cross(corners[faces[:, 1]] - corners[faces[:, 0]], corners[faces[:, 2]] - corners[faces[:, 0]])
     faces = faces[np.linalg.norm(across, axis=1) > 0]
     _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
-    return Piece(corners * step, faces[np.sort(first)], piece.two_sided) if len(first) else piece
+    return SurfacePiece(corners * step, faces[np.sort(first)], piece.two_sided) if len(first) else piece
 
 
-def _regions(piece: Piece) -> list[tuple[NDArray[np.int64], Points]]:
+def _regions(piece: SurfacePiece) -> list[tuple[NDArray[np.int64], Points]]:
     """Faces of each flat region, with its normal: grown across edges from the largest triangle left."""
     triangles = piece.triangles
     across = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])

@@ -34,7 +34,7 @@ class Hole:
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class SurfacePiece:
     """A connected surface: its corners (n, 3) in cm and its triangles, wound alike where that is possible."""
 
     points: Points
@@ -107,18 +107,18 @@ class Piece:
         """Area of the openings by that of the hull."""
         return sum(hole.area for hole in self.holes) / float(self.hull.area) if self.hull is not None else 1.0
 
-    def lidded(self) -> Piece:
+    def lidded(self) -> SurfacePiece:
         """The piece with a lid on every opening."""
         points, faces = [self.points], [self.faces]
         for number, rim in enumerate(self._rims):
             points.append(self.points[rim[:, 0]].mean(axis=0, keepdims=True))
             tip = np.full(len(rim), len(self.points) + number)
             faces.append(np.column_stack([rim[:, 1], rim[:, 0], tip]))
-        return Piece(np.concatenate(points), np.concatenate(faces))
+        return SurfacePiece(np.concatenate(points), np.concatenate(faces))
 
-    def turned(self) -> Piece:
+    def turned(self) -> SurfacePiece:
         """The piece inside out."""
-        return Piece(self.points, self.faces[:, ::-1], self.two_sided)
+        return SurfacePiece(self.points, self.faces[:, ::-1], self.two_sided)
 
 
 def connected(welded: Faces, group: NDArray[np.int64]) -> list[NDArray[np.int64]]:
@@ -144,7 +144,7 @@ def weld(vertices: Points, faces: Faces) -> tuple[Points, Faces]:
     return corners, welded[np.linalg.norm(across, axis=1) > 1e-9]
 
 
-def pieces(vertices: Points, faces: Faces) -> list[Piece]:
+def pieces(vertices: Points, faces: Faces) -> list[SurfacePiece]:
     """The connected pieces of a surface (cm), the largest first."""
     corners, welded = weld(vertices, faces)
     _, first, count = np.unique(np.sort(welded, axis=1), axis=0, return_index=True, return_counts=True)
@@ -156,7 +156,7 @@ def pieces(vertices: Points, faces: Faces) -> list[Piece]:
     for rows in connected(welded, np.zeros(len(welded), np.int64)):
         used, named = np.unique(welded[rows], return_inverse=True)
         own = _wound_alike(named.reshape(-1, 3).astype(np.int64), len(used))
-        found.append(Piece(corners[used], own, bool(twice[rows].mean() > 0.5)))
+        found.append(SurfacePiece(corners[used], own, bool(twice[rows].mean() > 0.5)))
     found.sort(key=lambda piece: (-piece.size, piece.points[0].tolist(), len(piece.faces)))
     return found
 
