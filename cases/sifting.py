@@ -36,7 +36,7 @@ class Refusal:
 
 
 @dataclass(frozen=True)
-class Candidate:
+class MadeCase:
     """A made case before its pictures: its levels and what a clean engine exports of them."""
 
     case_id: str
@@ -46,7 +46,7 @@ class Candidate:
     truth_snapshot: Mapping[str, Any]
 
 
-def fault_of(case: Candidate, boxes: Boxes, store: PackStore) -> str | None:
+def fault_of(case: MadeCase, boxes: Boxes, store: PackStore) -> str | None:
     """Why a case is not a good one, with the number.
 
     ``None`` where its truth scores fully and it gives nothing away.
@@ -67,7 +67,7 @@ def fault_of(case: Candidate, boxes: Boxes, store: PackStore) -> str | None:
 
 
 def sifted(
-    candidates: Iterator[Candidate], boxes: Boxes, store: PackStore, most: int, progress: Callable[[str], None]
+    candidates: Iterator[MadeCase], boxes: Boxes, store: PackStore, most: int, progress: Callable[[str], None]
 ) -> tuple[list[str], list[Refusal]]:
     """The first ``most`` good ones, by id, and those that were refused before that many were found."""
     good, refused = list[str](), list[Refusal]()
@@ -85,7 +85,7 @@ def sifted(
 
 def summed(refused: Sequence[Refusal]) -> str:
     """What was refused in one line: how many for which reason."""
-    physics = sum("physics" in one.reason for one in refused)
+    physics = sum("a physics score" in one.reason for one in refused)
     blind = sum("without a look" in one.reason for one in refused)
     rest = len(refused) - physics - blind
     told = [(physics, "lose physics"), (blind, "can be guessed"), (rest, "cannot be repaired fully")]

@@ -36,7 +36,7 @@ from cases.natural import lived_in, plans_of, rebased, rounded, settled_spawns
 from cases.prompts import repair_prompt, text_prompt
 from cases.requirements import bundle
 from cases.settle import to_build
-from cases.sifting import Candidate, Refusal, sifted, summed
+from cases.sifting import MadeCase, Refusal, sifted, summed
 from cases.standing import settled
 from cases.veil import Veil
 from cases.views import cameras_record, changed, targets_record
@@ -244,7 +244,7 @@ class _Builder:
             with closing(exports.snapshots(folders, levels, Path(scratch))) as exported:
                 original = next(exported)[1]
                 candidates = (
-                    Candidate(case_id, settings[case_id], corrupted[case_id], snapshot, original)
+                    MadeCase(case_id, settings[case_id], corrupted[case_id], snapshot, original)
                     for case_id, snapshot in exported
                 )
                 most = self.definition.most or len(repairs)
