@@ -37,7 +37,7 @@ MIN_DISTANCE_CM, REACH = 220.0, 2.6
 
 
 @dataclass(frozen=True)
-class Shape:
+class MeshShape:
     """A mesh that may be put into a scene: its lowest point about its pivot, and its longest side (cm)."""
 
     bottom_cm: float
@@ -91,7 +91,7 @@ def generated(
             todo="give fewer --changes",
         )
     meshes = {
-        asset.path: Shape(asset.bounds_min_cm[2], 100 * max(asset.size_m))
+        asset.path: MeshShape(asset.bounds_min_cm[2], 100 * max(asset.size_m))
         for pack in packs
         for asset in Pack.read(packs_root / pack / "pack.json").assets
         if asset.kind == "static_mesh" and min(asset.size_m) > MIN_SIDE_CM / 100
@@ -144,7 +144,7 @@ def _case(
     scene: SourceScene,
     author: Author,
     things: Sequence[SoundThing],
-    meshes: Mapping[str, Shape],
+    meshes: Mapping[str, MeshShape],
     changes: int,
     chance: random.Random,
 ) -> RepairCase | None:
@@ -181,7 +181,7 @@ def _change(
     kind: Kind,
     thing: SoundThing,
     author: Author,
-    meshes: Mapping[str, Shape],
+    meshes: Mapping[str, MeshShape],
     chance: random.Random,
     removed: set[str],
     added: set[str],

@@ -25,7 +25,7 @@ MOST_TOLD = 3
 
 
 @dataclass(frozen=True)
-class Candidate:
+class MadeCase:
     """A made case before its pictures: its levels and what a clean engine exports of them."""
 
     case_id: str
@@ -35,7 +35,7 @@ class Candidate:
     truth_snapshot: Mapping[str, Any]
 
 
-def fault_of(case: Candidate, boxes: Boxes, store: PackStore) -> str | None:
+def fault_of(case: MadeCase, boxes: Boxes, store: PackStore) -> str | None:
     """Why a case is not a good one, with the number.
 
     ``None`` where its truth scores fully and it gives nothing away.
@@ -56,7 +56,7 @@ def fault_of(case: Candidate, boxes: Boxes, store: PackStore) -> str | None:
 
 
 def sifted(
-    candidates: Iterator[Candidate], boxes: Boxes, store: PackStore, most: int, progress: Callable[[str], None]
+    candidates: Iterator[MadeCase], boxes: Boxes, store: PackStore, most: int, progress: Callable[[str], None]
 ) -> tuple[list[str], list[Refusal]]:
     """The first ``most`` good ones, by id, and those that were refused before that many were found."""
     good, refused = list[str](), list[Refusal]()
@@ -74,7 +74,7 @@ def sifted(
 
 def summed(refused: Sequence[Refusal]) -> str:
     """What was refused in one line: how many for which reason."""
-    physics = sum("physics" in one.reason for one in refused)
+    physics = sum("a physics score" in one.reason for one in refused)
     blind = sum("without a look" in one.reason for one in refused)
     seen = sum("of 1280x720" in one.reason for one in refused)
     rest = len(refused) - physics - blind - seen

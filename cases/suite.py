@@ -42,7 +42,7 @@ from cases.prompts import repair_prompt, text_prompt
 from cases.recipe import Operation, Recipe, SpawnActor
 from cases.requirements import bundle
 from cases.settle import to_build
-from cases.sifting import Candidate, sifted, summed
+from cases.sifting import MadeCase, sifted, summed
 from cases.standing import settled
 from cases.veil import Veil
 from cases.views import cameras_record, changed, targets_record
@@ -270,7 +270,7 @@ class _Builder:
             with closing(exports.snapshots(folders, levels, Path(scratch))) as exported:
                 original = next(exported)[1]
                 candidates = (
-                    Candidate(case_id, settings[case_id], corrupted[case_id], snapshot, original)
+                    MadeCase(case_id, settings[case_id], corrupted[case_id], snapshot, original)
                     for case_id, snapshot in exported
                 )
                 most = math.ceil(SPARE * (self.definition.most or len(repairs)))

@@ -159,8 +159,7 @@ def under(scene: ImportedScene, kept: Sequence[SceneActor]) -> tuple[SceneAsset,
             low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
     middle, half = (low + high) / 2, (high - low) / 2 + GROUND_BEYOND_CM
     corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) * half
-    up = np.tile([0.0, 0.0, 1.0], (4, 1))
-    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    up, faces = np.tile([0.0, 0.0, 1.0], (4, 1)), np.array([[0, 1, 2], [0, 2, 3]])
     part = SourcePart("ground", Surface("ground", GROUND_COLOR, roughness=1.0), corners, faces, up, np.zeros((4, 2)))
     place = np.eye(4)
     place[:3, 3] = (*middle[:2], low[2] - GROUND_GAP_CM)

@@ -47,7 +47,7 @@ def scene_root(world: Path) -> Path:
 
 
 @dataclass(frozen=True)
-class Scope:
+class SdfScope:
     """What a nested model inherits: its path, its matrix in the world, its frames, its depth, whether it is fixed."""
 
     prefix: str
@@ -58,7 +58,7 @@ class Scope:
 
 
 @dataclass(frozen=True)
-class Link:
+class SdfLink:
     """A link of a model: its element, its matrix in the model, the frames among which its poses are written."""
 
     element: Element
@@ -75,10 +75,10 @@ class Link:
 
 
 @dataclass(frozen=True)
-class Content:
+class ModelContent:
     """What a model holds, with what its merged includes hold: links, and models with the frames that they stand in."""
 
-    links: list[Link]
+    links: list[SdfLink]
     nested: list[tuple[Element, Frames, Matrix]]
 
 
@@ -124,12 +124,12 @@ class _Reader:
             if tree.tag != "sdf" or not worlds:
                 raise BadInput("this is no SDF world", where=str(path))
             for world in worlds:
-                self._world(world, Scope("", np.eye(4), Frames(world, self.library), 0, False))
+                self._world(world, SdfScope("", np.eye(4), Frames(world, self.library), 0, False))
         for name in sorted(self.library.own):
             self.scene.note(name, "no file of this model is there: Gazebo's own is taken")
         return self.scene
 
-    def _world(self, world: Element, scope: Scope) -> None:
+    def _world(self, world: Element, scope: SdfScope) -> None:
         self.state = {
             scope.prefix + model.get("name", ""): model
             for model in world.iterfind("state/model")
@@ -140,7 +140,7 @@ class _Reader:
                 self._guarded(element, scope)
         self._leave_out(world, scope.prefix)
 
-    def _guarded(self, element: Element, scope: Scope) -> None:
+    def _guarded(self, element: Element, scope: SdfScope) -> None:
         """Place a model, an include, a light or a road; what is wrong with it does not end the import."""
         name = scope.prefix + self._name(element)
         self.progress(name)
@@ -160,7 +160,7 @@ class _Reader:
         name = self.library.name(element) if element.tag == "include" else element.get("name") or ""
         return name.strip() or element.tag
 
-    def _placed(self, element: Element, scope: Scope) -> None:
+    def _placed(self, element: Element, scope: SdfScope) -> None:
         """An include of whatever it stands for, or a model."""
         target = self.library(element) if element.tag == "include" else element
         name, here = scope.prefix + self._name(element), scope.frame @ scope.frames.of(element)
@@ -172,16 +172,16 @@ class _Reader:
             given = (element.findtext("name") or "").strip()
             prefix = f"{scope.prefix}{given}/" if given else scope.prefix
             state = self.state
-            self._world(target, Scope(prefix, here, Frames(target, self.library), scope.depth + 1, scope.static))
+            self._world(target, SdfScope(prefix, here, Frames(target, self.library), scope.depth + 1, scope.static))
             self.state = state
         else:
             self._model(element, target, scope, name)
 
-    def _model(self, element: Element, model: Element, scope: Scope, name: str) -> None:
+    def _model(self, element: Element, model: Element, scope: SdfScope, name: str) -> None:
         """A model: an actor when nothing but links is in it, else a group of them."""
         static = scope.static or _true(element.findtext("static") or model.findtext("static"))
         here = self._saved(name, scope.frame @ scope.frames.of(element))
-        inner = Scope(f"{name}/", here, Frames(model, self.library), scope.depth + 1, static)
+        inner = SdfScope(f"{name}/", here, Frames(model, self.library), scope.depth + 1, static)
         content = self._content(model, inner.frames, np.eye(4), inner)
         self._leave_out(model, inner.prefix)
         lights = 0
@@ -191,7 +191,7 @@ class _Reader:
                 lights += 1
         if len(content.nested) == 1 and not content.links and element.tag == "model" and _includes_model(content):
             child, frames, base = content.nested[0]
-            wrapped = Scope(scope.prefix, here @ base, frames, scope.depth + 1, static)
+            wrapped = SdfScope(scope.prefix, here @ base, frames, scope.depth + 1, static)
             target = self.library(child)
             if target.tag == "model":
                 self._model(child, target, wrapped, name)
@@ -206,15 +206,15 @@ class _Reader:
             stem = title or _stem(model, [link.element for link in content.links])
             self._actor(name, uri, stem, here, content.links, static)
 
-    def _content(self, model: Element, frames: Frames, base: Matrix, scope: Scope, depth: int = 0) -> Content:
+    def _content(self, model: Element, frames: Frames, base: Matrix, scope: SdfScope, depth: int = 0) -> ModelContent:
         """Links and models of a model; ``base``: where a merged one stands in its parent."""
         if depth > MAX_DEPTH:
             raise BadInput("models include each other without an end")
-        found = Content([], [])
+        found = ModelContent([], [])
         for child in model:
             try:
                 if child.tag == "link":
-                    found.links.append(Link(child, base @ frames.of(child), frames))
+                    found.links.append(SdfLink(child, base @ frames.of(child), frames))
                 elif merged(child) and (target := self.library(child)).tag == "model":
                     inside = Frames(target, self.library)
                     more = self._content(target, inside, base @ frames.of(child), scope, depth + 1)
@@ -226,9 +226,9 @@ class _Reader:
                 self.scene.skip(scope.prefix + self._name(child), error.line(), error.what)
         return found
 
-    def _group(self, content: Content, inner: Scope) -> None:
+    def _group(self, content: ModelContent, inner: SdfScope) -> None:
         for child, frames, base in content.nested:
-            self._guarded(child, Scope(inner.prefix, inner.frame @ base, frames, inner.depth, inner.static))
+            self._guarded(child, SdfScope(inner.prefix, inner.frame @ base, frames, inner.depth, inner.static))
         for link in content.links:
             if link.element.find("visual") is None:
                 continue
@@ -236,7 +236,7 @@ class _Reader:
             try:
                 name = _stem(link.element, [link.element])
                 name = inner.prefix.rstrip("/").rpartition("/")[2] if name.lower() in PLAIN_LINKS else name
-                alone = Link(link.element, np.eye(4), link.frames)
+                alone = SdfLink(link.element, np.eye(4), link.frames)
                 self._actor(path, "", name, inner.frame @ link.matrix, [alone], inner.static)
             except BadInput as error:
                 self.scene.skip(path, error.line(), error.what)
@@ -249,14 +249,16 @@ class _Reader:
         self.scene.note(name, "it stands where the world's saved state has it")
         return pose(saved) @ np.diag([*numbers(saved.findtext("scale"), 3, 1.0), 1.0])
 
-    def _actor(self, path: str, key: str, asset_name: str, matrix: Matrix, links: Sequence[Link], static: bool) -> None:
+    def _actor(
+        self, path: str, key: str, asset_name: str, matrix: Matrix, links: Sequence[SdfLink], static: bool
+    ) -> None:
         """One actor of links whose matrices are about its own pivot."""
         key = key or digest([[_plain(link.element), np.round(link.matrix, 6).tolist()] for link in links])
         if key not in self.scene.assets:
             self.scene.assets[key] = self._asset(path, asset_name, links)
         self.scene.actors.append(SceneActor(path, key, to_unreal(matrix), not static))
 
-    def _asset(self, path: str, name: str, links: Sequence[Link]) -> SceneAsset:
+    def _asset(self, path: str, name: str, links: Sequence[SdfLink]) -> SceneAsset:
         ground = any(link.element.find("visual/geometry/heightmap") is not None for link in links)
         asset, lost = SceneAsset(name, [], ground=ground), Counter[str]()
         for link in links:
@@ -280,7 +282,7 @@ class _Reader:
             self.scene.note(path, f"{count} {text}")
         return asset
 
-    def _road(self, element: Element, name: str, scope: Scope) -> None:
+    def _road(self, element: Element, name: str, scope: SdfScope) -> None:
         notes = list[str]()
         middle, part, slabs = self.shapes.road(element, notes)
         place = np.eye(4)
@@ -309,7 +311,7 @@ class _Reader:
                     self.scene.skip(prefix + child.get("name", child.tag), why, kind)
 
 
-def _includes_model(content: Content) -> bool:
+def _includes_model(content: ModelContent) -> bool:
     return content.nested[0][0].tag == "include"
 
 
