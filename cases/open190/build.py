@@ -1,7 +1,7 @@
-"""Builds packs, levels, pictures and the check of physics of the scenes, one scene at a time; what is unchanged is kept.
+"""Builds packs, levels, pictures and the check of physics of scenes, one at a time; what is unchanged is kept.
 
-``python -m cases.open190.build [scene ...] [--out FOLDER] [--quick]``. A scene's folder holds ``scene.level.json``, ``views/``
-and ``report.json`` (counts, physics, seconds).
+``python -m cases.open190.build [scene ...] [--out FOLDER] [--quick]``. A scene's folder holds ``scene.level.json``,
+``views/`` and ``report.json`` (counts, physics, seconds).
 """
 
 from __future__ import annotations
@@ -17,12 +17,14 @@ from typing import Any
 from c4s.engine import DEFAULT_ENGINE
 from c4s.evidence import open_level
 from c4s.files import digest, digest_file, read_json, write_json
+from c4s.folders import remove_tree
 from c4s.home import packs_root, suites_root
 from c4s.records.folder import EvidenceFolder
 from c4s.records.pack import MANIFEST
 from c4s.verify.physics.verdict import verify_physics
-from cases.model import CaseView, SourceScene
-from cases.open190.layout import Place
+from cases.model import SourceScene
+from cases.open190.eyes import views
+from cases.open190.layout import StagedPlace
 from cases.open190.library import SCENES
 from cases.open190.scenes import SceneSpec
 from cases.standing import unsound
@@ -32,18 +34,7 @@ from catalog.build import build_pack, sources_digest
 REPORT = "report.json"
 
 
-def overview(place: Place) -> CaseView:
-    """A camera that sees the whole place from above one corner."""
-    solid = [item for item in place.items.values() if not item.thing.flat] or list(place.items.values())
-    xs, ys = sorted(item.x for item in solid), sorted(item.y for item in solid)
-    cut = len(xs) // 50
-    x0, x1, y0, y1 = xs[cut], xs[-1 - cut], ys[cut], ys[-1 - cut]
-    reach = max(x1 - x0, y1 - y0, 400.0)
-    centre = ((x0 + x1) / 2, (y0 + y1) / 2, 0.0)
-    return CaseView("overview", (centre[0] - 0.28 * reach, centre[1] + 0.78 * reach, 0.62 * reach + 200), centre, 62.0)
-
-
-def source_scene(spec: SceneSpec, place: Place) -> SourceScene:
+def source_scene(spec: SceneSpec, place: StagedPlace) -> SourceScene:
     """A laid out scene as the suite's builder takes it."""
     return SourceScene(
         spec.scene_id, "indoor" if spec.kind == "indoor" else "outdoor", spec.title, place.level(), (place.pack_id,)
@@ -57,7 +48,7 @@ def sources() -> str:
 
 
 def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False) -> dict[str, Any]:
-    """Build a scene's pack, level, pictures and report under ``out/<scene id>``; the report that is there when unchanged.
+    """Build a scene's pack, level, pictures and report under ``out/<scene id>``, unless they are there unchanged.
 
     ``quick`` leaves out the previews of the pack's assets and takes the pictures at half size.
     """
@@ -76,19 +67,20 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
     laid = time.perf_counter()
     pack = build_pack(place.assortment.pack(place.pack_id, spec.title), packs, replace=True, previews=not quick)
     packed = time.perf_counter()
-    shutil.rmtree(folder, ignore_errors=True)
+    if folder.exists():
+        remove_tree(folder, inside=out)
     folder.mkdir(parents=True)
     level.write(folder / "scene.level.json")
-    views = [overview(place), *place.views]
+    cameras = views(place)
     with tempfile.TemporaryDirectory(prefix="c4s-open-") as scratch:
-        evidence = Path(scratch) / "evidence"
+        evidence = Path(scratch) / "seen"
         with open_level(
             engine=DEFAULT_ENGINE, packs=[packs / place.pack_id], level=folder / "scene.level.json"
         ) as clean:
             snapshot = clean.export(evidence)
             half = {"width": 640, "height": 360} if quick else {}
-            clean.look(evidence, [{**camera(view), **half} for view in views])
-        for view in views:
+            clean.look(evidence, [{**camera(view), **half} for view in cameras])
+        for view in cameras:
             (folder / "views").mkdir(exist_ok=True)
             shutil.copyfile(
                 EvidenceFolder(evidence).captures / f"{view.name}.png", folder / "views" / f"{view.name}.png"
@@ -109,7 +101,7 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
         "assets": len(pack.assets),
         "used": len({item.thing.name for item in place.items.values()}),
         "relations": len(place.relations),
-        "physics": verdict.score if spec.kind == "text" else round(1 - len(bad) / len(level.actors), 4),
+        "physical_safety": verdict.score if spec.kind == "text" else round(1 - len(bad) / len(level.actors), 4),
         "floating": floats[:30],
         "penetrating": inside[:30],
         "unsound": bad[:30],
@@ -121,7 +113,7 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
             "layout": round(laid - started, 1),
             "pack": round(packed - laid, 1),
             "pictures": round(seen - packed, 1),
-            "physics": round(time.perf_counter() - seen, 1),
+            "check": round(time.perf_counter() - seen, 1),
         },
     }
     write_json(folder / REPORT, report)
@@ -150,7 +142,7 @@ def main() -> None:
             "actors",
             "assets",
             "used",
-            "physics",
+            "physical_safety",
             "unsound_count",
             "floating",
             "penetrating",

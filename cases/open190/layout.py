@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 from c4s.geometry.transform import normalize_axis
@@ -21,13 +22,15 @@ from cases.model import CaseView
 from cases.open190.space import Solid, Space, placed, solids
 from cases.starter.stage import Stage, asset_path
 from catalog.kits import buildings, furniture, goods, nature, outdoors, rooms, small, vehicles
-from catalog.kits.maker import Assortment, Surface, Thing
+from catalog.kits.maker import Assortment, KitAsset, StandingSurface
 from catalog.kits.styles import Style
 
 VOCABULARY = (buildings, furniture, goods, nature, outdoors, rooms, small, vehicles)
 """Importing them fills the table of families."""
 TOP_CM = 4.5
 """The support rule of text-to-scene knows only the top of a whole thing, and nothing that is further above."""
+SEABED_CM = 0.6
+"""Water carries nothing, so boats of source scenes lie on solid ground that far below its surface."""
 GAP_CM = 0.2
 """Air under what stands on something: rounding never makes it sink."""
 Assets = str | Sequence[str]
@@ -39,7 +42,7 @@ class Item:
     """A thing that was placed."""
 
     label: str
-    thing: Thing
+    thing: KitAsset
     x: float
     y: float
     z: float
@@ -56,7 +59,7 @@ class Item:
 
 @dataclass(frozen=True)
 class Relation:
-    """How a placed thing stands to another one, or to its like: ``on``, ``around``, ``in_row``, ``along``, ``in_grid``."""
+    """How a placed thing stands to another, or to its like: ``on``, ``around``, ``in_row``, ``along``, ``in_grid``."""
 
     kind: str
     subject: str
@@ -64,7 +67,7 @@ class Relation:
 
 
 @dataclass
-class Place(Stage):
+class StagedPlace(Stage):
     """A scene under construction."""
 
     scene_id: str
@@ -116,7 +119,7 @@ class Place(Stage):
         """Stand a thing at a place of the world, whatever the frame."""
         return self._put(asset, round(x, 3), round(y, 3), round(normalize_axis(yaw), 3), z, 1.0, 0.4, 0.0)
 
-    def thing(self, asset: str) -> Thing:
+    def thing(self, asset: str) -> KitAsset:
         """A made thing by its name."""
         return self.assortment.things[asset]
 
@@ -217,7 +220,7 @@ class Place(Stage):
                     break
         return found
 
-    def _on(self, item: Item, top: Surface, asset: str, u: float, v: float, turn: float) -> Item | None:
+    def _on(self, item: Item, top: StandingSurface, asset: str, u: float, v: float, turn: float) -> Item | None:
         thing = self.thing(asset)
         spare_x, spare_y = top.width - thing.width, top.depth - thing.depth
         if self.tops_only and item.thing.high[2] - top.z > TOP_CM:
@@ -331,7 +334,8 @@ class Place(Stage):
         """Things side by side from a to b, backs on the line: each once in order, or again and again with ``fill``."""
         names = [assets] if isinstance(assets, str) else list(assets)
         length = math.hypot(b[0] - a[0], b[1] - a[1])
-        yaw, x, found = math.degrees(math.atan2(b[1] - a[1], b[0] - a[0])), 0.0, []
+        yaw, x = math.degrees(math.atan2(b[1] - a[1], b[0] - a[0])), 0.0
+        found: list[Item] = []
         number = 0
         while number < count and (fill or number < len(names)):
             thing = self.thing(self.choose(names) if fill else names[number])
@@ -440,7 +444,7 @@ class Place(Stage):
         return found
 
     def palette(self, total: int, *families: str) -> None:
-        """Make more things of families, in turn, until there are ``total``: an agent chooses among more than it needs."""
+        """Make more things of families, in turn, until there are ``total``: more than the place needs."""
         round_ = 1
         while len(self.assortment.things) < total:
             round_ += 1
@@ -462,6 +466,8 @@ class Place(Stage):
         """Cover a rectangle with tiles of about ``tile`` cm; their upper faces lie at ``z``."""
         x0, y0, x1, y1 = box
         asset = self.one(family, side=tile) if family == "water" else self.one(family, of=of, side=tile)
+        if family == "water" and not self.tops_only:
+            self.ground(box, "Sand", tile=tile, z=z - SEABED_CM)
         columns, lines = max(1, round((x1 - x0) / tile)), max(1, round((y1 - y0) / tile))
         sx, sy = (x1 - x0) / columns / tile, (y1 - y0) / lines / tile
         for i in range(columns):
@@ -482,7 +488,7 @@ class Place(Stage):
     def trail(self, points: Sequence[Pair], wide: float = 250.0, of: str = "Gravel", z: float = 1.0) -> None:
         """A path through points, of square pieces end to end."""
         asset, number = self.one("ground", of=of, side=wide), 0
-        for a, b in zip(points, points[1:], strict=False):
+        for a, b in pairwise(points):
             length = math.hypot(b[0] - a[0], b[1] - a[1])
             yaw, count = math.degrees(math.atan2(b[1] - a[1], b[0] - a[0])), max(1, math.ceil(length / wide))
             for i in range(count):
@@ -546,8 +552,7 @@ class Place(Stage):
     ) -> None:
         """Beams or trusses across a rectangle along X, on its walls."""
         x0, y0, x1, y1 = box
-        options = {"of": of} if of else {}
-        asset = self.one("beam", length=x1 - x0 + 26, truss=truss, **options)
+        asset = self.one("beam", length=x1 - x0 + 26, truss=truss, of=of or self.style.wood[0])
         for i in range(count):
             self.put(asset, (x0 + x1) / 2, y0 + (y1 - y0) * (i + 1) / (count + 1), high + 0.1)
 

@@ -1,4 +1,4 @@
-"""Contact sheets: ``python -m cases.open190.sheet SCENES_FOLDER SHEET.png [scene ...]`` joins the views of built scenes."""
+"""Contact sheets: ``python -m cases.open190.sheet SCENES_FOLDER SHEET.png [scene ...]`` joins the views of scenes."""
 
 from __future__ import annotations
 

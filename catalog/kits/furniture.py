@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 from catalog.shapes.patches import Point3, hull
 
 SEATS, TABLES, BEDS, STORAGE, KITCHEN, BATH = "seating", "tables", "beds", "storage", "kitchen", "bathroom"
@@ -12,7 +12,7 @@ BOOKS = ("MaroonPaint", "NavyPaint", "GreenPaint", "CreamPaint", "BrownPaint", "
 
 
 def legs(
-    m: Maker, of: str, width: float, depth: float, height: float, thick: float = 5.0, *, round_: bool = False
+    m: KitMaker, of: str, width: float, depth: float, height: float, thick: float = 5.0, *, round_: bool = False
 ) -> None:
     """Four legs at the corners of a rectangle."""
     for x in (-1, 1):
@@ -25,7 +25,7 @@ def legs(
 
 
 @family("chair")
-def chair(m: Maker) -> None:
+def chair(m: KitMaker) -> None:
     """A chair."""
     kind = m.opt(
         "kind",
@@ -81,7 +81,7 @@ def chair(m: Maker) -> None:
 
 
 @family("stool")
-def stool(m: Maker) -> None:
+def stool(m: KitMaker) -> None:
     """A stool, low or of a bar."""
     high, wood = m.opt("high", m.pick(45.0, 45.0, 75.0)), m.mat("wood")
     pad = m.chance(0.4)
@@ -100,7 +100,7 @@ def stool(m: Maker) -> None:
 
 
 @family("sofa")
-def sofa(m: Maker) -> None:
+def sofa(m: KitMaker) -> None:
     """A sofa or an armchair."""
     seats, cloth = m.opt("seats", m.pick(1, 2, 3)), m.mat("cloth")
     m.say(
@@ -132,13 +132,14 @@ def sofa(m: Maker) -> None:
 
 
 @family("pew")
-def pew(m: Maker) -> None:
+def pew(m: KitMaker) -> None:
     """A long bench: a pew, a waiting bench, a school bench, a plain bench."""
     kind, wood, long_ = m.opt("kind", m.pick("Pew", "PlainBench")), m.mat("wood"), m.opt("length", 240.0)
     m.say(
         kind,
         SEATS,
-        f"{word(wood if kind != 'WaitingBench' else m.mat('metal')).capitalize()} {word(kind)}, {long_ / 100:.1f} m long.",
+        f"{word(wood if kind != 'WaitingBench' else m.mat('metal')).capitalize()} {word(kind)}, "
+        f"{long_ / 100:.1f} m long.",
         camel(wood if kind != "WaitingBench" else m.mat("cloth")),
         tags="bench pew seat",
     )
@@ -154,11 +155,11 @@ def pew(m: Maker) -> None:
         b.box(m.mat("metal"), (long_, 8, 8), (0, 0, 30))
         n = int(long_ // 58)
         for i in range(n):
-            x = (i - (n - 1) / 2) * long_ / n
-            b.box(m.mat("cloth"), (50, 46, 6), (x, 2, 40), bevel=2)
-            b.box(m.mat("cloth"), (50, 5, 40), (x, -22, 48), (0, 0, -8), bevel=2)
-        for x in (-0.4, 0.4):
-            b.box(m.mat("metal"), (6, 50, 30), (x * long_, 0, 0))
+            px = (i - (n - 1) / 2) * long_ / n
+            b.box(m.mat("cloth"), (50, 46, 6), (px, 2, 40), bevel=2)
+            b.box(m.mat("cloth"), (50, 5, 40), (px, -22, 48), (0, 0, -8), bevel=2)
+        for side in (-0.4, 0.4):
+            b.box(m.mat("metal"), (6, 50, 30), (side * long_, 0, 0))
     else:
         b.box(wood, (long_, 34, 5), (0, 0, 41))
         for x in (-1, 1):
@@ -169,7 +170,7 @@ def pew(m: Maker) -> None:
 
 
 @family("table")
-def table(m: Maker) -> None:
+def table(m: KitMaker) -> None:
     """A table that things stand on and chairs stand under."""
     kind = m.opt("kind", m.pick("Long", "Square", "Round", "Trestle", "Small"))
     wood, high = m.opt("wood", m.mat("wood")), m.opt("high", 74.0)
@@ -211,7 +212,7 @@ def table(m: Maker) -> None:
 
 
 @family("desk")
-def desk(m: Maker) -> None:
+def desk(m: KitMaker) -> None:
     """A desk: of an office, a school, a writer."""
     kind = m.opt("kind", m.pick("Office", "Writing", "School", "Corner"))
     wood, metal = m.mat("wood"), m.mat("metal")
@@ -253,7 +254,7 @@ def desk(m: Maker) -> None:
 
 
 @family("cot")
-def cot(m: Maker) -> None:
+def cot(m: KitMaker) -> None:
     """A bed: double, single, bunk, of a hospital, a cot of straw."""
     kind = m.opt(
         "kind",
@@ -299,7 +300,7 @@ def cot(m: Maker) -> None:
 
 
 @family("shelf")
-def shelf(m: Maker) -> None:
+def shelf(m: KitMaker) -> None:
     """An open shelf whose boards carry things."""
     boards, w, d, high = (
         m.opt("boards", m.pick(4, 5)),
@@ -328,7 +329,7 @@ def shelf(m: Maker) -> None:
 
 
 @family("bookcase")
-def bookcase(m: Maker) -> None:
+def bookcase(m: KitMaker) -> None:
     """A bookcase full of books."""
     wood, w, high = m.mat("wood"), m.opt("width", m.uni(80, 120, 10)), m.opt("high", m.pick(190.0, 210.0, 230.0))
     m.say(
@@ -339,13 +340,13 @@ def bookcase(m: Maker) -> None:
         "Wide" if w > 100 else "Tall",
         tags="bookcase books shelf library",
     )
-    for x in (-1, 1):
-        m.b.box(wood, (3, 32, high), (x * (w / 2 - 1.5), 0, 0), body=None)
+    for side in (-1, 1):
+        m.b.box(wood, (3, 32, high), (side * (w / 2 - 1.5), 0, 0), body=None)
     m.b.box(wood, (w - 4, 1.5, high - 4), (0, -14, 2), body=None)
     m.b.body_box((w, 32, high))
     rows = int(high // 36)
     for i in range(rows + 1):
-        z = 4 + i * (high - 8) / rows
+        z = 4.0 + i * (high - 8) / rows
         m.b.box(wood, (w - 4, 30, 2.5), (0, 0, z), body=None)
         x = -w / 2 + 5
         while i < rows and x < w / 2 - 12:
@@ -357,7 +358,7 @@ def bookcase(m: Maker) -> None:
 
 
 @family("cupboard")
-def cupboard(m: Maker) -> None:
+def cupboard(m: KitMaker) -> None:
     """A closed cupboard: wardrobe, chest of drawers, cabinet, sideboard, locker, file cabinet, dresser."""
     kind = m.opt(
         "kind",
@@ -415,7 +416,7 @@ def cupboard(m: Maker) -> None:
 
 
 @family("counter")
-def counter(m: Maker) -> None:
+def counter(m: KitMaker) -> None:
     """A counter: of a bar, a shop, a reception."""
     kind, wood = m.opt("kind", m.pick("BarCounter", "ShopCounter", "ReceptionDesk", "ServingCounter")), m.mat("wood")
     long_, top = m.opt("length", 200.0), m.opt("top", m.pick("Worktop", m.mat("wood"), "Marble"))
@@ -437,7 +438,7 @@ def counter(m: Maker) -> None:
 
 
 @family("kitchen-unit")
-def kitchen_unit(m: Maker) -> None:
+def kitchen_unit(m: KitMaker) -> None:
     """A unit of a kitchen: base, sink, stove, fridge, wall oven."""
     kind = m.opt("kind", m.pick("KitchenBase", "KitchenSink", "Stove", "Fridge", "Dishwasher"))
     paint, top = m.mat("paint"), m.opt("top", "Worktop")
@@ -485,7 +486,7 @@ def kitchen_unit(m: Maker) -> None:
 
 
 @family("bath-thing")
-def bath_thing(m: Maker) -> None:
+def bath_thing(m: KitMaker) -> None:
     """Bath, toilet, basin, shower, urinal row."""
     kind = m.opt("kind", m.pick("Bathtub", "Toilet", "Washbasin", "ShowerCabin", "TowelShelf"))
     m.say(
@@ -513,7 +514,7 @@ def bath_thing(m: Maker) -> None:
     elif kind == "ShowerCabin":
         b.box("Porcelain", (90, 90, 12))
         for x, y, s in ((0, 44, (90, 2, 190)), (44, 0, (2, 90, 190)), (-44, 0, (2, 90, 190)), (0, -44, (90, 2, 190))):
-            b.box("Glass", s, (x, y, 12))  # type: ignore[arg-type]
+            b.box("Glass", s, (x, y, 12))
         b.tube("Steel", [(0, -40, 12), (0, -40, 200), (0, -10, 206)], 1.5)
     else:
         legs(m, "Steel", 60, 34, 110, 3)
@@ -524,7 +525,7 @@ def bath_thing(m: Maker) -> None:
 
 
 @family("fireplace")
-def fireplace(m: Maker) -> None:
+def fireplace(m: KitMaker) -> None:
     """A fireplace with a chimney breast."""
     stone = m.mat("stone")
     m.say(
@@ -548,7 +549,7 @@ def fireplace(m: Maker) -> None:
 
 
 @family("display")
-def display(m: Maker) -> None:
+def display(m: KitMaker) -> None:
     """A show case, a pedestal with an exhibit, or a table case."""
     kind = m.opt("kind", m.pick("TableCase", "TallCase", "Pedestal", "SkeletonPlinth", "VasePedestal", "MapCase"))
     stone, exhibit = (
@@ -636,7 +637,7 @@ def display(m: Maker) -> None:
 
 
 @family("service")
-def service(m: Maker) -> None:
+def service(m: KitMaker) -> None:
     """Machines of public rooms: vending, tickets, lockers, checkout, gates, freezers."""
     kind = m.opt(
         "kind",
@@ -751,7 +752,7 @@ def service(m: Maker) -> None:
 
 
 @family("care")
-def care(m: Maker) -> None:
+def care(m: KitMaker) -> None:
     """Equipment of a ward, a laboratory, a gymnasium, a salon."""
     kind = m.opt(
         "kind",
@@ -851,7 +852,7 @@ def care(m: Maker) -> None:
 
 
 @family("music")
-def music(m: Maker) -> None:
+def music(m: KitMaker) -> None:
     """Instruments and stage things."""
     kind = m.opt(
         "kind",
