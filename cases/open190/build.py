@@ -1,7 +1,7 @@
-"""Builds packs, levels, pictures and the check of physics of the scenes, one scene at a time; what is unchanged is kept.
+"""Builds packs, levels, pictures and the check of physics of scenes, one at a time; what is unchanged is kept.
 
-``python -m cases.open190.build [scene ...] [--out FOLDER] [--quick]``. A scene's folder holds ``scene.level.json``, ``views/``
-and ``report.json`` (counts, physics, seconds).
+``python -m cases.open190.build [scene ...] [--out FOLDER] [--quick]``. A scene's folder holds ``scene.level.json``,
+``views/`` and ``report.json`` (counts, physics, seconds).
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ from c4s.home import packs_root, suites_root
 from c4s.records.folder import EvidenceFolder
 from c4s.records.pack import MANIFEST
 from c4s.verify.physics.verdict import verify_physics
-from cases.model import CaseView, SourceScene
+from cases.model import SourceScene
+from cases.open190.eyes import views
 from cases.open190.layout import Place
 from cases.open190.library import SCENES
 from cases.open190.scenes import SceneSpec
@@ -32,20 +33,11 @@ from catalog.build import build_pack, sources_digest
 REPORT = "report.json"
 
 
-def overview(place: Place) -> CaseView:
-    """A camera that sees the whole place from above one corner."""
-    solid = [item for item in place.items.values() if not item.thing.flat] or list(place.items.values())
-    xs, ys = sorted(item.x for item in solid), sorted(item.y for item in solid)
-    cut = len(xs) // 50
-    x0, x1, y0, y1 = xs[cut], xs[-1 - cut], ys[cut], ys[-1 - cut]
-    reach = max(x1 - x0, y1 - y0, 400.0)
-    centre = ((x0 + x1) / 2, (y0 + y1) / 2, 0.0)
-    return CaseView("overview", (centre[0] - 0.28 * reach, centre[1] + 0.78 * reach, 0.62 * reach + 200), centre, 62.0)
-
-
 def source_scene(spec: SceneSpec, place: Place) -> SourceScene:
     """A laid out scene as the suite's builder takes it."""
-    return SourceScene(spec.scene_id, "indoor" if spec.kind == "indoor" else "outdoor", spec.title, place.level(), (place.pack_id,))
+    return SourceScene(
+        spec.scene_id, "indoor" if spec.kind == "indoor" else "outdoor", spec.title, place.level(), (place.pack_id,)
+    )
 
 
 def sources() -> str:
@@ -55,13 +47,17 @@ def sources() -> str:
 
 
 def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False) -> dict[str, Any]:
-    """Build a scene's pack, level, pictures and report under ``out/<scene id>``; the report that is there when unchanged.
+    """Build a scene's pack, level, pictures and report under ``out/<scene id>``, unless they are there unchanged.
 
     ``quick`` leaves out the previews of the pack's assets and takes the pictures at half size.
     """
     folder = out / spec.scene_id
     stamp = digest([sources(), spec.scene_id, quick])
-    if (folder / REPORT).is_file() and read_json(folder / REPORT).get("stamp") == stamp and (packs / f"open-{spec.scene_id}" / MANIFEST).is_file():
+    if (
+        (folder / REPORT).is_file()
+        and read_json(folder / REPORT).get("stamp") == stamp
+        and (packs / f"open-{spec.scene_id}" / MANIFEST).is_file()
+    ):
         report: dict[str, Any] = read_json(folder / REPORT)
         return report
     started = time.perf_counter()
@@ -73,16 +69,20 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     level.write(folder / "scene.level.json")
-    views = [overview(place), *place.views]
+    cameras = views(place)
     with tempfile.TemporaryDirectory(prefix="c4s-open-") as scratch:
         evidence = Path(scratch) / "evidence"
-        with open_level(engine=DEFAULT_ENGINE, packs=[packs / place.pack_id], level=folder / "scene.level.json") as clean:
+        with open_level(
+            engine=DEFAULT_ENGINE, packs=[packs / place.pack_id], level=folder / "scene.level.json"
+        ) as clean:
             snapshot = clean.export(evidence)
             half = {"width": 640, "height": 360} if quick else {}
-            clean.look(evidence, [{**camera(view), **half} for view in views])
-        for view in views:
+            clean.look(evidence, [{**camera(view), **half} for view in cameras])
+        for view in cameras:
             (folder / "views").mkdir(exist_ok=True)
-            shutil.copyfile(EvidenceFolder(evidence).captures / f"{view.name}.png", folder / "views" / f"{view.name}.png")
+            shutil.copyfile(
+                EvidenceFolder(evidence).captures / f"{view.name}.png", folder / "views" / f"{view.name}.png"
+            )
     seen = time.perf_counter()
     verdict = verify_physics("text-to-scene", snapshot)
     leaves = {leaf["leaf_id"]: leaf for leaf in verdict.measurements["leaf_results"]}
@@ -107,7 +107,12 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
         "left_out": {name: count for name, count in place.left_out.most_common(20) if count},
         "level_sha256": digest(level.plain()),
         "pack_sha256": pack.sha256(),
-        "seconds": {"layout": round(laid - started, 1), "pack": round(packed - laid, 1), "pictures": round(seen - packed, 1), "physics": round(time.perf_counter() - seen, 1)},
+        "seconds": {
+            "layout": round(laid - started, 1),
+            "pack": round(packed - laid, 1),
+            "pictures": round(seen - packed, 1),
+            "physics": round(time.perf_counter() - seen, 1),
+        },
     }
     write_json(folder / REPORT, report)
     return report
@@ -122,8 +127,26 @@ def main() -> None:
     parser.add_argument("--quick", action="store_true", help="no previews, small pictures")
     options = parser.parse_args()
     for name in options.scenes or list(SCENES):
-        report = build_scene(SCENES[name], options.packs or packs_root(), options.out or suites_root() / "open-190-scenes", quick=options.quick)
-        shown = ("scene", "kind", "style", "actors", "assets", "used", "physics", "unsound_count", "floating", "penetrating", "left_out", "seconds")
+        report = build_scene(
+            SCENES[name],
+            options.packs or packs_root(),
+            options.out or suites_root() / "open-190-scenes",
+            quick=options.quick,
+        )
+        shown = (
+            "scene",
+            "kind",
+            "style",
+            "actors",
+            "assets",
+            "used",
+            "physics",
+            "unsound_count",
+            "floating",
+            "penetrating",
+            "left_out",
+            "seconds",
+        )
         print(json.dumps({key: report[key] for key in shown}), flush=True)
 
 

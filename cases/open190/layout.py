@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 from c4s.geometry.transform import normalize_axis
@@ -49,12 +50,14 @@ class Item:
     def at(self, x: float, y: float) -> Pair:
         """World place of a point in the thing's axes."""
         c, s = math.cos(math.radians(self.yaw)), math.sin(math.radians(self.yaw))
-        return self.x + x * self.scale[0] * c - y * self.scale[1] * s, self.y + x * self.scale[0] * s + y * self.scale[1] * c
+        return self.x + x * self.scale[0] * c - y * self.scale[1] * s, self.y + x * self.scale[0] * s + y * self.scale[
+            1
+        ] * c
 
 
 @dataclass(frozen=True)
 class Relation:
-    """How a placed thing stands to another one, or to its like: ``on``, ``around``, ``in_row``, ``along``, ``in_grid``."""
+    """How a placed thing stands to another, or to its like: ``on``, ``around``, ``in_row``, ``along``, ``in_grid``."""
 
     kind: str
     subject: str
@@ -157,7 +160,15 @@ class Place(Stage):
         return self._put(self.choose(assets), *self._world(x, y, yaw), z, scale, slack, margin)
 
     def _put(
-        self, asset: str, wx: float, wy: float, turn: float, z: float, scale: float | Vector, slack: float, margin: float
+        self,
+        asset: str,
+        wx: float,
+        wy: float,
+        turn: float,
+        z: float,
+        scale: float | Vector,
+        slack: float,
+        margin: float,
     ) -> Item | None:
         thing = self.thing(asset)
         factors = (scale, scale, scale) if isinstance(scale, float | int) else scale
@@ -174,7 +185,9 @@ class Place(Stage):
         self.paths[asset] = asset_path(self.content_folder, thing.category, asset)
         self._numbers[asset] += 1
         label = self.add_mesh(
-            f"{asset}_{self._numbers[asset]}", asset, Transform(location_cm=(wx, wy, height), rotation_deg=(0.0, turn, 0.0), scale=factors)
+            f"{asset}_{self._numbers[asset]}",
+            asset,
+            Transform(location_cm=(wx, wy, height), rotation_deg=(0.0, turn, 0.0), scale=factors),
         )
         item = Item(label, thing, wx, wy, height, turn, factors)
         self.items[label] = item
@@ -187,7 +200,9 @@ class Place(Stage):
 
     # one thing on, or around, another
 
-    def on(self, item: Item | None, assets: Assets, count: int = 1, *, surface: int = -1, yaw: float | None = None) -> list[Item]:
+    def on(
+        self, item: Item | None, assets: Assets, count: int = 1, *, surface: int = -1, yaw: float | None = None
+    ) -> list[Item]:
         """Stand things on a surface of another (the topmost one unless told) where there is room."""
         if item is None or not item.thing.surfaces:
             return []
@@ -212,7 +227,16 @@ class Place(Stage):
             return None
         x, y = item.at(top.x + u * spare_x, top.y + v * spare_y)
         before = self.left_out[asset]
-        made = self._put(asset, round(x, 3), round(y, 3), round(normalize_axis(item.yaw + turn), 3), item.z + top.z * item.scale[2] + GAP_CM, 1.0, 0.1, 0.0)
+        made = self._put(
+            asset,
+            round(x, 3),
+            round(y, 3),
+            round(normalize_axis(item.yaw + turn), 3),
+            item.z + top.z * item.scale[2] + GAP_CM,
+            1.0,
+            0.1,
+            0.0,
+        )
         self.left_out[asset] = before
         self.relate("on", made, item)
         return made
@@ -237,7 +261,9 @@ class Place(Stage):
                 if self.random.random() < share and thing.high[2] - thing.low[2] <= top.room:
                     spare = top.width - thing.width
                     u = (x + thing.width / 2) / spare if spare > 1 else 0.0
-                    count += self._on(item, top, thing.name, max(-0.5, min(0.5, u)), self.uni(-0.2, 0.2), 0.0) is not None
+                    count += (
+                        self._on(item, top, thing.name, max(-0.5, min(0.5, u)), self.uni(-0.2, 0.2), 0.0) is not None
+                    )
                 x += thing.width + gap
         return count
 
@@ -258,13 +284,33 @@ class Place(Stage):
         deep = self.thing(asset).depth / 2
         if half_x > 1.3 * half_y:
             each = math.ceil(count / 2)
-            spots = [((i - (each - 1) / 2) * 2 * half_x / each, side * (half_y + deep + gap - 14), 180.0 if side > 0 else 0.0) for side in (1, -1) for i in range(each)][:count]
+            spots = [
+                (
+                    (i - (each - 1) / 2) * 2 * half_x / each,
+                    side * (half_y + deep + gap - 14),
+                    180.0 if side > 0 else 0.0,
+                )
+                for side in (1, -1)
+                for i in range(each)
+            ][:count]
         else:
             reach = max(half_x, half_y) + deep + gap - 10
-            spots = [(reach * math.cos(a), reach * math.sin(a), math.degrees(a) + 90) for a in (2 * math.pi * (i + 0.25) / count for i in range(count))]
+            spots = [
+                (reach * math.cos(a), reach * math.sin(a), math.degrees(a) + 90)
+                for a in (2 * math.pi * (i + 0.25) / count for i in range(count))
+            ]
         for x, y, yaw in spots:
             wx, wy = item.at(x / item.scale[0], y / item.scale[1])
-            made = self._put(asset, round(wx, 3), round(wy, 3), round(normalize_axis(item.yaw + yaw + self.uni(-7, 7)), 3), item.z if item.z > 5 else 0.0, 1.0, 0.4, 0.0)
+            made = self._put(
+                asset,
+                round(wx, 3),
+                round(wy, 3),
+                round(normalize_axis(item.yaw + yaw + self.uni(-7, 7)), 3),
+                item.z if item.z > 5 else 0.0,
+                1.0,
+                0.4,
+                0.0,
+            )
             self.relate("around", made, item)
             if made:
                 found.append(made)
@@ -273,7 +319,15 @@ class Place(Stage):
     # many things
 
     def along(
-        self, a: Pair, b: Pair, assets: Assets, gap: float | Pair = 4.0, *, z: float = 0.0, fill: bool = False, count: int = 10_000
+        self,
+        a: Pair,
+        b: Pair,
+        assets: Assets,
+        gap: float | Pair = 4.0,
+        *,
+        z: float = 0.0,
+        fill: bool = False,
+        count: int = 10_000,
     ) -> list[Item]:
         """Things side by side from a to b, backs on the line: each once in order, or again and again with ``fill``."""
         names = [assets] if isinstance(assets, str) else list(assets)
@@ -294,20 +348,48 @@ class Place(Stage):
                 found.append(item)
         return found
 
-    def row(self, a: Pair, b: Pair, assets: Assets, count: int, *, yaw: float = 0.0, z: float = 0.0, jitter: float = 0.0, scale: Pair = (1.0, 1.0)) -> list[Item]:
+    def row(
+        self,
+        a: Pair,
+        b: Pair,
+        assets: Assets,
+        count: int,
+        *,
+        yaw: float = 0.0,
+        z: float = 0.0,
+        jitter: float = 0.0,
+        scale: Pair = (1.0, 1.0),
+    ) -> list[Item]:
         """Things at equal distances from a to b; ``yaw`` is added to the row's direction."""
         turn = math.degrees(math.atan2(b[1] - a[1], b[0] - a[0]))
         found = []
         for i in range(count):
             t = i / (count - 1) if count > 1 else 0.5
             x, y = a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])
-            item = self.put(assets, x + self.uni(-jitter, jitter), y + self.uni(-jitter, jitter), z, turn + yaw + self.uni(-jitter, jitter) * 0.2, scale=self.uni(*scale))
+            item = self.put(
+                assets,
+                x + self.uni(-jitter, jitter),
+                y + self.uni(-jitter, jitter),
+                z,
+                turn + yaw + self.uni(-jitter, jitter) * 0.2,
+                scale=self.uni(*scale),
+            )
             self.relate("in_row", item)
             if item:
                 found.append(item)
         return found
 
-    def grid(self, box: tuple[float, float, float, float], assets: Assets, columns: int, rows_: int, *, yaw: float = 0.0, z: float = 0.0, jitter: float = 0.0) -> list[Item]:
+    def grid(
+        self,
+        box: tuple[float, float, float, float],
+        assets: Assets,
+        columns: int,
+        rows_: int,
+        *,
+        yaw: float = 0.0,
+        z: float = 0.0,
+        jitter: float = 0.0,
+    ) -> list[Item]:
         """Things at the crossings of columns and rows in a rectangle (x0, y0, x1, y1)."""
         x0, y0, x1, y1 = box
         found = []
@@ -315,14 +397,28 @@ class Place(Stage):
             for i in range(columns):
                 x = x0 + (x1 - x0) * (i / (columns - 1) if columns > 1 else 0.5)
                 y = y0 + (y1 - y0) * (j / (rows_ - 1) if rows_ > 1 else 0.5)
-                item = self.put(assets, x + self.uni(-jitter, jitter), y + self.uni(-jitter, jitter), z, yaw + self.uni(-jitter, jitter) * 0.3)
+                item = self.put(
+                    assets,
+                    x + self.uni(-jitter, jitter),
+                    y + self.uni(-jitter, jitter),
+                    z,
+                    yaw + self.uni(-jitter, jitter) * 0.3,
+                )
                 self.relate("in_grid", item)
                 if item:
                     found.append(item)
         return found
 
     def scatter(
-        self, box: tuple[float, float, float, float], assets: Assets, count: int, *, clear: float = 20.0, scale: Pair = (0.9, 1.1), z: float = 0.0, avoid: Sequence[tuple[float, float, float, float]] = ()
+        self,
+        box: tuple[float, float, float, float],
+        assets: Assets,
+        count: int,
+        *,
+        clear: float = 20.0,
+        scale: Pair = (0.9, 1.1),
+        z: float = 0.0,
+        avoid: Sequence[tuple[float, float, float, float]] = (),
     ) -> list[Item]:
         """Things at random places of a rectangle, at least ``clear`` cm from others and outside ``avoid``."""
         x0, y0, x1, y1 = box
@@ -345,7 +441,7 @@ class Place(Stage):
         return found
 
     def palette(self, total: int, *families: str) -> None:
-        """Make more things of families, in turn, until there are ``total``: an agent chooses among more than it needs."""
+        """Make more things of families, in turn, until there are ``total``: more than the place needs."""
         round_ = 1
         while len(self.assortment.things) < total:
             round_ += 1
@@ -355,7 +451,15 @@ class Place(Stage):
 
     # ground, rooms
 
-    def ground(self, box: tuple[float, float, float, float], of: str = "Grass", *, family: str = "ground", tile: float = 1000.0, z: float = 0.0) -> None:
+    def ground(
+        self,
+        box: tuple[float, float, float, float],
+        of: str = "Grass",
+        *,
+        family: str = "ground",
+        tile: float = 1000.0,
+        z: float = 0.0,
+    ) -> None:
         """Cover a rectangle with tiles of about ``tile`` cm; their upper faces lie at ``z``."""
         x0, y0, x1, y1 = box
         asset = self.one(family, side=tile) if family == "water" else self.one(family, of=of, side=tile)
@@ -363,7 +467,13 @@ class Place(Stage):
         sx, sy = (x1 - x0) / columns / tile, (y1 - y0) / lines / tile
         for i in range(columns):
             for j in range(lines):
-                self.put(asset, x0 + (i + 0.5) * (x1 - x0) / columns, y0 + (j + 0.5) * (y1 - y0) / lines, z, scale=(round(sx, 5), round(sy, 5), 1.0))
+                self.put(
+                    asset,
+                    x0 + (i + 0.5) * (x1 - x0) / columns,
+                    y0 + (j + 0.5) * (y1 - y0) / lines,
+                    z,
+                    scale=(round(sx, 5), round(sy, 5), 1.0),
+                )
 
     def plate(self, metres: float, of: str) -> None:
         """The ground of a text scene: a square of that many metres around the origin."""
@@ -373,7 +483,7 @@ class Place(Stage):
     def trail(self, points: Sequence[Pair], wide: float = 250.0, of: str = "Gravel", z: float = 1.0) -> None:
         """A path through points, of square pieces end to end."""
         asset, number = self.one("ground", of=of, side=wide), 0
-        for a, b in zip(points, points[1:], strict=False):
+        for a, b in pairwise(points):
             length = math.hypot(b[0] - a[0], b[1] - a[1])
             yaw, count = math.degrees(math.atan2(b[1] - a[1], b[0] - a[0])), max(1, math.ceil(length / wide))
             for i in range(count):
@@ -382,7 +492,16 @@ class Place(Stage):
                 self.put(asset, a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), z + 0.15 * (number % 3), yaw)
 
     def room(
-        self, box: tuple[float, float, float, float], floor: str = "", *, high: float = 300.0, wall: str = "", module: float = 400.0, base: str = "", sides: str = "SENW", **kinds: Sequence[str]
+        self,
+        box: tuple[float, float, float, float],
+        floor: str = "",
+        *,
+        high: float = 300.0,
+        wall: str = "",
+        module: float = 400.0,
+        base: str = "",
+        sides: str = "SENW",
+        **kinds: Sequence[str],
     ) -> None:
         """Walls around a rectangle and a floor in it. ``S=("Plain", "Door")`` names the kinds of the modules of a side,
         over and over (S is y0, N is y1, W is x0, E is x1)."""
@@ -390,7 +509,12 @@ class Place(Stage):
         wall = wall or self.random.choice(self.style.wall)
         if floor:
             self.ground(box, floor, family="floor", tile=400.0)
-        for side, a, b in (("S", (x0, y0 - 7), (x1, y0 - 7)), ("N", (x1, y1 + 7), (x0, y1 + 7)), ("E", (x1 + 7, y0), (x1 + 7, y1)), ("W", (x0 - 7, y1), (x0 - 7, y0))):
+        for side, a, b in (
+            ("S", (x0, y0 - 7), (x1, y0 - 7)),
+            ("N", (x1, y1 + 7), (x0, y1 + 7)),
+            ("E", (x1 + 7, y0), (x1 + 7, y1)),
+            ("W", (x0 - 7, y1), (x0 - 7, y0)),
+        ):
             if side not in sides:
                 continue
             length = math.hypot(b[0] - a[0], b[1] - a[1])
@@ -398,15 +522,29 @@ class Place(Stage):
             order = kinds.get(side) or ("Plain",)
             yaw = math.degrees(math.atan2(b[1] - a[1], b[0] - a[0]))
             for i in range(count):
-                asset = self.one("room-wall", kind=order[i % len(order)], length=round(length / count, 1), high=high, wall=wall, base=base)
+                asset = self.one(
+                    "room-wall",
+                    kind=order[i % len(order)],
+                    length=round(length / count, 1),
+                    high=high,
+                    wall=wall,
+                    base=base,
+                )
                 t = (i + 0.5) / count
                 self.put(asset, a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0.0, yaw, slack=3.0)
         corner = self.one("room-wall", kind="Plain", length=14.0, high=high, wall=wall, noun="CornerPost")
-        for x, y, needs in ((x0 - 7, y0 - 7, "SW"), (x1 + 7, y0 - 7, "SE"), (x0 - 7, y1 + 7, "NW"), (x1 + 7, y1 + 7, "NE")):
+        for x, y, needs in (
+            (x0 - 7, y0 - 7, "SW"),
+            (x1 + 7, y0 - 7, "SE"),
+            (x0 - 7, y1 + 7, "NW"),
+            (x1 + 7, y1 + 7, "NE"),
+        ):
             if all(side in sides for side in needs):
                 self.put(corner, x, y, slack=3.0)
 
-    def beams(self, box: tuple[float, float, float, float], high: float, count: int, of: str = "", *, truss: bool = False) -> None:
+    def beams(
+        self, box: tuple[float, float, float, float], high: float, count: int, of: str = "", *, truss: bool = False
+    ) -> None:
         """Beams or trusses across a rectangle along X, on its walls."""
         x0, y0, x1, y1 = box
         options = {"of": of} if of else {}
@@ -416,15 +554,46 @@ class Place(Stage):
 
     # light and eyes
 
-    def light(self, x: float, y: float, z: float = 240.0, *, intensity: float = 3000.0, radius: float = 900.0, colour: tuple[int, int, int] = (255, 236, 208)) -> None:
+    def light(
+        self,
+        x: float,
+        y: float,
+        z: float = 240.0,
+        *,
+        intensity: float = 3000.0,
+        radius: float = 900.0,
+        colour: tuple[int, int, int] = (255, 236, 208),
+    ) -> None:
         """A point light; intensity in the engine's unitless measure."""
         wx, wy, _ = self._world(x, y, 0)
         self._numbers["LightPoint"] += 1
-        self.add_light(f"LightPoint_{self._numbers['LightPoint']}", "PointLight", Transform(location_cm=(wx, wy, z)), intensity=intensity, attenuation_radius=radius, light_color=[*colour, 255])
+        self.add_light(
+            f"LightPoint_{self._numbers['LightPoint']}",
+            "PointLight",
+            Transform(location_cm=(wx, wy, z)),
+            intensity=intensity,
+            attenuation_radius=radius,
+            light_color=[*colour, 255],
+        )
 
-    def sun(self, pitch: float = -42.0, yaw: float = -118.0, *, intensity: float = 4.0, colour: tuple[int, int, int] = (255, 255, 255), sky: float = 1.0) -> None:
+    def sun(
+        self,
+        pitch: float = -42.0,
+        yaw: float = -118.0,
+        *,
+        intensity: float = 4.0,
+        colour: tuple[int, int, int] = (255, 255, 255),
+        sky: float = 1.0,
+    ) -> None:
         """A sun that shines along [pitch, yaw], the light of the sky, air and thin fog."""
-        self.add_light("LightSun", "DirectionalLight", Transform(location_cm=(0.0, 0.0, 3000.0), rotation_deg=(pitch, yaw, 0.0)), intensity=intensity, light_source_angle=2.0, light_color=[*colour, 255])
+        self.add_light(
+            "LightSun",
+            "DirectionalLight",
+            Transform(location_cm=(0.0, 0.0, 3000.0), rotation_deg=(pitch, yaw, 0.0)),
+            intensity=intensity,
+            light_source_angle=2.0,
+            light_color=[*colour, 255],
+        )
         self.add_light("LightSky", "SkyLight", Transform(location_cm=(0.0, 0.0, 3100.0)), intensity=sky)
         self.add_air()
 

@@ -30,13 +30,17 @@ class SceneSpec:
         """Lay the scene out."""
         place = Place(self.scene_id, self.style, "1", tops_only=self.kind == "text")
         self.build(place)
+        if all(actor.name != "LightSun" for actor in place.actors):
+            place.sun(place.uni(-48, -30), place.uni(20, 160), colour=(255, 246, 232))
         return place
 
 
 SCENES: dict[str, SceneSpec] = {}
 
 
-def scene(scene_id: str, kind: Kind, title: str, style: Style, plate_m: float = 0.0, *, slot: bool = False) -> Callable[[Build], Build]:
+def scene(
+    scene_id: str, kind: Kind, title: str, style: Style, plate_m: float = 0.0, *, slot: bool = False
+) -> Callable[[Build], Build]:
     """Register a scene."""
 
     def register(build: Build) -> Build:

@@ -1,4 +1,4 @@
-"""Contact sheets: ``python -m cases.open190.sheet SCENES_FOLDER SHEET.png [scene ...]`` joins the views of built scenes."""
+"""Contact sheets: ``python -m cases.open190.sheet SCENES_FOLDER SHEET.png [scene ...]`` joins the views of scenes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ WIDTH, HEIGHT, COLUMNS = 640, 360, 3
 
 def sheet(folder: Path, out: Path, names: list[str]) -> int:
     """Draw a row of views for each built scene; returns how many scenes there are."""
-    found = [scene for scene in sorted(folder.iterdir()) if (scene / "views").is_dir() and (not names or scene.name in names)]
+    found = [
+        scene for scene in sorted(folder.iterdir()) if (scene / "views").is_dir() and (not names or scene.name in names)
+    ]
     picture = Image.new("RGB", (COLUMNS * WIDTH, len(found) * (HEIGHT + 18)), "white")
     pen = ImageDraw.Draw(picture)
     for row, scene in enumerate(found):

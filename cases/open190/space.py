@@ -1,7 +1,7 @@
 """What room is taken: the collision bodies of placed things, seen in plan with their heights.
 
-A body counts as the convex hull of its plan and its lowest and highest point, which holds at least the body itself: what
-does not meet here does not penetrate there.
+A body counts as the convex hull of its plan and its lowest and highest point, which holds at least the body itself:
+what does not meet here does not penetrate there.
 """
 
 from __future__ import annotations
@@ -53,14 +53,18 @@ def solids(bodies: Iterable[CollisionBody]) -> list[Solid]:
             plan = points[ConvexHull(points[:, :2]).vertices, :2]
         except QhullError:
             continue
-        found.append(Solid(tuple((float(x), float(y)) for x, y in plan), float(points[:, 2].min()), float(points[:, 2].max())))
+        found.append(
+            Solid(tuple((float(x), float(y)) for x, y in plan), float(points[:, 2].min()), float(points[:, 2].max()))
+        )
     return found
 
 
 def placed(solid: Solid, x: float, y: float, z: float, yaw_deg: float, scale: Sequence[float]) -> Solid:
     """A solid of an asset that stands at a place."""
     c, s = math.cos(math.radians(yaw_deg)), math.sin(math.radians(yaw_deg))
-    plan = tuple((x + px * scale[0] * c - py * scale[1] * s, y + px * scale[0] * s + py * scale[1] * c) for px, py in solid.plan)
+    plan = tuple(
+        (x + px * scale[0] * c - py * scale[1] * s, y + px * scale[0] * s + py * scale[1] * c) for px, py in solid.plan
+    )
     return Solid(plan, z + solid.low * scale[2], z + solid.high * scale[2])
 
 

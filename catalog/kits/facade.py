@@ -47,7 +47,11 @@ def hip_roof(m: Maker, width: float, depth: float, z: float, rise: float, materi
     from catalog.shapes.patches import hull
 
     x, y, r = width / 2 + 35, depth / 2 + 35, max(0.0, (width - depth) / 2)
-    m.b.add(material, hull([(sx * x, sy * y, 0.0) for sx in (-1, 1) for sy in (-1, 1)] + [(-r, 0.0, rise), (r + 1, 0.0, rise)]), (0, 0, z))
+    m.b.add(
+        material,
+        hull([(sx * x, sy * y, 0.0) for sx in (-1, 1) for sy in (-1, 1)] + [(-r, 0.0, rise), (r + 1, 0.0, rise)]),
+        (0, 0, z),
+    )
     m.b.box(m.mat("trim"), (width + 60, depth + 60, 12), (0, 0, z - 10), body=None)
 
 
@@ -77,7 +81,9 @@ def battlements(m: Maker, material: str, width: float, depth: float, z: float, t
                 m.b.box(material, size, (across, along, z) if turn else (along, across, z), body=None)
 
 
-def facade(m: Maker, width: float, depth: float, storeys: int, floor: float, *, base: float = 0.0, doors: bool = True) -> None:
+def facade(
+    m: Maker, width: float, depth: float, storeys: int, floor: float, *, base: float = 0.0, doors: bool = True
+) -> None:
     """Rows of windows on all four faces, and a door in front."""
     w, h = m.pick(80.0, 95.0, 110.0), m.pick(120.0, 135.0, 150.0)
     shut = m.style.old and m.chance(0.5)
@@ -102,7 +108,9 @@ def timbers(m: Maker, width: float, depth: float, storeys: int, floor: float) ->
     for yaw, length, reach in ((0, width, depth), (180, width, depth), (90, depth, width), (-90, depth, width)):
         with m.b.moved((0, 0, 0), (0, yaw, 0)):
             for level in range(storeys + 1):
-                m.b.box(beam, (length + 8, 6, 20), (0, reach / 2 + 1, min(level * floor, storeys * floor - 20)), body=None)
+                m.b.box(
+                    beam, (length + 8, 6, 20), (0, reach / 2 + 1, min(level * floor, storeys * floor - 20)), body=None
+                )
             count = max(2, int(length // 180))
             for i in range(count + 1):
                 x = (i / count - 0.5) * (length - 14)

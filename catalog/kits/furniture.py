@@ -11,7 +11,9 @@ SEATS, TABLES, BEDS, STORAGE, KITCHEN, BATH = "seating", "tables", "beds", "stor
 BOOKS = ("MaroonPaint", "NavyPaint", "GreenPaint", "CreamPaint", "BrownPaint", "RedPaint", "TealPaint", "MustardCloth")
 
 
-def legs(m: Maker, of: str, width: float, depth: float, height: float, thick: float = 5.0, *, round_: bool = False) -> None:
+def legs(
+    m: Maker, of: str, width: float, depth: float, height: float, thick: float = 5.0, *, round_: bool = False
+) -> None:
     """Four legs at the corners of a rectangle."""
     for x in (-1, 1):
         for y in (-1, 1):
@@ -25,12 +27,23 @@ def legs(m: Maker, of: str, width: float, depth: float, height: float, thick: fl
 @family("chair")
 def chair(m: Maker) -> None:
     """A chair."""
-    kind = m.opt("kind", m.pick("Ladderback", "Slatted", "Upholstered", "Windsor") if m.style.old else m.pick("Dining", "Shell", "Upholstered", "Metal", "Slatted"))
+    kind = m.opt(
+        "kind",
+        m.pick("Ladderback", "Slatted", "Upholstered", "Windsor")
+        if m.style.old
+        else m.pick("Dining", "Shell", "Upholstered", "Metal", "Slatted"),
+    )
     wood, cloth, metal = m.mat("wood"), m.mat("cloth"), m.mat("metal")
     b = m.b
     if kind in ("Shell", "Metal"):
         paint = m.mat("paint")
-        m.say(f"{kind}Chair", SEATS, f"{word(paint).capitalize()} {kind.lower()} chair on {word(metal)} legs.", camel(paint), tags="chair seat")
+        m.say(
+            f"{kind}Chair",
+            SEATS,
+            f"{word(paint).capitalize()} {kind.lower()} chair on {word(metal)} legs.",
+            camel(paint),
+            tags="chair seat",
+        )
         for x in (-19, 19):
             for y in (-19, 19):
                 b.tube(metal, [(x * 1.1, y * 1.1, 0), (x * 0.8, y * 0.8, 43)], 1.5)
@@ -38,7 +51,14 @@ def chair(m: Maker) -> None:
         b.box(paint, (42, 3, 34), (0, -21, 50), (0, 0, -8), bevel=1)
         b.body_box((40, 40, 43))
         return
-    m.say(f"{kind}Chair", SEATS, f"{kind} chair of {word(wood)}{' with ' + word(cloth) + ' cushion' if kind == 'Upholstered' else ''}.", camel(cloth if kind == "Upholstered" else wood), camel(wood), tags="chair seat")
+    m.say(
+        f"{kind}Chair",
+        SEATS,
+        f"{kind} chair of {word(wood)}{' with ' + word(cloth) + ' cushion' if kind == 'Upholstered' else ''}.",
+        camel(cloth if kind == "Upholstered" else wood),
+        camel(wood),
+        tags="chair seat",
+    )
     for x in (-19, 19):
         b.box(wood, (3.8, 3.8, 44), (x, 18, 0))
         b.box(wood, (3.8, 3.8, 94), (x, -19, 0))
@@ -65,7 +85,14 @@ def stool(m: Maker) -> None:
     """A stool, low or of a bar."""
     high, wood = m.opt("high", m.pick(45.0, 45.0, 75.0)), m.mat("wood")
     pad = m.chance(0.4)
-    m.say("BarStool" if high > 60 else "Stool", SEATS, f"Round {word(wood)} stool, {high:.0f} cm high.", camel(m.mat("cloth") if pad else wood), camel(wood), tags="stool seat")
+    m.say(
+        "BarStool" if high > 60 else "Stool",
+        SEATS,
+        f"Round {word(wood)} stool, {high:.0f} cm high.",
+        camel(m.mat("cloth") if pad else wood),
+        camel(wood),
+        tags="stool seat",
+    )
     m.b.cylinder(m.mat("cloth") if pad else wood, 17, 4, (0, 0, high - 4), segments=16)
     for x, y in ((12, 12), (-12, 12), (-12, -12), (12, -12)):
         m.b.tube(m.mat("metal") if pad else wood, [(x * 1.2, y * 1.2, 0), (x * 0.8, y * 0.8, high - 3)], 1.7)
@@ -76,7 +103,14 @@ def stool(m: Maker) -> None:
 def sofa(m: Maker) -> None:
     """A sofa or an armchair."""
     seats, cloth = m.opt("seats", m.pick(1, 2, 3)), m.mat("cloth")
-    m.say({1: "Armchair", 2: "TwoSeatSofa", 3: "Sofa"}[seats], SEATS, f"{word(cloth).capitalize()} {'armchair' if seats == 1 else 'sofa'} for {seats}.", camel(cloth), "Deep", tags="sofa couch armchair seat")
+    m.say(
+        {1: "Armchair", 2: "TwoSeatSofa", 3: "Sofa"}[seats],
+        SEATS,
+        f"{word(cloth).capitalize()} {'armchair' if seats == 1 else 'sofa'} for {seats}.",
+        camel(cloth),
+        "Deep",
+        tags="sofa couch armchair seat",
+    )
     inner = 62 * seats
     width, depth = inner + 30, 86.0
     legs(m, m.mat("wood"), width - 10, depth - 10, 11, 5, round_=True)
@@ -84,7 +118,14 @@ def sofa(m: Maker) -> None:
     for i in range(seats):
         x = (i + 0.5) * 62 - inner / 2
         m.b.box(cloth, (60, 58, 14), (x, 12, 31), bevel=4)
-        m.b.box(m.another("cloth") if i == 0 and m.style.ornate else cloth, (58, 14, 40), (x, -22, 44), (0, 0, -10), bevel=4, body=None)
+        m.b.box(
+            m.another("cloth") if i == 0 and m.style.ornate else cloth,
+            (58, 14, 40),
+            (x, -22, 44),
+            (0, 0, -10),
+            bevel=4,
+            body=None,
+        )
     m.b.box(cloth, (width, 16, 54), (0, -depth / 2 + 8, 31), bevel=4)
     for x in (-1, 1):
         m.b.box(cloth, (15, depth - 4, 34), (x * (width - 15) / 2, 0, 28), bevel=4)
@@ -94,7 +135,14 @@ def sofa(m: Maker) -> None:
 def pew(m: Maker) -> None:
     """A long bench: a pew, a waiting bench, a school bench, a plain bench."""
     kind, wood, long_ = m.opt("kind", m.pick("Pew", "PlainBench")), m.mat("wood"), m.opt("length", 240.0)
-    m.say(kind, SEATS, f"{word(wood if kind != 'WaitingBench' else m.mat('metal')).capitalize()} {word(kind)}, {long_ / 100:.1f} m long.", camel(wood if kind != "WaitingBench" else m.mat("cloth")), tags="bench pew seat")
+    m.say(
+        kind,
+        SEATS,
+        f"{word(wood if kind != 'WaitingBench' else m.mat('metal')).capitalize()} {word(kind)}, "
+        f"{long_ / 100:.1f} m long.",
+        camel(wood if kind != "WaitingBench" else m.mat("cloth")),
+        tags="bench pew seat",
+    )
     b = m.b
     if kind == "Pew":
         for x in (-1, 1):
@@ -126,9 +174,21 @@ def table(m: Maker) -> None:
     """A table that things stand on and chairs stand under."""
     kind = m.opt("kind", m.pick("Long", "Square", "Round", "Trestle", "Small"))
     wood, high = m.opt("wood", m.mat("wood")), m.opt("high", 74.0)
-    w, d = {"Long": (m.uni(160, 220, 20), 85.0), "Square": (85.0, 85.0), "Round": (110.0, 110.0), "Trestle": (200.0, 80.0), "Small": (60.0, 60.0)}[kind]
+    w, d = {
+        "Long": (m.uni(160, 220, 20), 85.0),
+        "Square": (85.0, 85.0),
+        "Round": (110.0, 110.0),
+        "Trestle": (200.0, 80.0),
+        "Small": (60.0, 60.0),
+    }[kind]
     w, d = m.opt("width", w), m.opt("depth", d)
-    m.say(f"{kind}Table", TABLES, f"{kind} table of {word(wood)}, {w:.0f} x {d:.0f} cm, {high:.0f} cm high.", camel(wood), tags="table")
+    m.say(
+        f"{kind}Table",
+        TABLES,
+        f"{kind} table of {word(wood)}, {w:.0f} x {d:.0f} cm, {high:.0f} cm high.",
+        camel(wood),
+        tags="table",
+    )
     b = m.b
     if kind == "Round":
         b.cylinder(wood, w / 2, 4, (0, 0, high - 4), segments=26)
@@ -156,8 +216,19 @@ def desk(m: Maker) -> None:
     """A desk: of an office, a school, a writer."""
     kind = m.opt("kind", m.pick("Office", "Writing", "School", "Corner"))
     wood, metal = m.mat("wood"), m.mat("metal")
-    w, d, high = {"Office": (150.0, 75.0, 73.0), "Writing": (125.0, 62.0, 75.0), "School": (70.0, 50.0, 70.0), "Corner": (170.0, 75.0, 73.0)}[kind]
-    m.say(f"{kind}Desk", TABLES, f"{kind} desk with a {word(wood)} top, {w:.0f} x {d:.0f} cm.", camel(wood), tags="desk table work")
+    w, d, high = {
+        "Office": (150.0, 75.0, 73.0),
+        "Writing": (125.0, 62.0, 75.0),
+        "School": (70.0, 50.0, 70.0),
+        "Corner": (170.0, 75.0, 73.0),
+    }[kind]
+    m.say(
+        f"{kind}Desk",
+        TABLES,
+        f"{kind} desk with a {word(wood)} top, {w:.0f} x {d:.0f} cm.",
+        camel(wood),
+        tags="desk table work",
+    )
     b = m.b
     b.box(wood, (w, d, 3), (0, 0, high - 3), bevel=0.4)
     if kind == "Writing":
@@ -185,11 +256,23 @@ def desk(m: Maker) -> None:
 @family("cot")
 def cot(m: Maker) -> None:
     """A bed: double, single, bunk, of a hospital, a cot of straw."""
-    kind = m.opt("kind", m.pick("DoubleBed", "SingleBed", "BunkBed", "HospitalBed") if not m.style.old else m.pick("DoubleBed", "SingleBed", "StrawBed", "CanopyBed"))
+    kind = m.opt(
+        "kind",
+        m.pick("DoubleBed", "SingleBed", "BunkBed", "HospitalBed")
+        if not m.style.old
+        else m.pick("DoubleBed", "SingleBed", "StrawBed", "CanopyBed"),
+    )
     wood, cloth = m.mat("wood"), m.mat("cloth")
     w = 165.0 if kind in ("DoubleBed", "CanopyBed") else 95.0
     frame = m.mat("metal") if kind == "HospitalBed" else wood
-    m.say(kind, BEDS, f"{word(frame).capitalize()} {word(kind)} with {word(cloth)} cover, {w:.0f} x 205 cm.", camel(cloth), camel(frame), tags="bed sleep bedroom")
+    m.say(
+        kind,
+        BEDS,
+        f"{word(frame).capitalize()} {word(kind)} with {word(cloth)} cover, {w:.0f} x 205 cm.",
+        camel(cloth),
+        camel(frame),
+        tags="bed sleep bedroom",
+    )
     b = m.b
     levels = (0, 100) if kind == "BunkBed" else (22,) if kind == "HospitalBed" else (0,)
     for z in levels:
@@ -219,10 +302,22 @@ def cot(m: Maker) -> None:
 @family("shelf")
 def shelf(m: Maker) -> None:
     """An open shelf whose boards carry things."""
-    boards, w, d, high = m.opt("boards", m.pick(4, 5)), m.opt("width", m.uni(80, 120, 10)), m.opt("depth", 40.0), m.opt("high", 190.0)
+    boards, w, d, high = (
+        m.opt("boards", m.pick(4, 5)),
+        m.opt("width", m.uni(80, 120, 10)),
+        m.opt("depth", 40.0),
+        m.opt("high", 190.0),
+    )
     kind = m.opt("kind", m.pick("Wood", "Metal"))
     of, post = (m.mat("wood"),) * 2 if kind == "Wood" else (m.mat("trim"), m.mat("metal"))
-    m.say("OpenShelf", STORAGE, f"Open shelf of {word(of)} with {boards} boards, {w:.0f} x {d:.0f} cm, {high / 100:.1f} m high.", camel(of), "Wide" if w > 100 else "Narrow", tags="shelf rack storage open")
+    m.say(
+        "OpenShelf",
+        STORAGE,
+        f"Open shelf of {word(of)} with {boards} boards, {w:.0f} x {d:.0f} cm, {high / 100:.1f} m high.",
+        camel(of),
+        "Wide" if w > 100 else "Narrow",
+        tags="shelf rack storage open",
+    )
     for x in (-1, 1):
         for y in (-1, 1):
             m.b.box(post, (4, 4, high), (x * (w / 2 - 2), y * (d / 2 - 2), 0))
@@ -237,7 +332,14 @@ def shelf(m: Maker) -> None:
 def bookcase(m: Maker) -> None:
     """A bookcase full of books."""
     wood, w, high = m.mat("wood"), m.opt("width", m.uni(80, 120, 10)), m.opt("high", m.pick(190.0, 210.0, 230.0))
-    m.say("FilledBookcase", STORAGE, f"{word(wood).capitalize()} bookcase full of books, {w:.0f} cm wide, {high / 100:.1f} m high.", camel(wood), "Wide" if w > 100 else "Tall", tags="bookcase books shelf library")
+    m.say(
+        "FilledBookcase",
+        STORAGE,
+        f"{word(wood).capitalize()} bookcase full of books, {w:.0f} cm wide, {high / 100:.1f} m high.",
+        camel(wood),
+        "Wide" if w > 100 else "Tall",
+        tags="bookcase books shelf library",
+    )
     for x in (-1, 1):
         m.b.box(wood, (3, 32, high), (x * (w / 2 - 1.5), 0, 0), body=None)
     m.b.box(wood, (w - 4, 1.5, high - 4), (0, -14, 2), body=None)
@@ -258,22 +360,55 @@ def bookcase(m: Maker) -> None:
 @family("cupboard")
 def cupboard(m: Maker) -> None:
     """A closed cupboard: wardrobe, chest of drawers, cabinet, sideboard, locker, file cabinet, dresser."""
-    kind = m.opt("kind", m.pick("Wardrobe", "ChestOfDrawers", "Sideboard", "Cabinet") if m.style.old else m.pick("Wardrobe", "ChestOfDrawers", "Sideboard", "Cabinet", "LockerRow", "FilingCabinet"))
-    w, d, h = {"Wardrobe": (130.0, 60.0, 205.0), "ChestOfDrawers": (95.0, 48.0, 86.0), "Sideboard": (170.0, 46.0, 82.0), "Cabinet": (90.0, 42.0, 150.0), "LockerRow": (120.0, 50.0, 185.0), "FilingCabinet": (46.0, 60.0, 132.0), "Nightstand": (45.0, 40.0, 52.0)}[kind]
+    kind = m.opt(
+        "kind",
+        m.pick("Wardrobe", "ChestOfDrawers", "Sideboard", "Cabinet")
+        if m.style.old
+        else m.pick("Wardrobe", "ChestOfDrawers", "Sideboard", "Cabinet", "LockerRow", "FilingCabinet"),
+    )
+    w, d, h = {
+        "Wardrobe": (130.0, 60.0, 205.0),
+        "ChestOfDrawers": (95.0, 48.0, 86.0),
+        "Sideboard": (170.0, 46.0, 82.0),
+        "Cabinet": (90.0, 42.0, 150.0),
+        "LockerRow": (120.0, 50.0, 185.0),
+        "FilingCabinet": (46.0, 60.0, 132.0),
+        "Nightstand": (45.0, 40.0, 52.0),
+    }[kind]
     of = m.mat("paint") if kind in ("LockerRow", "FilingCabinet") else m.mat("wood")
     front = m.mat("trim") if m.chance(0.4) and kind not in ("LockerRow", "FilingCabinet") else of
-    m.say(kind, STORAGE, f"{word(of).capitalize()} {word(kind)}, {w:.0f} x {d:.0f} cm, {h:.0f} cm high.", camel(of), camel(front), tags="cupboard cabinet storage")
+    m.say(
+        kind,
+        STORAGE,
+        f"{word(of).capitalize()} {word(kind)}, {w:.0f} x {d:.0f} cm, {h:.0f} cm high.",
+        camel(of),
+        camel(front),
+        tags="cupboard cabinet storage",
+    )
     b = m.b
     b.box(of, (w, d, h - 8), (0, 0, 6))
     b.box(of, (w - 10, d - 10, 6))
     b.box(of, (w + 3, d + 3, 3), (0, 0, h - 3), bevel=0.6)
-    cols, rows = {"Wardrobe": (2, 1), "ChestOfDrawers": (1, 4), "Sideboard": (3, 1), "Cabinet": (2, 2), "LockerRow": (4, 1), "FilingCabinet": (1, 4), "Nightstand": (1, 2)}[kind]
+    cols, rows = {
+        "Wardrobe": (2, 1),
+        "ChestOfDrawers": (1, 4),
+        "Sideboard": (3, 1),
+        "Cabinet": (2, 2),
+        "LockerRow": (4, 1),
+        "FilingCabinet": (1, 4),
+        "Nightstand": (1, 2),
+    }[kind]
     for i in range(cols):
         for j in range(rows):
             cw, ch = (w - 6) / cols, (h - 16) / rows
             at: Point3 = (-w / 2 + 3 + (i + 0.5) * cw, d / 2, 9 + j * ch)
             b.box(front, (cw - 2, 2.4, ch - 2), at, bevel=0.3, body=None)
-            b.box("Brass" if m.style.old else "Steel", (10, 2, 2) if rows > 1 else (2, 2, 14), (at[0] + (0 if rows > 1 else cw * 0.34 * (1 if i % 2 == 0 else -1)), at[1] + 2, at[2] + ch * 0.55), body=None)
+            b.box(
+                "Brass" if m.style.old else "Steel",
+                (10, 2, 2) if rows > 1 else (2, 2, 14),
+                (at[0] + (0 if rows > 1 else cw * 0.34 * (1 if i % 2 == 0 else -1)), at[1] + 2, at[2] + ch * 0.55),
+                body=None,
+            )
             if kind == "LockerRow":
                 for k in range(3):
                     b.box("BlackPaint", (cw * 0.5, 1, 1.5), (at[0], at[1] + 1.4, at[2] + ch - 22 + 5 * k), body=None)
@@ -285,11 +420,19 @@ def counter(m: Maker) -> None:
     """A counter: of a bar, a shop, a reception."""
     kind, wood = m.opt("kind", m.pick("BarCounter", "ShopCounter", "ReceptionDesk", "ServingCounter")), m.mat("wood")
     long_, top = m.opt("length", 200.0), m.opt("top", m.pick("Worktop", m.mat("wood"), "Marble"))
-    m.say(kind, TABLES, f"{word(kind).capitalize()} of {word(wood)} with a {word(top)} top, {long_ / 100:.0f} m long, 1.05 m high.", camel(wood), tags="counter bar shop desk")
+    m.say(
+        kind,
+        TABLES,
+        f"{word(kind).capitalize()} of {word(wood)} with a {word(top)} top, {long_ / 100:.0f} m long, 1.05 m high.",
+        camel(wood),
+        tags="counter bar shop desk",
+    )
     m.b.box(wood, (long_, 50, 101))
     m.b.box(top, (long_ + 6, 64, 4), (0, 3, 101), bevel=0.8)
     for i in range(int(long_ // 50)):
-        m.b.box(m.mat("trim"), (40, 2, 74), (-long_ / 2 + 25 + i * long_ / int(long_ // 50), 26, 14), bevel=0.4, body=None)
+        m.b.box(
+            m.mat("trim"), (40, 2, 74), (-long_ / 2 + 25 + i * long_ / int(long_ // 50), 26, 14), bevel=0.4, body=None
+        )
     m.b.tube("Brass", [(-long_ / 2, 36, 16), (long_ / 2, 36, 16)], 2)
     m.top(105, long_ - 10, 46, y=3, room=100)
 
@@ -300,7 +443,13 @@ def kitchen_unit(m: Maker) -> None:
     kind = m.opt("kind", m.pick("KitchenBase", "KitchenSink", "Stove", "Fridge", "Dishwasher"))
     paint, top = m.mat("paint"), m.opt("top", "Worktop")
     h, w = (185.0, 65.0) if kind == "Fridge" else (90.0, 70.0)
-    m.say(kind, KITCHEN, f"{word(paint).capitalize()} {word(kind)} unit, {w:.0f} cm wide.", camel(paint), tags="kitchen unit appliance")
+    m.say(
+        kind,
+        KITCHEN,
+        f"{word(paint).capitalize()} {word(kind)} unit, {w:.0f} cm wide.",
+        camel(paint),
+        tags="kitchen unit appliance",
+    )
     b = m.b
     body = "WhitePaint" if kind in ("Fridge", "Stove", "Dishwasher") else paint
     b.box(body, (w, 58, h - 4), (0, 0, 0))
@@ -325,7 +474,13 @@ def kitchen_unit(m: Maker) -> None:
         b.tube("Steel", [(0, -20, h), (0, -20, h + 24), (0, -4, h + 24), (0, -4, h + 16)], 1.4)
     else:
         for z in (6, 46) if kind == "KitchenBase" else (6,):
-            b.box(paint if kind == "KitchenBase" else "SilverPaint", (w - 2, 2.4, 38 if kind == "KitchenBase" else 76), (0, 29, z), bevel=0.3, body=None)
+            b.box(
+                paint if kind == "KitchenBase" else "SilverPaint",
+                (w - 2, 2.4, 38 if kind == "KitchenBase" else 76),
+                (0, 29, z),
+                bevel=0.3,
+                body=None,
+            )
             b.box("Steel", (16, 2, 2), (0, 31, z + 30), body=None)
         m.top(h, w - 8, 46, room=60)
 
@@ -334,7 +489,14 @@ def kitchen_unit(m: Maker) -> None:
 def bath_thing(m: Maker) -> None:
     """Bath, toilet, basin, shower, urinal row."""
     kind = m.opt("kind", m.pick("Bathtub", "Toilet", "Washbasin", "ShowerCabin", "TowelShelf"))
-    m.say(kind, BATH, f"White {word(kind)} of a bathroom.", m.pick("White", "Porcelain"), "Modern", tags="bathroom sanitary")
+    m.say(
+        kind,
+        BATH,
+        f"White {word(kind)} of a bathroom.",
+        m.pick("White", "Porcelain"),
+        "Modern",
+        tags="bathroom sanitary",
+    )
     b = m.b
     if kind == "Bathtub":
         b.box("Porcelain", (170, 76, 56), bevel=8)
@@ -366,7 +528,13 @@ def bath_thing(m: Maker) -> None:
 def fireplace(m: Maker) -> None:
     """A fireplace with a chimney breast."""
     stone = m.mat("stone")
-    m.say("Fireplace", "decor", f"{word(stone).capitalize()} hearth with glowing logs and a mantel shelf.", camel(stone), tags="fireplace hearth chimney")
+    m.say(
+        "Fireplace",
+        "decor",
+        f"{word(stone).capitalize()} hearth with glowing logs and a mantel shelf.",
+        camel(stone),
+        tags="fireplace hearth chimney",
+    )
     b = m.b
     for x in (-75, 75):
         b.box(stone, (40, 50, 120), (x, 0, 0))
@@ -384,8 +552,17 @@ def fireplace(m: Maker) -> None:
 def display(m: Maker) -> None:
     """A show case, a pedestal with an exhibit, or a table case."""
     kind = m.opt("kind", m.pick("TableCase", "TallCase", "Pedestal", "SkeletonPlinth", "VasePedestal", "MapCase"))
-    stone, exhibit = m.mat("stone"), m.opt("exhibit", m.pick("Amphora", "Mask", "Crystal", "Coins", "Helmet", "Globe", "Sword", "Fossil"))
-    m.say(f"{exhibit}Exhibit" if kind in ("TallCase", "Pedestal", "TableCase") else kind, "exhibits", f"{word(kind).capitalize()} with {exhibit.lower()} of a museum.", {"TableCase": "Cased", "TallCase": "TallCased"}.get(kind, camel(stone)), tags="museum exhibit display case")
+    stone, exhibit = (
+        m.mat("stone"),
+        m.opt("exhibit", m.pick("Amphora", "Mask", "Crystal", "Coins", "Helmet", "Globe", "Sword", "Fossil")),
+    )
+    m.say(
+        f"{exhibit}Exhibit" if kind in ("TallCase", "Pedestal", "TableCase") else kind,
+        "exhibits",
+        f"{word(kind).capitalize()} with {exhibit.lower()} of a museum.",
+        {"TableCase": "Cased", "TallCase": "TallCased"}.get(kind, camel(stone)),
+        tags="museum exhibit display case",
+    )
     b, wood = m.b, m.mat("wood")
     if kind == "TableCase" or kind == "MapCase":
         b.box(wood, (140, 70, 8), (0, 0, 76))
@@ -393,7 +570,13 @@ def display(m: Maker) -> None:
         b.box("Glass", (136, 66, 22), (0, 0, 84))
         b.box("Linen", (130, 60, 1), (0, 0, 84), body=None)
         for i in range(5):
-            b.ellipsoid({"Coins": "Gold", "Crystal": "CrystalBlue", "Fossil": "Limestone"}.get(exhibit, "Bronze"), (14, 14, 8), (-52 + 26 * i, (i % 2) * 16 - 8, 85), segments=10, body=None)
+            b.ellipsoid(
+                {"Coins": "Gold", "Crystal": "CrystalBlue", "Fossil": "Limestone"}.get(exhibit, "Bronze"),
+                (14, 14, 8),
+                (-52 + 26 * i, (i % 2) * 16 - 8, 85),
+                segments=10,
+                body=None,
+            )
         return
     if kind == "SkeletonPlinth":
         b.box(stone, (420, 160, 30))
@@ -427,17 +610,59 @@ def display(m: Maker) -> None:
             b.box("Gold", (24, 3, 4), (0, 0, 20), body=None)
         elif exhibit == "Crystal":
             for i in range(4):
-                b.cylinder("CrystalViolet", 6, 30 + 6 * i, (6 * math.cos(i * 2.0), 6 * math.sin(i * 2.0), 0), (8 * math.cos(i * 2), 0, 8 * math.sin(i * 2)), top=1, segments=6, body=None)
+                b.cylinder(
+                    "CrystalViolet",
+                    6,
+                    30 + 6 * i,
+                    (6 * math.cos(i * 2.0), 6 * math.sin(i * 2.0), 0),
+                    (8 * math.cos(i * 2), 0, 8 * math.sin(i * 2)),
+                    top=1,
+                    segments=6,
+                    body=None,
+                )
         else:
-            b.add("Limestone", hull([(-18.0, -10.0, 0.0), (18.0, -12.0, 0.0), (16.0, 12.0, 0.0), (-16.0, 10.0, 0.0), (-8.0, 0.0, 26.0), (10.0, 2.0, 18.0)]))
+            b.add(
+                "Limestone",
+                hull(
+                    [
+                        (-18.0, -10.0, 0.0),
+                        (18.0, -12.0, 0.0),
+                        (16.0, 12.0, 0.0),
+                        (-16.0, 10.0, 0.0),
+                        (-8.0, 0.0, 26.0),
+                        (10.0, 2.0, 18.0),
+                    ]
+                ),
+            )
 
 
 @family("service")
 def service(m: Maker) -> None:
     """Machines of public rooms: vending, tickets, lockers, checkout, gates, freezers."""
-    kind = m.opt("kind", m.pick("VendingMachine", "TicketMachine", "Checkout", "TicketGate", "ChestFreezer", "FridgeDisplay", "PhotoBooth", "CashMachine", "ShoppingCart", "Arcade", "Jukebox"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "VendingMachine",
+            "TicketMachine",
+            "Checkout",
+            "TicketGate",
+            "ChestFreezer",
+            "FridgeDisplay",
+            "PhotoBooth",
+            "CashMachine",
+            "ShoppingCart",
+            "Arcade",
+            "Jukebox",
+        ),
+    )
     paint = m.mat("paint")
-    m.say({"Arcade": "ArcadeCabinet"}.get(kind, kind), "equipment", f"{word(paint).capitalize()} {word(kind)}.", camel(paint), tags="machine shop public")
+    m.say(
+        {"Arcade": "ArcadeCabinet"}.get(kind, kind),
+        "equipment",
+        f"{word(paint).capitalize()} {word(kind)}.",
+        camel(paint),
+        tags="machine shop public",
+    )
     b = m.b
     if kind in ("VendingMachine", "FridgeDisplay"):
         b.box(paint, (95, 75, 185), bevel=2)
@@ -474,7 +699,24 @@ def service(m: Maker) -> None:
             for y in (-22, 22):
                 b.cylinder("BlackPaint", 5, 4, (x, y - 2, 5), (0, 0, 90), segments=8, body=None)
         b.box("Steel", (90, 48, 3), (0, 0, 20), body=None)
-        b.add("SilverPaint", hull([(x, y, z) for x, y, z in ((-36.0, -20.0, 50.0), (-36.0, 20.0, 50.0), (36.0, -16.0, 50.0), (36.0, 16.0, 50.0), (-46.0, -27.0, 96.0), (-46.0, 27.0, 96.0), (46.0, -22.0, 90.0), (46.0, 22.0, 90.0))]))
+        b.add(
+            "SilverPaint",
+            hull(
+                [
+                    (x, y, z)
+                    for x, y, z in (
+                        (-36.0, -20.0, 50.0),
+                        (-36.0, 20.0, 50.0),
+                        (36.0, -16.0, 50.0),
+                        (36.0, 16.0, 50.0),
+                        (-46.0, -27.0, 96.0),
+                        (-46.0, 27.0, 96.0),
+                        (46.0, -22.0, 90.0),
+                        (46.0, 22.0, 90.0),
+                    )
+                ]
+            ),
+        )
         b.tube("RedPaint", [(-56, -24, 100), (-56, 24, 100)], 2)
         b.body_box((84, 44, 50))
     elif kind == "Jukebox":
@@ -483,7 +725,24 @@ def service(m: Maker) -> None:
         b.cylinder("YellowPaint", 32, 54, (0, -26, 118), (0, 0, 90), segments=24, body=None)
         b.box("NeonBlue", (64, 2, 40), (0, 28, 60), body=None)
     elif kind == "Arcade":
-        b.add(paint, hull([(x, y, z) for x in (-35.0, 35.0) for y, z in ((-40.0, 0.0), (40.0, 0.0), (40.0, 95.0), (10.0, 110.0), (0.0, 150.0), (30.0, 180.0), (-40.0, 180.0))]))
+        b.add(
+            paint,
+            hull(
+                [
+                    (x, y, z)
+                    for x in (-35.0, 35.0)
+                    for y, z in (
+                        (-40.0, 0.0),
+                        (40.0, 0.0),
+                        (40.0, 95.0),
+                        (10.0, 110.0),
+                        (0.0, 150.0),
+                        (30.0, 180.0),
+                        (-40.0, 180.0),
+                    )
+                ]
+            ),
+        )
         b.box("Screen", (54, 2, 40), (0, 26, 112), (0, 0, 14), body=None)
         b.box("NeonPink", (60, 2, 16), (0, 34, 160), body=None)
     else:
@@ -495,7 +754,22 @@ def service(m: Maker) -> None:
 @family("care")
 def care(m: Maker) -> None:
     """Equipment of a ward, a laboratory, a gymnasium, a salon."""
-    kind = m.opt("kind", m.pick("DripStand", "BedScreen", "Wheelchair", "PatientMonitor", "MedicineTrolley", "LabBench", "Microscope", "Treadmill", "WeightBench", "ExerciseBike", "VaultingBox"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "DripStand",
+            "BedScreen",
+            "Wheelchair",
+            "PatientMonitor",
+            "MedicineTrolley",
+            "LabBench",
+            "Microscope",
+            "Treadmill",
+            "WeightBench",
+            "ExerciseBike",
+            "VaultingBox",
+        ),
+    )
     paint = m.mat("paint")
     m.say(kind, "equipment", f"{word(paint).capitalize()} {word(kind)}.", camel(paint), tags="equipment medical sport")
     b = m.b
@@ -514,7 +788,9 @@ def care(m: Maker) -> None:
         b.box("BlackCloth", (44, 44, 5), (0, 0, 48))
         b.box("BlackCloth", (44, 4, 44), (0, -22, 52))
         for s in (-1, 1):
-            points = [(s * 27, 28 * math.cos(a) - 6, 30 + 28 * math.sin(a)) for a in [k * math.pi / 8 for k in range(17)]]
+            points = [
+                (s * 27, 28 * math.cos(a) - 6, 30 + 28 * math.sin(a)) for a in [k * math.pi / 8 for k in range(17)]
+            ]
             b.tube("Rubber", points, 2)
             b.tube("Steel", [(s * 22, -22, 96), (s * 22, -22, 30), (s * 22, 30, 20)], 1.5)
             b.cylinder("BlackPaint", 8, 4, (s * 20 - 2, 30, 8), (-90, 0, 0), segments=10, body=None)
@@ -578,9 +854,20 @@ def care(m: Maker) -> None:
 @family("music")
 def music(m: Maker) -> None:
     """Instruments and stage things."""
-    kind = m.opt("kind", m.pick("Piano", "GrandPiano", "DrumKit", "Harp", "MusicStand", "Loudspeaker", "Organ", "Lectern", "Globe", "Easel"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "Piano", "GrandPiano", "DrumKit", "Harp", "MusicStand", "Loudspeaker", "Organ", "Lectern", "Globe", "Easel"
+        ),
+    )
     wood = m.mat("wood")
-    m.say({"Globe": "FloorGlobe"}.get(kind, kind), "decor", f"{word(wood).capitalize()} {word(kind)}.", camel(wood), tags="music stage decor")
+    m.say(
+        {"Globe": "FloorGlobe"}.get(kind, kind),
+        "decor",
+        f"{word(wood).capitalize()} {word(kind)}.",
+        camel(wood),
+        tags="music stage decor",
+    )
     b = m.b
     if kind in ("Piano", "Organ"):
         b.box(wood, (150, 40, 125), (0, -10, 0), bevel=1)
@@ -626,7 +913,14 @@ def music(m: Maker) -> None:
         b.box("Paper", (40, 28, 1), (0, 0, 107.5), (0, 0, 24), body=None)
     elif kind == "Globe":
         for k in range(3):
-            b.tube(wood, [(26 * math.cos(k * 2.1), 26 * math.sin(k * 2.1), 0), (8 * math.cos(k * 2.1), 8 * math.sin(k * 2.1), 56)], 2.5)
+            b.tube(
+                wood,
+                [
+                    (26 * math.cos(k * 2.1), 26 * math.sin(k * 2.1), 0),
+                    (8 * math.cos(k * 2.1), 8 * math.sin(k * 2.1), 56),
+                ],
+                2.5,
+            )
         b.ellipsoid("SkyPaint", (52, 52, 52), (0, 0, 54))
         b.lathe("Brass", [(27, 0), (29, 0), (29, 3), (27, 3), (27, 0)], (0, 0, 78), smooth=False, body=None)
         b.body_box((44, 44, 54))

@@ -13,16 +13,36 @@ GOODS, MACHINES, TOOLS = "containers", "machines", "tools"
 @family("crate")
 def crate(m: Maker) -> None:
     """A crate, a chest or a box."""
-    kind = m.opt("kind", m.pick("Crate", "Crate", "Chest", "CardboardBox", "AppleCrate", "PackingCase") if not m.style.old else m.pick("Crate", "Chest", "AppleCrate", "Trunk"))
-    wood = {"CardboardBox": "Burlap"}.get(kind) or m.opt("wood", m.pick("Pine", "Planks", "GreyWood", "DarkPlanks", "Oak"))
+    kind = m.opt(
+        "kind",
+        m.pick("Crate", "Crate", "Chest", "CardboardBox", "AppleCrate", "PackingCase")
+        if not m.style.old
+        else m.pick("Crate", "Chest", "AppleCrate", "Trunk"),
+    )
+    wood = {"CardboardBox": "Burlap"}.get(kind) or m.opt(
+        "wood", m.pick("Pine", "Planks", "GreyWood", "DarkPlanks", "Oak")
+    )
     w, d, h = m.uni(50, 110, 10), m.uni(45, 80, 5), m.uni(40, 90, 10)
     if kind == "AppleCrate":
         w, d, h = 60, 42, 30
-    m.say(kind, GOODS, f"{word(wood).capitalize()} {word(kind)}, {w:.0f} x {d:.0f} x {h:.0f} cm.", camel(wood), "Large" if w > 80 else "Small", tags="crate box container")
+    m.say(
+        kind,
+        GOODS,
+        f"{word(wood).capitalize()} {word(kind)}, {w:.0f} x {d:.0f} x {h:.0f} cm.",
+        camel(wood),
+        "Large" if w > 80 else "Small",
+        tags="crate box container",
+    )
     if kind == "AppleCrate":
         m.b.box(wood, (w, d, 24), body="box")
         for i in range(12):
-            m.b.ellipsoid(m.pick("Apple", "Tomato", "Orange"), (12, 12, 12), (-22 + 15 * (i % 4), -13 + 13 * (i // 4), 20), segments=8, body=None)
+            m.b.ellipsoid(
+                m.pick("Apple", "Tomato", "Orange"),
+                (12, 12, 12),
+                (-22 + 15 * (i % 4), -13 + 13 * (i // 4), 20),
+                segments=8,
+                body=None,
+            )
         m.b.body_box((w, d, 30))
         return
     m.b.box(wood, (w, d, h))
@@ -47,7 +67,12 @@ def crate(m: Maker) -> None:
 @family("barrel")
 def barrel(m: Maker) -> None:
     """A barrel, a drum or a churn."""
-    kind = m.opt("kind", m.pick("Barrel", "WineCask", "RainButt") if m.style.old else m.pick("OilDrum", "ChemicalDrum", "Barrel", "GasBottle", "MilkChurn"))
+    kind = m.opt(
+        "kind",
+        m.pick("Barrel", "WineCask", "RainButt")
+        if m.style.old
+        else m.pick("OilDrum", "ChemicalDrum", "Barrel", "GasBottle", "MilkChurn"),
+    )
     paint = m.mat("paint")
     wooden = kind in ("Barrel", "WineCask", "RainButt")
     body = m.mat("wood") if wooden else paint
@@ -74,7 +99,14 @@ def barrel(m: Maker) -> None:
 def sack(m: Maker) -> None:
     """Sacks and baskets."""
     kind = m.opt("kind", m.pick("GrainSack", "FlourSacks", "Basket", "FruitBasket", "CoalSack", "LaundryBasket"))
-    m.say(kind, GOODS, f"{word(kind).capitalize()}, about half a metre.", m.pick("", "Full"), m.pick("Small", "Large"), tags="sack basket bag")
+    m.say(
+        kind,
+        GOODS,
+        f"{word(kind).capitalize()}, about half a metre.",
+        m.pick("", "Full"),
+        m.pick("Small", "Large"),
+        tags="sack basket bag",
+    )
     if kind == "FlourSacks":
         for x, y, z in ((0, -14, 0), (0, 14, 0), (0, 0, 20)):
             m.b.ellipsoid("Linen", (72, 42, 24), (x, y, z))
@@ -86,14 +118,27 @@ def sack(m: Maker) -> None:
         m.b.lathe("Straw", [(0, 0), (22, 0), (30, 36), (33, 36), (31, 40), (26, 40), (22, 30), (0, 30)], body="hull")
         for i in range(9):
             a, r = i * 2.4, 6.5 * math.sqrt(i)
-            m.b.ellipsoid(m.pick("Apple", "Tomato", "Orange", "Lemon") if kind != "LaundryBasket" else "Linen", (13, 13, 12), (r * math.cos(a), r * math.sin(a), 30), segments=8, body=None)
+            m.b.ellipsoid(
+                m.pick("Apple", "Tomato", "Orange", "Lemon") if kind != "LaundryBasket" else "Linen",
+                (13, 13, 12),
+                (r * math.cos(a), r * math.sin(a), 30),
+                segments=8,
+                body=None,
+            )
 
 
 @family("pallet")
 def pallet(m: Maker) -> None:
     """A pallet, empty or with a load."""
     load = m.opt("load", m.pick("", "Sacks", "Bricks", "Boxes", "Drums", "Timber"))
-    m.say(f"{load}Pallet" if load else "EmptyPallet", GOODS, f"Wooden pallet{' with ' + load.lower() if load else ''}, 120 x 80 cm.", m.pick("", "Euro"), m.pick("Full", "Grey"), tags="pallet load goods")
+    m.say(
+        f"{load}Pallet" if load else "EmptyPallet",
+        GOODS,
+        f"Wooden pallet{' with ' + load.lower() if load else ''}, 120 x 80 cm.",
+        m.pick("", "Euro"),
+        m.pick("Full", "Grey"),
+        tags="pallet load goods",
+    )
     for y in (-36, 0, 36):
         m.b.box("Pine", (120, 9, 9), (0, y, 0), body=None)
     for i in range(6):
@@ -136,7 +181,14 @@ def container(m: Maker) -> None:
     """A freight container."""
     paint, long_ = m.mat("paint"), m.opt("long", m.chance(0.4))
     length = 1219.0 if long_ else 606.0
-    m.say("FreightContainer", GOODS, f"{word(paint).capitalize()} freight container of corrugated steel, {length / 100:.1f} m long along X.", camel(paint), "Long" if long_ else "Short", tags="container shipping cargo freight")
+    m.say(
+        "FreightContainer",
+        GOODS,
+        f"{word(paint).capitalize()} freight container of corrugated steel, {length / 100:.1f} m long along X.",
+        camel(paint),
+        "Long" if long_ else "Short",
+        tags="container shipping cargo freight",
+    )
     m.b.box(paint, (length, 244, 259))
     n = int(length // 30)
     for s in (-1, 1):
@@ -152,7 +204,13 @@ def crane(m: Maker) -> None:
     """A tall crane: a harbour crane, a tower crane or a treadwheel crane."""
     kind = m.opt("kind", m.pick("HarbourCrane", "TowerCrane", "GantryCrane") if not m.style.old else "TreadwheelCrane")
     paint = m.opt("paint", m.pick("YellowPaint", "OrangePaint", "BluePaint", "RedPaint"))
-    m.say(kind, MACHINES, f"{word(paint if kind != 'TreadwheelCrane' else 'Oak').capitalize()} {word(kind)}.", camel(paint), tags="crane machine lift")
+    m.say(
+        kind,
+        MACHINES,
+        f"{word(paint if kind != 'TreadwheelCrane' else 'Oak').capitalize()} {word(kind)}.",
+        camel(paint),
+        tags="crane machine lift",
+    )
     b = m.b
     if kind == "HarbourCrane":
         for x in (-160, 160):
@@ -205,9 +263,35 @@ def crane(m: Maker) -> None:
 @family("machine")
 def machine(m: Maker) -> None:
     """A machine of a workshop or factory."""
-    kind = m.opt("kind", m.pick("Lathe", "MillingMachine", "DrillPress", "Generator", "Compressor", "Boiler", "HydraulicPress", "RobotArm", "ConveyorBelt", "PackingMachine", "BandSaw", "GrindingMachine", "WaterPump", "CncMachine", "PrintingPress", "Loom"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "Lathe",
+            "MillingMachine",
+            "DrillPress",
+            "Generator",
+            "Compressor",
+            "Boiler",
+            "HydraulicPress",
+            "RobotArm",
+            "ConveyorBelt",
+            "PackingMachine",
+            "BandSaw",
+            "GrindingMachine",
+            "WaterPump",
+            "CncMachine",
+            "PrintingPress",
+            "Loom",
+        ),
+    )
     paint = m.mat("paint")
-    m.say(kind, MACHINES, f"{word(paint).capitalize()} {word(kind)} of a workshop.", camel(paint), tags="machine industry workshop")
+    m.say(
+        kind,
+        MACHINES,
+        f"{word(paint).capitalize()} {word(kind)} of a workshop.",
+        camel(paint),
+        tags="machine industry workshop",
+    )
     b = m.b
     if kind == "Lathe":
         b.box(paint, (220, 70, 60), (0, 0, 20), bevel=3)
@@ -311,10 +395,22 @@ def machine(m: Maker) -> None:
 @family("tank")
 def tank(m: Maker) -> None:
     """A storage tank, a silo or a factory chimney."""
-    kind = m.opt("kind", m.pick("StorageTank", "GrainSilo", "FactoryChimney", "GasHolder", "CoolingTower", "HorizontalTank", "TankOnLegs"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "StorageTank", "GrainSilo", "FactoryChimney", "GasHolder", "CoolingTower", "HorizontalTank", "TankOnLegs"
+        ),
+    )
     paint, h, r = m.mat("paint"), m.uni(600, 1200, 50), m.uni(180, 320, 20)
     wall = "RedBrick" if kind == "FactoryChimney" else "Concrete" if kind == "CoolingTower" else paint
-    m.say(kind, MACHINES, f"{word(wall).capitalize()} {word(kind)} of a works.", camel(wall), "Tall" if h > 900 else "Low", tags="tank industry storage")
+    m.say(
+        kind,
+        MACHINES,
+        f"{word(wall).capitalize()} {word(kind)} of a works.",
+        camel(wall),
+        "Tall" if h > 900 else "Low",
+        tags="tank industry storage",
+    )
     b = m.b
     if kind == "FactoryChimney":
         b.box("RedBrick", (300, 300, 300))
@@ -322,7 +418,9 @@ def tank(m: Maker) -> None:
         for z in (900, 1600, 2260):
             b.cylinder("WhitePaint", 104 - z * 0.013, 40, (0, 0, z), segments=18, body=None)
     elif kind == "CoolingTower":
-        b.lathe("Concrete", [(0, 0), (900, 0), (680, 600), (560, 1100), (600, 1500), (560, 1500), (0, 1420)], segments=28)
+        b.lathe(
+            "Concrete", [(0, 0), (900, 0), (680, 600), (560, 1100), (600, 1500), (560, 1500), (0, 1420)], segments=28
+        )
     elif kind == "HorizontalTank":
         b.cylinder(paint, r * 0.6, 800, (-400, 0, r * 0.6 + 60), (-90, 0, 0), segments=22)
         for x in (-260, 260):
@@ -362,12 +460,22 @@ def pipe(m: Maker) -> None:
             b.box("Iron", (14, 190, 12), (x, 0, 200))
             b.box("Iron", (14, 190, 12), (x, 0, 288))
         for i, z in ((0, 212), (1, 212), (2, 212), (0, 300), (1, 300)):
-            b.cylinder(m.pick(paint, "SilverPaint", "Copper"), 20, 500, (-250, -56 + 56 * i, z + 20), (-90, 0, 0), segments=14, body=None)
+            b.cylinder(
+                m.pick(paint, "SilverPaint", "Copper"),
+                20,
+                500,
+                (-250, -56 + 56 * i, z + 20),
+                (-90, 0, 0),
+                segments=14,
+                body=None,
+            )
         b.body_box((500, 160, 130), (0, 0, 205))
     elif kind == "PipeStack":
         for row in range(3):
             for i in range(4 - row):
-                b.cylinder(paint, 24, 400, (-200, (i - (3 - row) / 2) * 49, 24 + 42 * row), (-90, 0, 0), segments=14, body=None)
+                b.cylinder(
+                    paint, 24, 400, (-200, (i - (3 - row) / 2) * 49, 24 + 42 * row), (-90, 0, 0), segments=14, body=None
+                )
         b.body_box((400, 190, 44))
         b.body_box((400, 90, 84), (0, 0, 44))
     else:
@@ -388,8 +496,30 @@ def pipe(m: Maker) -> None:
 @family("forge")
 def forge(m: Maker) -> None:
     """What a smith, a cooper, a potter or a carpenter works with."""
-    kind = m.opt("kind", m.pick("Anvil", "ForgeHearth", "Bellows", "Grindstone", "PotterWheel", "Sawhorse", "CopperStill", "Kiln", "Cauldron", "BreadOven", "WinePress"))
-    m.say(kind, TOOLS, f"{word(kind).capitalize()} of a craftsman.", m.pick("Old", "Heavy"), "Worn", tags="craft tool workshop")
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "Anvil",
+            "ForgeHearth",
+            "Bellows",
+            "Grindstone",
+            "PotterWheel",
+            "Sawhorse",
+            "CopperStill",
+            "Kiln",
+            "Cauldron",
+            "BreadOven",
+            "WinePress",
+        ),
+    )
+    m.say(
+        kind,
+        TOOLS,
+        f"{word(kind).capitalize()} of a craftsman.",
+        m.pick("Old", "Heavy"),
+        "Worn",
+        tags="craft tool workshop",
+    )
     b, wood, stone = m.b, m.mat("wood"), m.mat("stone")
     if kind == "Anvil":
         b.cylinder(wood, 26, 50, top=24, segments=12)
@@ -401,7 +531,24 @@ def forge(m: Maker) -> None:
         if kind == "ForgeHearth":
             b.box("Ember", (90, 70, 5), (0, 10, 84), body=None)
             b.box("Cinder", (120, 90, 3), (0, 10, 83), body=None)
-            b.add("DarkStone", hull([(x, y, z) for x, y, z in ((-85.0, -65.0, 150.0), (85.0, -65.0, 150.0), (85.0, 65.0, 150.0), (-85.0, 65.0, 150.0), (-30.0, -40.0, 250.0), (30.0, -40.0, 250.0), (30.0, 10.0, 250.0), (-30.0, 10.0, 250.0))]))
+            b.add(
+                "DarkStone",
+                hull(
+                    [
+                        (x, y, z)
+                        for x, y, z in (
+                            (-85.0, -65.0, 150.0),
+                            (85.0, -65.0, 150.0),
+                            (85.0, 65.0, 150.0),
+                            (-85.0, 65.0, 150.0),
+                            (-30.0, -40.0, 250.0),
+                            (30.0, -40.0, 250.0),
+                            (30.0, 10.0, 250.0),
+                            (-30.0, 10.0, 250.0),
+                        )
+                    ]
+                ),
+            )
             b.box("DarkStone", (60, 50, 160), (0, -15, 250), body="box")
             for x in (-80, 80):
                 b.box(stone, (14, 20, 65), (x, -55, 85))
@@ -411,7 +558,14 @@ def forge(m: Maker) -> None:
             b.cylinder("Clay", 14, 80, (0, -30, 150), segments=10, body=None)
     elif kind == "Bellows":
         b.box(wood, (120, 50, 6), (0, 0, 60))
-        b.add("BrownLeather", hull([(-60.0, y, 66.0) for y in (-25.0, 25.0)] + [(60.0, y, 66.0) for y in (-8.0, 8.0)] + [(-60.0, y, 100.0) for y in (-25.0, 25.0)]))
+        b.add(
+            "BrownLeather",
+            hull(
+                [(-60.0, y, 66.0) for y in (-25.0, 25.0)]
+                + [(60.0, y, 66.0) for y in (-8.0, 8.0)]
+                + [(-60.0, y, 100.0) for y in (-25.0, 25.0)]
+            ),
+        )
         for x in (-50, 40):
             b.box(wood, (10, 40, 60), (x, 0, 0))
     elif kind in ("Grindstone", "PotterWheel"):
@@ -455,15 +609,41 @@ def forge(m: Maker) -> None:
 @family("works")
 def works(m: Maker) -> None:
     """Things of a building site."""
-    kind = m.opt("kind", m.pick("TrafficCone", "SandHeap", "GravelHeap", "Scaffold", "CementMixer", "BrickStack", "PlankStack", "Barrier", "Wheelbarrow", "Ladder", "CableDrum", "PortableToilet", "SteelBeams"))
-    m.say(kind, TOOLS, f"{word(kind).capitalize()} of a building site.", m.pick("", "Yard"), m.pick("Orange", "Grey"), tags="building site construction")
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "TrafficCone",
+            "SandHeap",
+            "GravelHeap",
+            "Scaffold",
+            "CementMixer",
+            "BrickStack",
+            "PlankStack",
+            "Barrier",
+            "Wheelbarrow",
+            "Ladder",
+            "CableDrum",
+            "PortableToilet",
+            "SteelBeams",
+        ),
+    )
+    m.say(
+        kind,
+        TOOLS,
+        f"{word(kind).capitalize()} of a building site.",
+        m.pick("", "Yard"),
+        m.pick("Orange", "Grey"),
+        tags="building site construction",
+    )
     b = m.b
     if kind == "TrafficCone":
         b.box("BlackPaint", (36, 36, 4))
         b.cylinder("OrangePaint", 14, 60, (0, 0, 4), top=3, segments=14)
         b.cylinder("WhitePaint", 10.6, 10, (0, 0, 26), top=8.7, segments=14, body=None)
     elif kind.endswith("Heap"):
-        b.lathe("Sand" if kind == "SandHeap" else "Gravel", [(0, 0), (170, 0), (120, 50), (50, 100), (0, 116)], squash=0.8)
+        b.lathe(
+            "Sand" if kind == "SandHeap" else "Gravel", [(0, 0), (170, 0), (120, 50), (50, 100), (0, 116)], squash=0.8
+        )
     elif kind == "Scaffold":
         for x in (-120, 0, 120):
             for y in (-45, 45):
@@ -502,7 +682,24 @@ def works(m: Maker) -> None:
             b.box("RedPaint" if i % 2 else "WhitePaint", (32, 5, 24), (-80 + 32 * i, 4, 74), body=None)
         b.body_box((180, 10, 26), (0, 2, 74))
     elif kind == "Wheelbarrow":
-        b.add("GreenPaint", hull([(x, y, z) for x, y, z in ((-30.0, -22.0, 30.0), (-30.0, 22.0, 30.0), (20.0, -16.0, 30.0), (20.0, 16.0, 30.0), (-44.0, -32.0, 62.0), (-44.0, 32.0, 62.0), (48.0, -28.0, 62.0), (48.0, 28.0, 62.0))]))
+        b.add(
+            "GreenPaint",
+            hull(
+                [
+                    (x, y, z)
+                    for x, y, z in (
+                        (-30.0, -22.0, 30.0),
+                        (-30.0, 22.0, 30.0),
+                        (20.0, -16.0, 30.0),
+                        (20.0, 16.0, 30.0),
+                        (-44.0, -32.0, 62.0),
+                        (-44.0, 32.0, 62.0),
+                        (48.0, -28.0, 62.0),
+                        (48.0, 28.0, 62.0),
+                    )
+                ]
+            ),
+        )
         b.cylinder("Rubber", 18, 8, (52, -4, 18), (0, 0, 90), segments=14)
         for y in (-22, 22):
             b.tube("Pine", [(52, y * 0.2, 18), (-30, y, 30), (-90, y * 1.2, 56)], 2.2)

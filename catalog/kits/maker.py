@@ -193,13 +193,7 @@ class Assortment:
             make(again)
 
         self.things[name] = Thing(
-            name,
-            family_name,
-            maker.noun,
-            maker.category,
-            maker.b.shape(),
-            tuple(maker.surfaces),
-            family_name in FLAT,
+            name, family_name, maker.noun, maker.category, maker.b.shape(), tuple(maker.surfaces), family_name in FLAT
         )
         self.specs.append(AssetSpec(name, maker.category, maker.about, maker.tags, build))
         self.categories.setdefault(maker.category, maker.category.capitalize() + " of this place.")

@@ -15,7 +15,14 @@ def streetlamp(m: Maker) -> None:
     """A lamp on a post."""
     metal, kind = m.mat("metal"), m.opt("kind", m.pick("Lantern", "Globe", "Arm", "Twin"))
     height = m.uni(320, 480, 20)
-    m.say("LampPost", STREET, f"{word(metal).capitalize()} lamp post with {kind.lower()} head, {height / 100:.1f} m high.", kind, camel(metal), tags="lamp light street")
+    m.say(
+        "LampPost",
+        STREET,
+        f"{word(metal).capitalize()} lamp post with {kind.lower()} head, {height / 100:.1f} m high.",
+        kind,
+        camel(metal),
+        tags="lamp light street",
+    )
     m.b.cylinder(metal, 16, 40, top=9, segments=12, body=None)
     m.b.cylinder(metal, 6, height, segments=10)
     if kind == "Globe":
@@ -36,7 +43,15 @@ def bench(m: Maker) -> None:
     wood, metal = m.mat("wood"), m.mat("metal")
     long_, back = m.uni(140, 200, 10), m.opt("back", m.chance(0.7))
     kind = m.opt("kind", m.pick("Park", "Garden", "Slatted") if back else m.pick("Backless", "Plain"))
-    m.say("Bench", STREET, f"{word(wood).capitalize()} bench on {word(metal)} legs{' with a back' if back else ''}, {long_ / 100:.1f} m long.", kind, camel(wood), tags="bench seat")
+    m.say(
+        "Bench",
+        STREET,
+        f"{word(wood).capitalize()} bench on {word(metal)} legs{' with a back' if back else ''}, "
+        f"{long_ / 100:.1f} m long.",
+        kind,
+        camel(wood),
+        tags="bench seat",
+    )
     for i in range(4):
         m.b.box(wood, (long_, 9, 4), (0, -15 + 11 * i, 42), body=None)
     for x in (-1, 1):
@@ -55,7 +70,13 @@ def bench(m: Maker) -> None:
 def bin_(m: Maker) -> None:
     """A litter bin."""
     paint, round_ = m.mat("paint"), m.chance(0.6)
-    m.say(m.pick("LitterBin", "WasteBin", "RecyclingBin"), STREET, f"{word(paint).capitalize()} {'round' if round_ else 'square'} litter bin, 0.9 m high.", camel(paint), tags="bin trash waste")
+    m.say(
+        m.pick("LitterBin", "WasteBin", "RecyclingBin"),
+        STREET,
+        f"{word(paint).capitalize()} {'round' if round_ else 'square'} litter bin, 0.9 m high.",
+        camel(paint),
+        tags="bin trash waste",
+    )
     if round_:
         m.b.cylinder(paint, 26, 80, top=29, segments=16)
         m.b.cylinder("Iron", 30, 12, (0, 0, 80), top=20, segments=16, body=None)
@@ -77,7 +98,10 @@ def bollard(m: Maker) -> None:
 def sign(m: Maker) -> None:
     """A sign on a post."""
     paint = m.mat("paint")
-    kind = m.opt("kind", m.pick("DirectionSign", "InfoSign", "NoticeBoard", "ParkingSign", "StopSign", "StreetNameSign", "WarningSign"))
+    kind = m.opt(
+        "kind",
+        m.pick("DirectionSign", "InfoSign", "NoticeBoard", "ParkingSign", "StopSign", "StreetNameSign", "WarningSign"),
+    )
     m.say(kind, STREET, f"{word(paint).capitalize()} {word(kind)} on a post.", camel(paint), tags="sign board post")
     m.b.cylinder(m.mat("metal"), 4, 230, segments=8)
     if kind in ("DirectionSign", "StreetNameSign"):
@@ -99,7 +123,13 @@ def sign(m: Maker) -> None:
 def bike_rack(m: Maker) -> None:
     """Hoops for bicycles."""
     metal = m.mat("metal")
-    m.say("BicycleRack", STREET, f"Rack of five {word(metal)} hoops for bicycles, 2.6 m long.", camel(metal), tags="bicycle rack stand")
+    m.say(
+        "BicycleRack",
+        STREET,
+        f"Rack of five {word(metal)} hoops for bicycles, 2.6 m long.",
+        camel(metal),
+        tags="bicycle rack stand",
+    )
     for i in range(5):
         x = -110 + 55 * i
         m.b.tube(metal, [(x, -30, 0), (x, -30, 60), (x, -15, 78), (x, 15, 78), (x, 30, 60), (x, 30, 0)], 2.5)
@@ -141,7 +171,13 @@ def hydrant(m: Maker) -> None:
 def bus_shelter(m: Maker) -> None:
     """A glass shelter with a bench."""
     metal = m.mat("metal")
-    m.say("BusShelter", STREET, f"Glass bus shelter on {word(metal)} posts with a bench, 4 m wide.", camel(metal), tags="bus stop shelter")
+    m.say(
+        "BusShelter",
+        STREET,
+        f"Glass bus shelter on {word(metal)} posts with a bench, 4 m wide.",
+        camel(metal),
+        tags="bus stop shelter",
+    )
     for x in (-195, 195):
         for y in (-60, 60):
             m.b.box(metal, (9, 9, 240), (x, y, 0))
@@ -157,9 +193,19 @@ def bus_shelter(m: Maker) -> None:
 @family("planter")
 def planter(m: Maker) -> None:
     """A box or pot with plants outdoors."""
-    stone, flower = m.opt("stone", m.pick("Terracotta", m.mat("stone"), m.mat("wood"))), m.pick("RedPaint", "PinkPaint", "YellowPaint", "VioletPaint", "WhitePaint")
+    stone, flower = (
+        m.opt("stone", m.pick("Terracotta", m.mat("stone"), m.mat("wood"))),
+        m.pick("RedPaint", "PinkPaint", "YellowPaint", "VioletPaint", "WhitePaint"),
+    )
     long_ = m.chance(0.5)
-    m.say("FlowerPlanter", STREET, f"{word(stone).capitalize()} planter with {word(flower)} flowers.", camel(flower), camel(stone), tags="planter flowers plant")
+    m.say(
+        "FlowerPlanter",
+        STREET,
+        f"{word(stone).capitalize()} planter with {word(flower)} flowers.",
+        camel(flower),
+        camel(stone),
+        tags="planter flowers plant",
+    )
     if long_:
         m.b.box(stone, (130, 48, 46), bevel=2)
         m.b.box("Soil", (120, 40, 3), (0, 0, 45), body=None)
@@ -176,8 +222,20 @@ def fountain(m: Maker) -> None:
     """A fountain with a round or eight-sided basin."""
     stone = m.mat("stone")
     r, tiers = m.opt("radius", m.uni(180, 320, 20)), m.pick(1, 2)
-    m.say("Fountain", ART, f"{word(stone).capitalize()} fountain with {tiers} bowl{'s' if tiers > 1 else ''}, {2 * r / 100:.1f} m wide.", camel(stone), "Tiered" if tiers > 1 else "Simple", tags="fountain basin square")
-    m.b.lathe(stone, [(0, 0), (r, 0), (r, 50), (r - 6, 58), (r - 28, 58), (r - 30, 20), (0, 20)], segments=m.pick(8, 24), smooth=False)
+    m.say(
+        "Fountain",
+        ART,
+        f"{word(stone).capitalize()} fountain with {tiers} bowl{'s' if tiers > 1 else ''}, {2 * r / 100:.1f} m wide.",
+        camel(stone),
+        "Tiered" if tiers > 1 else "Simple",
+        tags="fountain basin square",
+    )
+    m.b.lathe(
+        stone,
+        [(0, 0), (r, 0), (r, 50), (r - 6, 58), (r - 28, 58), (r - 30, 20), (0, 20)],
+        segments=m.pick(8, 24),
+        smooth=False,
+    )
     m.b.cylinder("Water", r - 28, 2, (0, 0, 42), segments=24, body=None)
     m.b.cylinder(stone, 26, 150, top=16, segments=14, body=None)
     for t in range(tiers):
@@ -193,7 +251,13 @@ def statue(m: Maker) -> None:
     """A figure or a beast on a pedestal."""
     stone = m.opt("stone", m.pick("Bronze", "Marble", "Verdigris", m.mat("stone")))
     kind = m.opt("kind", m.pick("Figure", "Rider", "Obelisk", "Bust", "Lion", "Urn"))
-    m.say(f"{kind}Statue" if kind not in ("Obelisk",) else "Obelisk", ART, f"{word(stone).capitalize()} statue ({kind.lower()}) on a pedestal.", camel(stone), tags="statue monument sculpture")
+    m.say(
+        f"{kind}Statue" if kind not in ("Obelisk",) else "Obelisk",
+        ART,
+        f"{word(stone).capitalize()} statue ({kind.lower()}) on a pedestal.",
+        camel(stone),
+        tags="statue monument sculpture",
+    )
     base = m.mat("stone")
     high = m.uni(90, 160, 10)
     m.b.box(base, (130, 130, 16))
@@ -231,11 +295,27 @@ def column(m: Maker) -> None:
     stone = m.opt("stone", m.pick(m.mat("stone"), "Marble"))
     broken = m.opt("broken", m.chance(0.5))
     height = m.opt("height", m.uni(140, 300, 20) if broken else m.uni(380, 520, 20))
-    m.say("BrokenColumn" if broken else "Column", RUINS, f"{'Broken' if broken else 'Whole'} {word(stone)} column, {height / 100:.1f} m high.", camel(stone), tags="column pillar ruin")
+    m.say(
+        "BrokenColumn" if broken else "Column",
+        RUINS,
+        f"{'Broken' if broken else 'Whole'} {word(stone)} column, {height / 100:.1f} m high.",
+        camel(stone),
+        tags="column pillar ruin",
+    )
     m.b.box(stone, (96, 96, 18))
     m.b.cylinder(stone, 36, height - 18, (0, 0, 18), top=32, segments=16)
     if broken:
-        m.b.add(stone, hull([(30 * math.cos(a), 30 * math.sin(a), height + (26 if i % 3 == 0 else 4)) for i, a in enumerate([k * math.pi / 4 for k in range(8)])] + [(0.0, 0.0, height - 10)]), body=None)
+        m.b.add(
+            stone,
+            hull(
+                [
+                    (30 * math.cos(a), 30 * math.sin(a), height + (26 if i % 3 == 0 else 4))
+                    for i, a in enumerate([k * math.pi / 4 for k in range(8)])
+                ]
+                + [(0.0, 0.0, height - 10)]
+            ),
+            body=None,
+        )
     else:
         m.b.lathe(stone, [(32, 0), (46, 22), (0, 22)], (0, 0, height), body=None)
         m.b.box(stone, (104, 104, 18), (0, 0, height + 22))
@@ -246,7 +326,13 @@ def ruin_wall(m: Maker) -> None:
     """A broken wall with a stepped top."""
     stone, length = m.mat("stone"), m.opt("length", m.uni(300, 700, 50))
     opening = m.chance(0.4)
-    m.say("RuinedArch" if opening else "RuinedWall", RUINS, f"Ruined {word(stone)} wall{' with an arch' if opening else ''}, {length / 100:.1f} m long.", camel(stone), tags="ruin wall broken")
+    m.say(
+        "RuinedArch" if opening else "RuinedWall",
+        RUINS,
+        f"Ruined {word(stone)} wall{' with an arch' if opening else ''}, {length / 100:.1f} m long.",
+        camel(stone),
+        tags="ruin wall broken",
+    )
     if opening:
         m.b.arch(stone, (max(length, 360), 70, 400), (220, 300))
         m.b.box(stone, (90, 70, 60), (-max(length, 360) / 2 + 46, 0, 400))
@@ -256,17 +342,35 @@ def ruin_wall(m: Maker) -> None:
             m.b.box(stone, (length / count, 66, m.uni(60, 330, 15)), (-length / 2 + (i + 0.5) * length / count, 0, 0))
     for _ in range(5):
         s = m.uni(18, 40, 2)
-        m.b.box(stone, (s, s, s * 0.7), (m.uni(-length / 2, length / 2), m.pick(-1, 1) * m.uni(50, 75), 0), (0, m.uni(0, 90), 0), body=None)
+        m.b.box(
+            stone,
+            (s, s, s * 0.7),
+            (m.uni(-length / 2, length / 2), m.pick(-1, 1) * m.uni(50, 75), 0),
+            (0, m.uni(0, 90), 0),
+            body=None,
+        )
 
 
 @family("rubble")
 def rubble(m: Maker) -> None:
     """A heap of broken stones."""
     stone = m.mat("stone")
-    m.say(m.pick("RubbleHeap", "StonePile", "FallenStones"), RUINS, f"Heap of {word(stone)} blocks.", camel(stone), tags="rubble stones heap")
+    m.say(
+        m.pick("RubbleHeap", "StonePile", "FallenStones"),
+        RUINS,
+        f"Heap of {word(stone)} blocks.",
+        camel(stone),
+        tags="rubble stones heap",
+    )
     for i in range(9):
         a, r, s = i * 2.4, 18.0 * math.sqrt(i), m.uni(30, 60, 2)
-        m.b.box(stone, (s, s * 0.8, s * 0.6), (r * math.cos(a), r * math.sin(a), 24 if i < 3 else 0), (m.uni(-12, 12), m.uni(0, 90), 0), body=None)
+        m.b.box(
+            stone,
+            (s, s * 0.8, s * 0.6),
+            (r * math.cos(a), r * math.sin(a), 24 if i < 3 else 0),
+            (m.uni(-12, 12), m.uni(0, 90), 0),
+            body=None,
+        )
     m.b.body_box((110, 110, 40))
 
 
@@ -296,8 +400,17 @@ def fence(m: Maker) -> None:
     kind = m.opt("kind", m.pick("Picket", "Rail", "Plank", "Iron", "Wicker"))
     length = m.opt("length", 300.0)
     wood = m.mat("metal") if kind == "Iron" else m.opt("wood", m.pick(m.mat("wood"), "GreyWood"))
-    m.say(f"{kind}Fence", FENCES, f"{kind} fence of {word(wood)}, {length / 100:.0f} m long.", camel(wood), tags="fence border")
-    posts, high = max(2, round(length / 150) + 1), {"Rail": 115, "Plank": 180, "Iron": 140, "Picket": 95, "Wicker": 110}[kind]
+    m.say(
+        f"{kind}Fence",
+        FENCES,
+        f"{kind} fence of {word(wood)}, {length / 100:.0f} m long.",
+        camel(wood),
+        tags="fence border",
+    )
+    posts, high = (
+        max(2, round(length / 150) + 1),
+        {"Rail": 115, "Plank": 180, "Iron": 140, "Picket": 95, "Wicker": 110}[kind],
+    )
     for i in range(posts):
         m.b.box(wood, (9, 9, high + 8), (-length / 2 + 5 + i * (length - 10) / (posts - 1), 0, 0), body=None)
     if kind == "Rail":
@@ -321,8 +434,18 @@ def fence(m: Maker) -> None:
 @family("wall")
 def wall(m: Maker) -> None:
     """A length of garden wall along X."""
-    stone, length, high = m.opt("stone", m.pick(m.mat("stone"), "RedBrick", "WhitePlaster")), m.opt("length", 400.0), m.opt("high", m.uni(100, 190, 10))
-    m.say("GardenWall", FENCES, f"{word(stone).capitalize()} wall with a coping, {length / 100:.0f} m long, {high / 100:.1f} m high.", camel(stone), tags="wall stone border")
+    stone, length, high = (
+        m.opt("stone", m.pick(m.mat("stone"), "RedBrick", "WhitePlaster")),
+        m.opt("length", 400.0),
+        m.opt("high", m.uni(100, 190, 10)),
+    )
+    m.say(
+        "GardenWall",
+        FENCES,
+        f"{word(stone).capitalize()} wall with a coping, {length / 100:.0f} m long, {high / 100:.1f} m high.",
+        camel(stone),
+        tags="wall stone border",
+    )
     m.b.box(stone, (length, 36, high))
     m.b.box(m.mat("stone"), (length, 46, 12), (0, 0, high))
 
@@ -332,7 +455,14 @@ def gate(m: Maker) -> None:
     """An open gate to pass: two posts and wings turned back."""
     metal, stone = m.mat("metal"), m.mat("stone")
     wide = m.opt("width", 300.0)
-    m.say("OpenGate", FENCES, f"Open {word(metal)} gate between {word(stone)} posts, {wide / 100:.0f} m wide.", camel(metal), camel(stone), tags="gate entrance posts")
+    m.say(
+        "OpenGate",
+        FENCES,
+        f"Open {word(metal)} gate between {word(stone)} posts, {wide / 100:.0f} m wide.",
+        camel(metal),
+        camel(stone),
+        tags="gate entrance posts",
+    )
     for side in (-1, 1):
         x = side * (wide / 2 + 30)
         m.b.box(stone, (56, 56, 220), (x, 0, 0))
@@ -350,7 +480,13 @@ def gate(m: Maker) -> None:
 def arbour(m: Maker) -> None:
     """A pergola with climbing plants, open to walk through along Y."""
     wood = m.mat("wood")
-    m.say("Pergola", FENCES, f"{word(wood).capitalize()} pergola with climbing plants, 3 m long.", camel(wood), tags="pergola garden arch")
+    m.say(
+        "Pergola",
+        FENCES,
+        f"{word(wood).capitalize()} pergola with climbing plants, 3 m long.",
+        camel(wood),
+        tags="pergola garden arch",
+    )
     for x in (-110, 110):
         for y in (-140, 0, 140):
             m.b.box(wood, (14, 14, 240), (x, y, 0))
@@ -383,7 +519,14 @@ def stall(m: Maker) -> None:
     """A market stall with goods under an awning."""
     ware = m.opt("ware", m.pick(*GOODS))
     wood, cloth = m.mat("wood"), m.mat("awning")
-    m.say(f"{ware}Stall", MARKET, f"Market stall of {word(wood)} with {ware.lower()} under an awning of {word(cloth)}, 2.6 m wide.", "", camel(cloth), tags="market stall goods awning")
+    m.say(
+        f"{ware}Stall",
+        MARKET,
+        f"Market stall of {word(wood)} with {ware.lower()} under an awning of {word(cloth)}, 2.6 m wide.",
+        "",
+        camel(cloth),
+        tags="market stall goods awning",
+    )
     m.b.box(wood, (260, 110, 6), (0, 10, 84))
     m.b.box(wood, (250, 6, 84), (0, 60, 0))
     for x in (-124, 124):
@@ -399,7 +542,13 @@ def stall(m: Maker) -> None:
             with m.b.moved((-100 + 50 * i, -12 + 44 * row, 90)):
                 m.b.box("Pine", (44, 38, 12), body=None)
                 for k in range(6):
-                    m.b.ellipsoid(GOODS[ware][(i + row) % 4], (13, 13, 12), (-14 + 14 * (k % 3), -8 + 16 * (k // 3), 8), segments=8, body=None)
+                    m.b.ellipsoid(
+                        GOODS[ware][(i + row) % 4],
+                        (13, 13, 12),
+                        (-14 + 14 * (k % 3), -8 + 16 * (k // 3), 8),
+                        segments=8,
+                        body=None,
+                    )
     m.b.body_box((250, 90, 22), (0, 10, 90))
 
 
@@ -408,7 +557,14 @@ def handcart(m: Maker) -> None:
     """A cart on two or four wheels."""
     load = m.opt("load", m.pick("Hay", "Soil", "Pine", "Empty", "Pottery", "Apple", "Rock"))
     wood = m.mat("wood")
-    m.say("Handcart", MARKET, f"{word(wood).capitalize()} cart on two wheels with {word(load)}.", "" if load == "Empty" else load, camel(wood), tags="cart wagon wheel")
+    m.say(
+        "Handcart",
+        MARKET,
+        f"{word(wood).capitalize()} cart on two wheels with {word(load)}.",
+        "" if load == "Empty" else load,
+        camel(wood),
+        tags="cart wagon wheel",
+    )
     m.b.box(wood, (180, 100, 8), (0, 0, 62))
     for y in (-50, 50):
         m.b.box(wood, (180, 5, 36), (0, y, 66), body=None)
@@ -435,7 +591,13 @@ def wheel(m: Maker, material: str, radius: float, at: tuple[float, float, float]
 def parasol_table(m: Maker) -> None:
     """A round cafe table with a parasol through it."""
     cloth, metal = m.mat("awning"), m.mat("metal")
-    m.say("ParasolTable", STREET, f"Round cafe table with a parasol of {word(cloth)}.", camel(cloth), tags="table cafe parasol umbrella")
+    m.say(
+        "ParasolTable",
+        STREET,
+        f"Round cafe table with a parasol of {word(cloth)}.",
+        camel(cloth),
+        tags="table cafe parasol umbrella",
+    )
     m.b.cylinder(metal, 40, 4, (0, 0, 70), segments=20)
     m.b.cylinder(metal, 26, 4, segments=16)
     m.b.cylinder(metal, 3, 240, segments=8)
@@ -446,7 +608,13 @@ def parasol_table(m: Maker) -> None:
 def well(m: Maker) -> None:
     """A draw well under a small roof."""
     stone = m.mat("stone")
-    m.say("DrawWell", STREET, f"{word(stone).capitalize()} draw well with a roof and a bucket.", camel(stone), tags="well bucket")
+    m.say(
+        "DrawWell",
+        STREET,
+        f"{word(stone).capitalize()} draw well with a roof and a bucket.",
+        camel(stone),
+        tags="well bucket",
+    )
     m.b.lathe(stone, [(0, 0), (80, 0), (80, 84), (58, 84), (58, 30), (0, 30)], smooth=False)
     m.b.cylinder("Water", 57, 2, (0, 0, 40), body=None)
     for x in (-72, 72):
@@ -462,7 +630,13 @@ def flag(m: Maker) -> None:
     """A flag on a pole, or a banner."""
     cloth = m.mat("cloth")
     banner = m.opt("banner", m.style.old)
-    m.say("BannerPole" if banner else "FlagPole", STREET, f"Pole with a {word(cloth)} {'banner' if banner else 'flag'}, 6 m high.", camel(cloth), tags="flag banner pole")
+    m.say(
+        "BannerPole" if banner else "FlagPole",
+        STREET,
+        f"Pole with a {word(cloth)} {'banner' if banner else 'flag'}, 6 m high.",
+        camel(cloth),
+        tags="flag banner pole",
+    )
     m.b.cylinder(m.mat("metal"), 18, 8, segments=12, body=None)
     m.b.cylinder(m.mat("metal"), 4.5, 600, segments=8)
     m.b.ellipsoid("Gold", (16, 16, 16), (0, 0, 598), segments=8, body=None)
@@ -471,15 +645,29 @@ def flag(m: Maker) -> None:
         m.b.box(cloth, (76, 2, 230), (46, 0, 350), body=None)
     else:
         for i in range(5):
-            m.b.box(cloth, (32, 1.5, 92), (20 + 30 * i, 5 * math.sin(i * 1.4), 495), (0, 14 * math.cos(i * 1.4), 0), body=None)
+            m.b.box(
+                cloth,
+                (32, 1.5, 92),
+                (20 + 30 * i, 5 * math.sin(i * 1.4), 495),
+                (0, 14 * math.cos(i * 1.4), 0),
+                body=None,
+            )
 
 
 @family("play")
 def play(m: Maker) -> None:
     """A piece of a playground."""
-    kind = m.opt("kind", m.pick("Slide", "Swing", "Seesaw", "Sandbox", "ClimbingFrame", "Roundabout", "SpringHorse", "PlayHouse"))
+    kind = m.opt(
+        "kind", m.pick("Slide", "Swing", "Seesaw", "Sandbox", "ClimbingFrame", "Roundabout", "SpringHorse", "PlayHouse")
+    )
     paint, second = m.mat("paint"), m.another("paint")
-    m.say(kind, PLAY, f"{word(paint).capitalize()} {word(kind)} for children.", camel(paint), tags="playground children play")
+    m.say(
+        kind,
+        PLAY,
+        f"{word(paint).capitalize()} {word(kind)} for children.",
+        camel(paint),
+        tags="playground children play",
+    )
     b = m.b
     if kind == "Slide":
         b.box(second, (90, 90, 6), (0, -140, 150))
@@ -506,7 +694,11 @@ def play(m: Maker) -> None:
         b.cylinder(second, 20, 50, top=8, segments=10)
         b.box(paint, (320, 28, 7), (0, 0, 48), (8, 0, 0))
         for x in (-130, 130):
-            b.tube("Iron", [(x, -14, 56 + x * 0.14), (x, -14, 84 + x * 0.14), (x, 14, 84 + x * 0.14), (x, 14, 56 + x * 0.14)], 2)
+            b.tube(
+                "Iron",
+                [(x, -14, 56 + x * 0.14), (x, -14, 84 + x * 0.14), (x, 14, 84 + x * 0.14), (x, 14, 56 + x * 0.14)],
+                2,
+            )
     elif kind == "Sandbox":
         for side in (-1, 1):
             b.box(paint, (300, 20, 30), (0, side * 140, 0))
@@ -529,7 +721,11 @@ def play(m: Maker) -> None:
         b.cylinder(paint, 120, 8, (0, 0, 18), segments=24)
         for k in range(6):
             a = k * math.pi / 3
-            b.tube(second, [(0, 0, 80), (60 * math.cos(a), 60 * math.sin(a), 84), (105 * math.cos(a), 105 * math.sin(a), 26)], 2.5)
+            b.tube(
+                second,
+                [(0, 0, 80), (60 * math.cos(a), 60 * math.sin(a), 84), (105 * math.cos(a), 105 * math.sin(a), 26)],
+                2.5,
+            )
         b.body_box((90, 90, 60), (0, 0, 26))
     elif kind == "SpringHorse":
         b.lathe("Iron", [(16, 0), (12, 10), (16, 20), (12, 30), (14, 36)], smooth=False)
@@ -546,7 +742,13 @@ def play(m: Maker) -> None:
 @family("traffic-light")
 def traffic_light(m: Maker) -> None:
     """A set of traffic lights on a post."""
-    m.say("TrafficSignal", STREET, "Traffic signal with red, yellow and green lamps, 3.2 m high.", m.pick("Black", "Yellow"), tags="traffic signal lamp")
+    m.say(
+        "TrafficSignal",
+        STREET,
+        "Traffic signal with red, yellow and green lamps, 3.2 m high.",
+        m.pick("Black", "Yellow"),
+        tags="traffic signal lamp",
+    )
     m.b.cylinder("Iron", 7, 310, segments=10)
     m.b.box("BlackPaint", (34, 26, 92), (0, 14, 225))
     for i, glow in enumerate(("GreenGlow", "YellowPaint", "RedGlow")):
@@ -557,7 +759,13 @@ def traffic_light(m: Maker) -> None:
 def clock(m: Maker) -> None:
     """A clock on a post."""
     metal = m.mat("metal")
-    m.say("StreetClock", STREET, f"{word(metal).capitalize()} clock on a post, 3.6 m high.", camel(metal), tags="clock post time")
+    m.say(
+        "StreetClock",
+        STREET,
+        f"{word(metal).capitalize()} clock on a post, 3.6 m high.",
+        camel(metal),
+        tags="clock post time",
+    )
     m.b.cylinder(metal, 18, 40, top=10, segments=12, body=None)
     m.b.cylinder(metal, 7, 300, segments=10)
     for side in (90, -90):

@@ -13,10 +13,50 @@ DISHES, DECOR, LIGHTS, DESK = "tableware", "decor", "lighting", "desk things"
 def dish(m: Maker) -> None:
     """Tableware and food."""
     old = m.style.old
-    kind = m.opt("kind", m.pick("Plate", "Mug", "Jug", "Bowl", "Bottle", "Goblet", "Bread", "CheeseBoard", "Candlestick", "FruitBowl", "Tankard", "SoupPot", "Pie") if old else m.pick("Plate", "Cup", "Jug", "Bowl", "Bottle", "WineGlass", "Teapot", "FruitBowl", "Cake", "Toaster", "SoupPot", "SaltMill", "Napkins"))
-    clay = m.opt("clay", m.pick("Porcelain", "Terracotta", "BluePaint", "TealPaint", "CreamPaint") if not old else m.pick("Terracotta", "Clay", "Bronze", "Oak"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "Plate",
+            "Mug",
+            "Jug",
+            "Bowl",
+            "Bottle",
+            "Goblet",
+            "Bread",
+            "CheeseBoard",
+            "Candlestick",
+            "FruitBowl",
+            "Tankard",
+            "SoupPot",
+            "Pie",
+        )
+        if old
+        else m.pick(
+            "Plate",
+            "Cup",
+            "Jug",
+            "Bowl",
+            "Bottle",
+            "WineGlass",
+            "Teapot",
+            "FruitBowl",
+            "Cake",
+            "Toaster",
+            "SoupPot",
+            "SaltMill",
+            "Napkins",
+        ),
+    )
+    clay = m.opt(
+        "clay",
+        m.pick("Porcelain", "Terracotta", "BluePaint", "TealPaint", "CreamPaint")
+        if not old
+        else m.pick("Terracotta", "Clay", "Bronze", "Oak"),
+    )
     noun = {"Bread": "BreadLoaf"}.get(kind, kind)
-    m.say(noun, DISHES, f"{word(clay).capitalize()} {word(noun)} for a table.", camel(clay), tags="tableware food small")
+    m.say(
+        noun, DISHES, f"{word(clay).capitalize()} {word(noun)} for a table.", camel(clay), tags="tableware food small"
+    )
     b = m.b
     if kind == "Plate":
         b.lathe(clay, [(0, 0), (8, 0), (13, 2), (13, 2.6), (0, 1)])
@@ -39,7 +79,13 @@ def dish(m: Maker) -> None:
         if kind == "FruitBowl":
             for i in range(7):
                 a, rr = i * 2.4, 3.4 * math.sqrt(i)
-                b.ellipsoid(m.pick("Apple", "Orange", "Lemon", "Plum"), (8, 8, 8), (rr * math.cos(a), rr * math.sin(a), 5 + (3 if i < 3 else 0)), segments=8, body=None)
+                b.ellipsoid(
+                    m.pick("Apple", "Orange", "Lemon", "Plum"),
+                    (8, 8, 8),
+                    (rr * math.cos(a), rr * math.sin(a), 5 + (3 if i < 3 else 0)),
+                    segments=8,
+                    body=None,
+                )
         else:
             b.cylinder(m.pick("Orange", "Cheese", "PaleLeaf"), r * 0.8, 0.6, (0, 0, r * 0.5), segments=14, body=None)
     elif kind in ("Bottle", "SaltMill"):
@@ -57,7 +103,13 @@ def dish(m: Maker) -> None:
         b.cylinder(m.mat("wood") if kind == "CheeseBoard" else clay, 16, 2, segments=18)
         b.cylinder({"CheeseBoard": "Cheese", "Pie": "Bread", "Cake": "PinkPaint"}[kind], 11, 7, (0, 0, 2), segments=18)
         for i in range(6):
-            b.ellipsoid("Tomato" if kind != "CheeseBoard" else "Plum", (3, 3, 3), (8 * math.cos(i * 1.05), 8 * math.sin(i * 1.05), 8.4), segments=6, body=None)
+            b.ellipsoid(
+                "Tomato" if kind != "CheeseBoard" else "Plum",
+                (3, 3, 3),
+                (8 * math.cos(i * 1.05), 8 * math.sin(i * 1.05), 8.4),
+                segments=6,
+                body=None,
+            )
     elif kind == "Candlestick":
         b.lathe("Brass", [(0, 0), (6, 0), (2, 3), (1.4, 12), (3, 14), (0, 14)])
         b.cylinder("Wax", 1.4, 14, (0, 0, 14), segments=8, body=None)
@@ -74,9 +126,27 @@ def dish(m: Maker) -> None:
 @family("decor")
 def decor(m: Maker) -> None:
     """Vases, plants in pots, clocks, figures, boxes: on tables, shelves and floors."""
-    kind = m.opt("kind", m.pick("Vase", "PottedPlant", "FlowerVase", "Clock", "Figurine", "JewelBox", "BookStack", "OpenBook", "Scroll", "Basket", "PictureFrame", "Hourglass" if m.style.old else "Radio"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "Vase",
+            "PottedPlant",
+            "FlowerVase",
+            "Clock",
+            "Figurine",
+            "JewelBox",
+            "BookStack",
+            "OpenBook",
+            "Scroll",
+            "Basket",
+            "PictureFrame",
+            "Hourglass" if m.style.old else "Radio",
+        ),
+    )
     clay = m.pick("Porcelain", "Terracotta", "BluePaint", "TealPaint", "Bronze", "Clay")
-    m.say(kind, DECOR, f"{word(clay).capitalize()} {word(kind)} as decoration.", camel(clay), tags="decor small ornament")
+    m.say(
+        kind, DECOR, f"{word(clay).capitalize()} {word(kind)} as decoration.", camel(clay), tags="decor small ornament"
+    )
     b = m.b
     if kind in ("Vase", "FlowerVase"):
         b.lathe(clay, [(0, 0), (5, 0), (9, 10), (5, 22), (4, 26), (6, 29), (5, 29)])
@@ -84,7 +154,13 @@ def decor(m: Maker) -> None:
             for i in range(8):
                 a, r = i * 2.4, 3 + i
                 b.tube("Leaf", [(0, 0, 26), (r * math.cos(a), r * math.sin(a), 42)], 0.5, segments=5)
-                b.ellipsoid(m.pick("RedPaint", "YellowPaint", "PinkPaint", "WhitePaint"), (6, 6, 5), (r * math.cos(a), r * math.sin(a), 41), segments=7, body=None)
+                b.ellipsoid(
+                    m.pick("RedPaint", "YellowPaint", "PinkPaint", "WhitePaint"),
+                    (6, 6, 5),
+                    (r * math.cos(a), r * math.sin(a), 41),
+                    segments=7,
+                    body=None,
+                )
     elif kind == "PottedPlant":
         b.lathe(clay, [(0, 0), (7, 0), (10, 14), (9, 14), (0, 12)])
         for i in range(9):
@@ -102,7 +178,13 @@ def decor(m: Maker) -> None:
         b.box("Gold", (4, 1, 4), (0, 8, 5), body=None)
     elif kind == "BookStack":
         for i in range(4):
-            b.box(m.pick("MaroonPaint", "NavyPaint", "GreenPaint", "CreamPaint", "BrownPaint"), (22 - i, 16, 4), (0, 0, 4 * i), (0, m.uni(-14, 14, 2), 0), body=None)
+            b.box(
+                m.pick("MaroonPaint", "NavyPaint", "GreenPaint", "CreamPaint", "BrownPaint"),
+                (22 - i, 16, 4),
+                (0, 0, 4 * i),
+                (0, m.uni(-14, 14, 2), 0),
+                body=None,
+            )
         b.body_box((22, 17, 16))
     elif kind == "OpenBook":
         for s in (-1, 1):
@@ -129,8 +211,17 @@ def decor(m: Maker) -> None:
 @family("house-plant")
 def house_plant(m: Maker) -> None:
     """A large plant in a pot on the floor."""
-    kind, pot = m.pick("Palm", "Fig", "Snake", "Fern"), m.pick("Terracotta", "WhitePaint", "GreyPaint", "BlackPaint", "TealPaint")
-    m.say(f"{kind}Plant", "plants", f"{kind} plant in a {word(pot)} pot on the floor.", camel(pot), tags="plant pot indoor")
+    kind, pot = (
+        m.pick("Palm", "Fig", "Snake", "Fern"),
+        m.pick("Terracotta", "WhitePaint", "GreyPaint", "BlackPaint", "TealPaint"),
+    )
+    m.say(
+        f"{kind}Plant",
+        "plants",
+        f"{kind} plant in a {word(pot)} pot on the floor.",
+        camel(pot),
+        tags="plant pot indoor",
+    )
     m.b.lathe(pot, [(0, 0), (16, 0), (21, 34), (18, 34), (0, 30)], segments=16)
     m.b.cylinder("Soil", 17, 1, (0, 0, 30), segments=14, body=None)
     if kind == "Fig":
@@ -145,16 +236,34 @@ def house_plant(m: Maker) -> None:
                     m.b.box("DarkLeaf", (6, 1.5, 60 + 6 * (i % 4)), (5 + 0.5 * i, 0, 0), (-8, 0, 0), body=None)
                 else:
                     for x, z, p in ((8, 26, 70), (22, 58, 48), (42, 76, 6)):
-                        m.b.box("Leaf", (32, 8 if kind == "Palm" else 5, 1), (x, 0, z * (1.1 if kind == "Palm" else 0.5)), (p, 0, 0), body=None)
+                        m.b.box(
+                            "Leaf",
+                            (32, 8 if kind == "Palm" else 5, 1),
+                            (x, 0, z * (1.1 if kind == "Palm" else 0.5)),
+                            (p, 0, 0),
+                            body=None,
+                        )
     m.b.body_box((40, 40, 70))
 
 
 @family("lamp")
 def lamp(m: Maker) -> None:
     """A lamp: on a table, on the floor, a candelabrum, a lantern."""
-    kind = m.opt("kind", m.pick("Lantern", "Candelabrum", "OilLamp") if m.style.old else m.pick("TableLamp", "DeskLamp", "FloorLamp", "ArcLamp"))
+    kind = m.opt(
+        "kind",
+        m.pick("Lantern", "Candelabrum", "OilLamp")
+        if m.style.old
+        else m.pick("TableLamp", "DeskLamp", "FloorLamp", "ArcLamp"),
+    )
     metal, glow = m.mat("metal"), m.mat("glow")
-    m.say(kind, LIGHTS, f"{word(metal).capitalize()} {word(kind)}, lit.", camel(metal), camel(m.mat("cloth")), tags="lamp light")
+    m.say(
+        kind,
+        LIGHTS,
+        f"{word(metal).capitalize()} {word(kind)}, lit.",
+        camel(metal),
+        camel(m.mat("cloth")),
+        tags="lamp light",
+    )
     b = m.b
     if kind == "TableLamp":
         b.lathe(m.mat("paint"), [(0, 0), (8, 0), (9, 6), (4, 18), (1.5, 26), (0, 26)])
@@ -199,9 +308,32 @@ def lamp(m: Maker) -> None:
 @family("desk-thing")
 def desk_thing(m: Maker) -> None:
     """What lies on desks today."""
-    kind = m.opt("kind", m.pick("Monitor", "Laptop", "Keyboard", "Telephone", "PaperTray", "Mug", "PencilCup", "Printer", "Binders", "Notebook", "Microwave", "CoffeeMachine", "CashRegister"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "Monitor",
+            "Laptop",
+            "Keyboard",
+            "Telephone",
+            "PaperTray",
+            "Mug",
+            "PencilCup",
+            "Printer",
+            "Binders",
+            "Notebook",
+            "Microwave",
+            "CoffeeMachine",
+            "CashRegister",
+        ),
+    )
     paint = m.mat("paint")
-    m.say({"Mug": "CoffeeMug"}.get(kind, kind), DESK, f"{word(paint).capitalize()} {word(kind)} for a desk.", camel(paint), tags="desk office computer small")
+    m.say(
+        {"Mug": "CoffeeMug"}.get(kind, kind),
+        DESK,
+        f"{word(paint).capitalize()} {word(kind)} for a desk.",
+        camel(paint),
+        tags="desk office computer small",
+    )
     b = m.b
     if kind == "Monitor":
         b.box("BlackPlastic", (22, 18, 1.5))
@@ -259,10 +391,45 @@ def desk_thing(m: Maker) -> None:
 @family("package")
 def package(m: Maker) -> None:
     """Goods of a shop shelf: tins, boxes, bottles, jars, rolls in a row."""
-    kind, paint = m.opt("kind", m.pick("CerealBoxes", "SoupTins", "SodaBottles", "JamJars", "PaintTins", "TeaBoxes", "Detergent", "ShoeBoxes", "Potions" if m.style.name == "fantasy" else "SpiceJars", "ToolBox")), m.mat("paint")
-    m.say(kind, "goods", f"{word(kind).capitalize()} in {word(paint)} for a shelf.", camel(paint), tags="goods package shop")
+    kind, paint = (
+        m.opt(
+            "kind",
+            m.pick(
+                "CerealBoxes",
+                "SoupTins",
+                "SodaBottles",
+                "JamJars",
+                "PaintTins",
+                "TeaBoxes",
+                "Detergent",
+                "ShoeBoxes",
+                "Potions" if m.style.name == "fantasy" else "SpiceJars",
+                "ToolBox",
+            ),
+        ),
+        m.mat("paint"),
+    )
+    m.say(
+        kind,
+        "goods",
+        f"{word(kind).capitalize()} in {word(paint)} for a shelf.",
+        camel(paint),
+        tags="goods package shop",
+    )
     b = m.b
-    w, d, h, n = {"CerealBoxes": (9, 20, 26, 4), "SoupTins": (9, 9, 11, 4), "SodaBottles": (8, 8, 26, 4), "JamJars": (8, 8, 11, 4), "PaintTins": (16, 16, 18, 2), "TeaBoxes": (12, 9, 9, 3), "Detergent": (14, 9, 24, 3), "ShoeBoxes": (34, 20, 12, 1), "Potions": (8, 8, 14, 4), "SpiceJars": (7, 7, 9, 5), "ToolBox": (40, 20, 16, 1)}[kind]
+    w, d, h, n = {
+        "CerealBoxes": (9, 20, 26, 4),
+        "SoupTins": (9, 9, 11, 4),
+        "SodaBottles": (8, 8, 26, 4),
+        "JamJars": (8, 8, 11, 4),
+        "PaintTins": (16, 16, 18, 2),
+        "TeaBoxes": (12, 9, 9, 3),
+        "Detergent": (14, 9, 24, 3),
+        "ShoeBoxes": (34, 20, 12, 1),
+        "Potions": (8, 8, 14, 4),
+        "SpiceJars": (7, 7, 9, 5),
+        "ToolBox": (40, 20, 16, 1),
+    }[kind]
     for i in range(n):
         x = (i - (n - 1) / 2) * (w + 0.6)
         if kind in ("CerealBoxes", "TeaBoxes", "Detergent", "ShoeBoxes", "ToolBox"):
@@ -274,22 +441,56 @@ def package(m: Maker) -> None:
                 b.box("BlackPaint", (16, 3, 4), (x, 0, h), body=None)
         elif kind in ("SodaBottles", "Potions"):
             r = w / 2
-            b.lathe(paint if kind == "SodaBottles" else m.pick("CrystalBlue", "CrystalViolet", "NeonGreen"), [(0, 0), (r, 0), (r, h * 0.55), (r * 0.35, h * 0.8), (r * 0.35, h), (0, h)], (x, 0, 0), segments=12, body=None)
+            b.lathe(
+                paint if kind == "SodaBottles" else m.pick("CrystalBlue", "CrystalViolet", "NeonGreen"),
+                [(0, 0), (r, 0), (r, h * 0.55), (r * 0.35, h * 0.8), (r * 0.35, h), (0, h)],
+                (x, 0, 0),
+                segments=12,
+                body=None,
+            )
             b.cylinder("WhitePaint", r * 1.02, h * 0.2, (x, 0, h * 0.2), segments=12, body=None)
         else:
             b.cylinder(paint, w / 2, h, (x, 0, 0), segments=12, body=None)
-            b.cylinder("WhitePaint" if kind != "PaintTins" else "SilverPaint", w / 2 + 0.2, h * 0.4, (x, 0, h * 0.3), segments=12, body=None)
+            b.cylinder(
+                "WhitePaint" if kind != "PaintTins" else "SilverPaint",
+                w / 2 + 0.2,
+                h * 0.4,
+                (x, 0, h * 0.3),
+                segments=12,
+                body=None,
+            )
     b.body_box((n * (w + 0.6), d, h * (2 if kind == "ShoeBoxes" else 1)))
 
 
 @family("board")
 def board(m: Maker) -> None:
     """A standing board: whiteboard, blackboard, screen, painting on a stand, mirror, map."""
-    kind = m.opt("kind", m.pick("Whiteboard", "Blackboard", "PosterStand", "FloorMirror", "ProjectionScreen", "TimetableBoard"))
-    w, h = {"Whiteboard": (180, 100), "Blackboard": (220, 110), "PosterStand": (90, 130), "FloorMirror": (60, 150), "ProjectionScreen": (240, 150), "TimetableBoard": (200, 90)}[kind]
+    kind = m.opt(
+        "kind", m.pick("Whiteboard", "Blackboard", "PosterStand", "FloorMirror", "ProjectionScreen", "TimetableBoard")
+    )
+    w, h = {
+        "Whiteboard": (180, 100),
+        "Blackboard": (220, 110),
+        "PosterStand": (90, 130),
+        "FloorMirror": (60, 150),
+        "ProjectionScreen": (240, 150),
+        "TimetableBoard": (200, 90),
+    }[kind]
     frame = m.mat("wood") if kind in ("Blackboard", "FloorMirror") else m.mat("metal")
-    m.say(kind, "equipment", f"{word(kind).capitalize()} on a stand of {word(frame)}.", camel(frame), tags="board stand wall")
-    face = {"Whiteboard": "WhitePaint", "Blackboard": "DarkLeaf", "FloorMirror": "Mirror", "ProjectionScreen": "WhitePaint", "TimetableBoard": "TimetableScreen"}.get(kind) or m.pick("Landscape", "Sunset", "Seascape")
+    m.say(
+        kind,
+        "equipment",
+        f"{word(kind).capitalize()} on a stand of {word(frame)}.",
+        camel(frame),
+        tags="board stand wall",
+    )
+    face = {
+        "Whiteboard": "WhitePaint",
+        "Blackboard": "DarkLeaf",
+        "FloorMirror": "Mirror",
+        "ProjectionScreen": "WhitePaint",
+        "TimetableBoard": "TimetableScreen",
+    }.get(kind) or m.pick("Landscape", "Sunset", "Seascape")
     low = 20 if kind in ("FloorMirror", "PosterStand") else 80
     for x in (-1, 1):
         m.b.box(frame, (4, 46, 4), (x * (w / 2 - 8), 0, 0))
@@ -304,7 +505,13 @@ def ceiling_lamp(m: Maker) -> None:
     """A lamp on a stand-alone gallows: a tall lamp post of a hall with hanging shades."""
     metal, high = m.mat("metal"), m.opt("high", 270.0)
     kind = m.pick("Globe", "Cone", "Ring")
-    m.say(f"{kind}HallLamp", LIGHTS, f"Tall {word(metal)} lamp of a hall with a {kind.lower()} shade, {high / 100:.1f} m.", camel(metal), tags="lamp light tall")
+    m.say(
+        f"{kind}HallLamp",
+        LIGHTS,
+        f"Tall {word(metal)} lamp of a hall with a {kind.lower()} shade, {high / 100:.1f} m.",
+        camel(metal),
+        tags="lamp light tall",
+    )
     m.b.cylinder(metal, 22, 4, segments=16)
     m.b.cylinder(metal, 2.4, high - 20, segments=8)
     if kind == "Globe":
@@ -312,6 +519,8 @@ def ceiling_lamp(m: Maker) -> None:
     elif kind == "Cone":
         m.b.cylinder("WarmGlow", 32, 26, (0, 0, high - 30), top=12, segments=16)
     else:
-        m.b.lathe("WhiteGlow", [(34, 0), (40, 0), (40, 8), (34, 8), (34, 0)], (0, 0, high - 24), smooth=False, body=None)
+        m.b.lathe(
+            "WhiteGlow", [(34, 0), (40, 0), (40, 8), (34, 8), (34, 0)], (0, 0, high - 24), smooth=False, body=None
+        )
         for k in range(3):
             m.b.tube(metal, [(0, 0, high - 20), (36 * math.cos(k * 2.1), 36 * math.sin(k * 2.1), high - 20)], 1)

@@ -15,8 +15,18 @@ def tyres(m: Maker, wheels: tuple[float, ...], half: float, radius: float, thick
     for x in wheels:
         m.b.body_box((radius, 2 * half, radius), (x, 0, 0))
         for side in (-1, 1):
-            m.b.cylinder("Rubber", radius, thick, (x, side * half - thick / 2, radius), (0, 0, 90), segments=16, body=None)
-            m.b.cylinder("SilverPaint", radius * 0.5, thick + 2, (x, side * half - thick / 2 - 1, radius), (0, 0, 90), segments=10, body=None)
+            m.b.cylinder(
+                "Rubber", radius, thick, (x, side * half - thick / 2, radius), (0, 0, 90), segments=16, body=None
+            )
+            m.b.cylinder(
+                "SilverPaint",
+                radius * 0.5,
+                thick + 2,
+                (x, side * half - thick / 2 - 1, radius),
+                (0, 0, 90),
+                segments=10,
+                body=None,
+            )
 
 
 @family("car")
@@ -25,21 +35,44 @@ def car(m: Maker) -> None:
     kind = m.opt("kind", m.pick("Saloon", "Hatchback", "Estate", "Van", "Pickup", "Taxi", "Police"))
     paint = {"Taxi": "YellowPaint", "Police": "WhitePaint"}.get(kind) or m.mat("paint")
     length = {"Hatchback": 390, "Van": 500, "Pickup": 500}.get(kind, 450)
-    m.say(f"{kind}Car" if kind not in ("Van", "Pickup", "Taxi") else {"Van": "DeliveryVan", "Pickup": "PickupTruck", "Taxi": "TaxiCab"}[kind], VEHICLES, f"{word(paint).capitalize()} {kind.lower()}, {length / 100:.1f} m long, nose to +X.", camel(paint), tags="car vehicle auto")
+    m.say(
+        f"{kind}Car"
+        if kind not in ("Van", "Pickup", "Taxi")
+        else {"Van": "DeliveryVan", "Pickup": "PickupTruck", "Taxi": "TaxiCab"}[kind],
+        VEHICLES,
+        f"{word(paint).capitalize()} {kind.lower()}, {length / 100:.1f} m long, nose to +X.",
+        camel(paint),
+        tags="car vehicle auto",
+    )
     x, w = length / 2, 170.0
     high = 190 if kind == "Van" else 66
-    body = [(-x, 30), (-x, high + 16), (-x + 10, high + 24), (x * 0.5, high + 24), (x * 0.96, 70), (x, 60), (x, 30)] if kind == "Van" else [(-x, 28), (-x, 72), (-x + 8, 84), (x * 0.94, 78), (x, 64), (x, 28)]
+    body = (
+        [(-x, 30), (-x, high + 16), (-x + 10, high + 24), (x * 0.5, high + 24), (x * 0.96, 70), (x, 60), (x, 30)]
+        if kind == "Van"
+        else [(-x, 28), (-x, 72), (-x + 8, 84), (x * 0.94, 78), (x, 64), (x, 28)]
+    )
     m.b.add(paint, prism(body, w))
     if kind == "Van":
-        m.b.add("WindowGlass", prism([(x * 0.52, 204), (x * 0.9, 100), (x * 0.93, 104), (x * 0.56, 208)], w - 24), body=None)
+        m.b.add(
+            "WindowGlass", prism([(x * 0.52, 204), (x * 0.9, 100), (x * 0.93, 104), (x * 0.56, 208)], w - 24), body=None
+        )
         for side in (-1, 1):
             m.b.box("WindowGlass", (80, 4, 60), (x * 0.42, side * w / 2, 120), body=None)
             m.b.box(m.another("paint"), (220, 4, 34), (-x * 0.35, side * w / 2, 110), body=None)
     else:
-        a, c = {"Saloon": (-0.55, 0.22), "Taxi": (-0.55, 0.22), "Police": (-0.55, 0.22), "Hatchback": (-0.92, 0.22), "Estate": (-0.95, 0.2), "Pickup": (-0.08, 0.32)}[kind]
+        a, c = {
+            "Saloon": (-0.55, 0.22),
+            "Taxi": (-0.55, 0.22),
+            "Police": (-0.55, 0.22),
+            "Hatchback": (-0.92, 0.22),
+            "Estate": (-0.95, 0.2),
+            "Pickup": (-0.08, 0.32),
+        }[kind]
         cabin = [(x * a - 14, 78), (x * a + 26, 140), (x * c, 140), (x * c + 66, 78)]
         m.b.add("WindowGlass", prism(cabin, w - 16))
-        m.b.add(paint, prism([(x * a + 18, 136), (x * a + 30, 144), (x * c, 144), (x * c + 12, 136)], w - 12), body=None)
+        m.b.add(
+            paint, prism([(x * a + 18, 136), (x * a + 30, 144), (x * c, 144), (x * c + 12, 136)], w - 12), body=None
+        )
         for px in (x * a + 40 if kind != "Pickup" else x * a + 20, (x * a + x * c) / 2, x * c - 4):
             m.b.box(paint, (9, w - 13, 60), (px, 0, 80), body=None)
         if kind == "Pickup":
@@ -64,7 +97,13 @@ def truck(m: Maker) -> None:
     kind = m.opt("kind", m.pick("Lorry", "CityBus", "TankerTruck", "DumpTruck", "RescueTruck", "Ambulance"))
     paint = {"RescueTruck": "RedPaint", "Ambulance": "WhitePaint"}.get(kind) or m.mat("paint")
     length = {"CityBus": 1150, "Ambulance": 600}.get(kind, 850)
-    m.say(kind, VEHICLES, f"{word(paint).capitalize()} {word(kind)}, {length / 100:.1f} m long, nose to +X.", camel(paint), tags="truck vehicle large")
+    m.say(
+        kind,
+        VEHICLES,
+        f"{word(paint).capitalize()} {word(kind)}, {length / 100:.1f} m long, nose to +X.",
+        camel(paint),
+        tags="truck vehicle large",
+    )
     x, w = length / 2, 240.0
     if kind == "CityBus":
         m.b.box(paint, (length, w, 270), (0, 0, 35), bevel=12)
@@ -99,7 +138,12 @@ def truck(m: Maker) -> None:
                 for i in range(12):
                     m.b.box("SilverPaint", (6, 60, 8), (mid - rest / 2 + 20 + i * rest / 12, 0, 291), body=None)
         for s in (-1, 1):
-            m.b.box("NeonBlue" if kind in ("RescueTruck", "Ambulance") else "BlackPaint", (30, 40, 16), (x - 90, s * 60, 260), body=None)
+            m.b.box(
+                "NeonBlue" if kind in ("RescueTruck", "Ambulance") else "BlackPaint",
+                (30, 40, 16),
+                (x - 90, s * 60, 260),
+                body=None,
+            )
     m.b.box("BlackPaint", (length - 40, w - 40, 30), (0, 0, 30), body=None)
     tyres(m, (-x * 0.7, -x * 0.45, x * 0.66) if length > 700 else (-x * 0.6, x * 0.6), w / 2 - 12, 48, 28)
 
@@ -108,13 +152,26 @@ def truck(m: Maker) -> None:
 def bicycle(m: Maker) -> None:
     """A bicycle that stands."""
     paint = m.mat("paint")
-    m.say(m.pick("Bicycle", "CargoBicycle", "CityBicycle"), VEHICLES, f"{word(paint).capitalize()} bicycle, 1.8 m long.", camel(paint), tags="bicycle bike vehicle")
+    m.say(
+        m.pick("Bicycle", "CargoBicycle", "CityBicycle"),
+        VEHICLES,
+        f"{word(paint).capitalize()} bicycle, 1.8 m long.",
+        camel(paint),
+        tags="bicycle bike vehicle",
+    )
     for x in (-52, 52):
         points = [(x + 32 * math.cos(a), 0.0, 34 + 32 * math.sin(a)) for a in [k * math.pi / 8 for k in range(17)]]
         m.b.tube("Rubber", points, 2, segments=6)
         for k in range(4):
             m.b.box("SilverPaint", (62, 0.8, 0.8), (x, 0, 34), (45 * k, 0, 0), body=None)
-    for a, c in (((-52, 34), (-14, 80)), ((-14, 80), (0, 34)), ((-14, 74), (40, 78)), ((0, 34), (40, 74)), ((-52, 34), (0, 34)), ((52, 34), (38, 96))):
+    for a, c in (
+        ((-52, 34), (-14, 80)),
+        ((-14, 80), (0, 34)),
+        ((-14, 74), (40, 78)),
+        ((0, 34), (40, 74)),
+        ((-52, 34), (0, 34)),
+        ((52, 34), (38, 96)),
+    ):
         m.b.tube(paint, [(a[0], 0, a[1]), (c[0], 0, c[1])], 1.8, segments=6)
     m.b.box("BlackPaint", (26, 14, 5), (-16, 0, 84), body=None)
     m.b.tube("SilverPaint", [(40, -26, 100), (38, 0, 98), (40, 26, 100)], 1.4)
@@ -126,7 +183,13 @@ def tractor(m: Maker) -> None:
     """A tractor, a digger, a forklift or a roller."""
     kind = m.opt("kind", m.pick("Tractor", "Excavator", "Forklift", "RoadRoller", "Bulldozer"))
     paint = m.opt("paint", m.pick("YellowPaint", "OrangePaint", "RedPaint", "GreenPaint"))
-    m.say(kind, VEHICLES, f"{word(paint).capitalize()} {word(kind)}, nose to +X.", camel(paint), tags="vehicle machine work")
+    m.say(
+        kind,
+        VEHICLES,
+        f"{word(paint).capitalize()} {word(kind)}, nose to +X.",
+        camel(paint),
+        tags="vehicle machine work",
+    )
     b = m.b
     if kind == "Tractor":
         b.box(paint, (180, 80, 60), (50, 0, 70), bevel=6)
@@ -182,7 +245,13 @@ def wagon(m: Maker) -> None:
     from catalog.kits.outdoors import wheel
 
     kind, wood = m.opt("kind", m.pick("HayWagon", "CoveredWagon", "Coach", "BarrelWagon")), m.mat("wood")
-    m.say(kind, VEHICLES, f"{word(wood).capitalize()} {word(kind)} on four wheels, pole to +X.", camel(wood), tags="wagon cart vehicle wood")
+    m.say(
+        kind,
+        VEHICLES,
+        f"{word(wood).capitalize()} {word(kind)} on four wheels, pole to +X.",
+        camel(wood),
+        tags="wagon cart vehicle wood",
+    )
     m.b.box(wood, (300, 140, 14), (0, 0, 70))
     for x in (-100, 100):
         for y in (-86, 86):
@@ -198,7 +267,11 @@ def wagon(m: Maker) -> None:
         for s in (-1, 1):
             m.b.box(wood, (300, 6, 44), (0, s * 68, 84))
         if kind == "CoveredWagon":
-            points = [(x, 74 * math.cos(a), 120 + 110 * math.sin(a)) for x in (-145.0, 145.0) for a in [k * math.pi / 8 for k in range(9)]]
+            points = [
+                (x, 74 * math.cos(a), 120 + 110 * math.sin(a))
+                for x in (-145.0, 145.0)
+                for a in [k * math.pi / 8 for k in range(9)]
+            ]
             m.b.add("WhiteSail", hull(points))
         elif kind == "HayWagon":
             m.b.ellipsoid("Hay", (290, 140, 150), (0, 0, 66))
@@ -210,10 +283,31 @@ def wagon(m: Maker) -> None:
 @family("train")
 def train(m: Maker) -> None:
     """A railway vehicle on its wheels (rails at z = 0 + 16 cm)."""
-    kind = m.opt("kind", m.pick("PassengerCoach", "DieselLocomotive", "SteamLocomotive", "BoxWagon", "FlatWagon", "TankWagon", "HopperWagon", "MetroCar", "Tram"))
+    kind = m.opt(
+        "kind",
+        m.pick(
+            "PassengerCoach",
+            "DieselLocomotive",
+            "SteamLocomotive",
+            "BoxWagon",
+            "FlatWagon",
+            "TankWagon",
+            "HopperWagon",
+            "MetroCar",
+            "Tram",
+        ),
+    )
     paint = m.mat("paint")
-    length = {"SteamLocomotive": 900, "BoxWagon": 900, "FlatWagon": 900, "TankWagon": 900, "HopperWagon": 900}.get(kind, 1400)
-    m.say(kind, RAIL, f"{word(paint).capitalize()} {word(kind)}, {length / 100:.0f} m long along X.", camel(paint), tags="train railway vehicle")
+    length = {"SteamLocomotive": 900, "BoxWagon": 900, "FlatWagon": 900, "TankWagon": 900, "HopperWagon": 900}.get(
+        kind, 1400
+    )
+    m.say(
+        kind,
+        RAIL,
+        f"{word(paint).capitalize()} {word(kind)}, {length / 100:.0f} m long along X.",
+        camel(paint),
+        tags="train railway vehicle",
+    )
     b, x = m.b, length / 2
     for px in (-x * 0.68, -x * 0.5, x * 0.5, x * 0.68):
         for s in (-1, 1):
@@ -286,7 +380,13 @@ def train(m: Maker) -> None:
 def track(m: Maker) -> None:
     """A length of railway track along X: ballast, sleepers, rails."""
     length = m.opt("length", 1000.0)
-    m.say("TrackGround", RAIL, f"Railway track on gravel, {length / 100:.0f} m long along X.", "Gravel", tags="track rail ground railway")
+    m.say(
+        "TrackGround",
+        RAIL,
+        f"Railway track on gravel, {length / 100:.0f} m long along X.",
+        "Gravel",
+        tags="track rail ground railway",
+    )
     m.b.box("Gravel", (length, 320, 4), (0, 0, -4))
     for i in range(int(length // 65)):
         m.b.box("DarkPlanks", (24, 250, 3), (-length / 2 + (i + 0.5) * length / int(length // 65), 0, 0), body=None)
@@ -298,11 +398,17 @@ def track(m: Maker) -> None:
 def platform(m: Maker) -> None:
     """A length of station platform along X: things stand on it at 90 cm."""
     length, wide, of = m.opt("length", 1000.0), m.opt("wide", 500.0), m.opt("of", "Paving")
-    m.say("StationPlatform", RAIL, f"Station platform of {word(of)} with a yellow edge, {length / 100:.0f} m long, 0.9 m high.", camel(of), tags="platform station railway")
+    m.say(
+        "StationPlatform",
+        RAIL,
+        f"Station platform of {word(of)} with a yellow edge, {length / 100:.0f} m long, 0.9 m high.",
+        camel(of),
+        tags="platform station railway",
+    )
     m.b.box("Concrete", (length, wide, 84))
     m.b.box(of, (length, wide, 6), (0, 0, 84), body="box")
     for s in (-1, 1):
-        m.b.box("YellowPaint", (length, 16, 0.6), (0, s * (wide / 2 - 55), 90), body=None)
+        m.b.box("YellowPaint", (length, 16, 0.5), (0, s * (wide / 2 - 55), 89.6), body=None)
     m.top(90, length - 40, wide - 130)
 
 
@@ -310,7 +416,9 @@ def platform(m: Maker) -> None:
 def rail_thing(m: Maker) -> None:
     """A buffer stop, a signal, a barrier or a water crane of a railway."""
     kind = m.opt("kind", m.pick("BufferStop", "RailSignal", "LevelCrossingBarrier", "SwitchLever"))
-    m.say(kind, RAIL, f"{word(kind).capitalize()} of a railway.", m.pick("Red", "White", "Yellow"), tags="railway signal")
+    m.say(
+        kind, RAIL, f"{word(kind).capitalize()} of a railway.", m.pick("Red", "White", "Yellow"), tags="railway signal"
+    )
     b = m.b
     if kind == "BufferStop":
         for s in (-72, 72):
@@ -340,9 +448,16 @@ def boat_hull(m: Maker, paint: str, length: float, beam: float, depth: float) ->
     x, y = length / 2, beam / 2
     keel = [(-x * 0.9, 0.0, 0.0), (x * 0.55, 0.0, 0.0)]
     chine = [(a * x, s * c * y, depth * 0.3) for a, c in ((-0.95, 0.7), (0.4, 0.75)) for s in (-1, 1)]
-    rim = [(-x, s * y * 0.75, depth) for s in (-1, 1)] + [(0.0, s * y, depth) for s in (-1, 1)] + [(x * 0.6, s * y * 0.72, depth) for s in (-1, 1)] + [(x, 0.0, depth + 8)]
+    rim = (
+        [(-x, s * y * 0.75, depth) for s in (-1, 1)]
+        + [(0.0, s * y, depth) for s in (-1, 1)]
+        + [(x * 0.6, s * y * 0.72, depth) for s in (-1, 1)]
+        + [(x, 0.0, depth + 8)]
+    )
     m.b.add(paint, hull([*keel, *chine, *rim]))
-    m.b.add(m.mat("trim"), hull([(px * 1.01, py * 1.03, depth + dz) for px, py, _ in rim for dz in (-6.0, 8.0)]), body=None)
+    m.b.add(
+        m.mat("trim"), hull([(px * 1.01, py * 1.03, depth + dz) for px, py, _ in rim for dz in (-6.0, 8.0)]), body=None
+    )
     m.b.add("Planks", hull([(px * 0.93, py * 0.88, depth + dz) for px, py, _ in rim for dz in (2.0, 9.0)]), body=None)
 
 
@@ -352,8 +467,23 @@ def boat(m: Maker) -> None:
     kinds = ("RowingBoat", "FishingBoat", "SailingBoat", "Barge", "MotorBoat", "Ferry", "Longship", "TugBoat")
     kind = m.opt("kind", m.pick(*(k for k in kinds if not m.style.old or k not in ("MotorBoat", "Ferry", "TugBoat"))))
     paint = m.mat("paint")
-    length, beam, depth = {"RowingBoat": (360, 140, 60), "FishingBoat": (800, 290, 150), "SailingBoat": (700, 220, 110), "Barge": (1500, 420, 130), "MotorBoat": (550, 210, 100), "Ferry": (1800, 560, 240), "Longship": (1400, 320, 120), "TugBoat": (1000, 380, 190)}[kind]
-    m.say(kind, BOATS, f"{word(paint).capitalize()} {word(kind)}, {length / 100:.1f} m long, bow to +X, keel at the pivot.", camel(paint), tags="boat ship vessel")
+    length, beam, depth = {
+        "RowingBoat": (360, 140, 60),
+        "FishingBoat": (800, 290, 150),
+        "SailingBoat": (700, 220, 110),
+        "Barge": (1500, 420, 130),
+        "MotorBoat": (550, 210, 100),
+        "Ferry": (1800, 560, 240),
+        "Longship": (1400, 320, 120),
+        "TugBoat": (1000, 380, 190),
+    }[kind]
+    m.say(
+        kind,
+        BOATS,
+        f"{word(paint).capitalize()} {word(kind)}, {length / 100:.1f} m long, bow to +X, keel at the pivot.",
+        camel(paint),
+        tags="boat ship vessel",
+    )
     boat_hull(m, paint, length, beam, depth)
     b = m.b
     if kind == "RowingBoat":
@@ -366,16 +496,42 @@ def boat(m: Maker) -> None:
         b.cylinder("Oak", 8, high, (40, 0, depth), segments=10, body=None)
         b.body_box((16, 16, high), (40, 0, depth))
         if kind == "SailingBoat":
-            b.add("WhiteSail", hull([(30.0, y, z) for y in (-1.5, 1.5) for z in (depth + 90.0, depth + high * 0.95)] + [(-length * 0.42, y, depth + 95.0) for y in (-1.5, 1.5)]), body=None)
-            b.add("WhiteSail", hull([(50.0, y, z) for y in (-1.2, 1.2) for z in (depth + 60.0, depth + high * 0.8)] + [(length * 0.46, y, depth + 40.0) for y in (-1.2, 1.2)]), body=None)
+            b.add(
+                "WhiteSail",
+                hull(
+                    [(30.0, y, z) for y in (-1.5, 1.5) for z in (depth + 90.0, depth + high * 0.95)]
+                    + [(-length * 0.42, y, depth + 95.0) for y in (-1.5, 1.5)]
+                ),
+                body=None,
+            )
+            b.add(
+                "WhiteSail",
+                hull(
+                    [(50.0, y, z) for y in (-1.2, 1.2) for z in (depth + 60.0, depth + high * 0.8)]
+                    + [(length * 0.46, y, depth + 40.0) for y in (-1.2, 1.2)]
+                ),
+                body=None,
+            )
             b.box(m.mat("trim"), (220, 120, 40), (-60, 0, depth), bevel=8)
         else:
             b.box("Oak", (8, 420, 8), (44, 0, depth + high * 0.86), body=None)
             b.box(m.mat("awning"), (4, 400, high * 0.5), (48, 0, depth + high * 0.36), body=None)
             for i in range(8):
                 for s in (-1, 1):
-                    b.cylinder(m.another("paint"), 30, 5, (-380 + 100 * i, s * 150 - 2, depth - 4), (0, 0, 90), segments=12, body=None)
-            b.tube("Oak", [(length / 2 - 10, 0, depth), (length / 2 + 40, 0, depth + 130), (length / 2 + 10, 0, depth + 170)], 10)
+                    b.cylinder(
+                        m.another("paint"),
+                        30,
+                        5,
+                        (-380 + 100 * i, s * 150 - 2, depth - 4),
+                        (0, 0, 90),
+                        segments=12,
+                        body=None,
+                    )
+            b.tube(
+                "Oak",
+                [(length / 2 - 10, 0, depth), (length / 2 + 40, 0, depth + 130), (length / 2 + 10, 0, depth + 170)],
+                10,
+            )
     elif kind == "Barge":
         b.box("Cinder", (length * 0.5, beam * 0.7, 60), (60, 0, depth), bevel=20)
         b.box(m.another("paint"), (260, beam * 0.6, 150), (-length * 0.36, 0, depth))
@@ -385,7 +541,11 @@ def boat(m: Maker) -> None:
         k = length / 800
         tiers = 3 if kind == "Ferry" else 1
         for t in range(tiers):
-            size = (length * (0.6 - 0.12 * t) if kind == "Ferry" else 200 * k, beam * (0.8 - 0.1 * t) if kind == "Ferry" else 170 * k, 150 if kind == "Ferry" else 170 * k)
+            size = (
+                length * (0.6 - 0.12 * t) if kind == "Ferry" else 200 * k,
+                beam * (0.8 - 0.1 * t) if kind == "Ferry" else 170 * k,
+                150 if kind == "Ferry" else 170 * k,
+            )
             at = -length * 0.06 if kind == "Ferry" else -length * 0.18
             z = depth + t * size[2]
             b.box("WhitePaint", size, (at, 0, z))
@@ -393,7 +553,14 @@ def boat(m: Maker) -> None:
             b.box("WindowGlass", (size[0] - 40, size[1] + 4, size[2] * 0.34), (at, 0, z + size[2] * 0.48), body=None)
             b.box(paint, (size[0] + 20, size[1] + 20, 10), (at, 0, z + size[2]), body=None)
         if kind in ("Ferry", "TugBoat"):
-            b.cylinder(m.another("paint"), 50, 200, (-length * 0.2, 0, depth + (460 if kind == "Ferry" else 200)), top=44, segments=14)
+            b.cylinder(
+                m.another("paint"),
+                50,
+                200,
+                (-length * 0.2, 0, depth + (460 if kind == "Ferry" else 200)),
+                top=44,
+                segments=14,
+            )
         if kind == "FishingBoat":
             b.cylinder("Oak", 8, 420, (90, 0, depth), segments=10, body=None)
             b.tube("Oak", [(90, 0, depth + 110), (-60, 0, depth + 250)], 5)
@@ -406,11 +573,24 @@ def jetty(m: Maker) -> None:
     """A jetty of planks along X on piles, or a quay."""
     length, wide, high = m.opt("length", 800.0), m.opt("wide", 300.0), m.opt("high", 60.0)
     wood = m.opt("wood", m.pick("Planks", "GreyPlanks", "DarkPlanks"))
-    m.say("PlankJetty", BOATS, f"Jetty of {word(wood)} on piles, {length / 100:.0f} m long, deck at {high / 100:.1f} m.", camel(wood), tags="jetty pier dock")
+    m.say(
+        "PlankJetty",
+        BOATS,
+        f"Jetty of {word(wood)} on piles, {length / 100:.0f} m long, deck at {high / 100:.1f} m.",
+        camel(wood),
+        tags="jetty pier dock",
+    )
     m.b.box(wood, (length, wide, 12), (0, 0, high - 12))
     for i in range(int(length // 200) + 1):
         for s in (-1, 1):
-            m.b.cylinder("Bark", 13, high, (-length / 2 + 15 + i * (length - 30) / int(length // 200), s * (wide / 2 - 14), 0), segments=9, body=None)
+            m.b.cylinder(
+                "Bark",
+                13,
+                high,
+                (-length / 2 + 15 + i * (length - 30) / int(length // 200), s * (wide / 2 - 14), 0),
+                segments=9,
+                body=None,
+            )
     for s in (-1, 1):
         m.b.body_box((length, 26, high - 12), (0, s * (wide / 2 - 14), 0))
     m.top(high, length - 60, wide - 80)
@@ -419,8 +599,19 @@ def jetty(m: Maker) -> None:
 @family("quay")
 def quay(m: Maker) -> None:
     """A quay block: things stand on it."""
-    length, wide, high, stone = m.opt("length", 1000.0), m.opt("wide", 1000.0), m.opt("high", 100.0), m.opt("stone", m.mat("stone"))
-    m.say("QuayBlock", BOATS, f"Quay of {word(stone)}, {length / 100:.0f} x {wide / 100:.0f} m, {high / 100:.1f} m high.", camel(stone), tags="quay harbour stone wall")
+    length, wide, high, stone = (
+        m.opt("length", 1000.0),
+        m.opt("wide", 1000.0),
+        m.opt("high", 100.0),
+        m.opt("stone", m.mat("stone")),
+    )
+    m.say(
+        "QuayBlock",
+        BOATS,
+        f"Quay of {word(stone)}, {length / 100:.0f} x {wide / 100:.0f} m, {high / 100:.1f} m high.",
+        camel(stone),
+        tags="quay harbour stone wall",
+    )
     m.b.box(stone, (length, wide, high - 12))
     m.b.box(m.opt("paving", "Cobble"), (length, wide, 12), (0, 0, high - 12))
     m.top(high, length, wide)
@@ -429,8 +620,18 @@ def quay(m: Maker) -> None:
 @family("boat-gear")
 def boat_gear(m: Maker) -> None:
     """Gear of the waterside."""
-    kind = m.opt("kind", m.pick("NetHeap", "RopeCoil", "LobsterPot", "Anchor", "Buoy", "LifeRing", "FishRack", "OarRack", "MooringPost"))
-    m.say(kind, BOATS, f"{word(kind).capitalize()} of a harbour.", m.pick("", "Old"), m.pick("Grey", "Large"), tags="harbour fishing gear")
+    kind = m.opt(
+        "kind",
+        m.pick("NetHeap", "RopeCoil", "LobsterPot", "Anchor", "Buoy", "LifeRing", "FishRack", "OarRack", "MooringPost"),
+    )
+    m.say(
+        kind,
+        BOATS,
+        f"{word(kind).capitalize()} of a harbour.",
+        m.pick("", "Old"),
+        m.pick("Grey", "Large"),
+        tags="harbour fishing gear",
+    )
     b = m.b
     if kind == "NetHeap":
         b.lathe("Net", [(0, 0), (85, 0), (70, 26), (38, 48), (0, 58)], squash=0.75)
@@ -438,7 +639,9 @@ def boat_gear(m: Maker) -> None:
             b.ellipsoid("OrangePaint", (18, 18, 18), (x, y, 24), segments=8, body=None)
     elif kind == "RopeCoil":
         for i in range(4):
-            b.lathe("Rope", [(22, 6 * i), (34 - i, 6 * i), (34 - i, 6 * i + 6), (22, 6 * i + 6)], body=None, smooth=False)
+            b.lathe(
+                "Rope", [(22, 6 * i), (34 - i, 6 * i), (34 - i, 6 * i + 6), (22, 6 * i + 6)], body=None, smooth=False
+            )
         b.body_box((60, 60, 24))
     elif kind == "LobsterPot":
         b.box("DarkPlanks", (80, 50, 5))
@@ -455,7 +658,14 @@ def boat_gear(m: Maker) -> None:
         b.lathe("OrangePaint", [(0, 0), (40, 10), (55, 40), (50, 60), (18, 75), (12, 150), (0, 155)])
     elif kind == "LifeRing":
         b.box("WhitePaint", (8, 8, 130))
-        b.lathe("RedPaint", [(22, 0), (34, 0), (34, 10), (22, 10), (22, 0)], (0, 4, 122), (0, 0, 90), body=None, smooth=False)
+        b.lathe(
+            "RedPaint",
+            [(22, 0), (34, 0), (34, 10), (22, 10), (22, 0)],
+            (0, 4, 122),
+            (0, 0, 90),
+            body=None,
+            smooth=False,
+        )
         b.body_box((60, 16, 60), (0, 6, 92))
     elif kind == "FishRack":
         for x in (-120, 120):
@@ -478,7 +688,13 @@ def boat_gear(m: Maker) -> None:
 def plane(m: Maker) -> None:
     """A small aeroplane."""
     paint = m.mat("paint")
-    m.say("LightAircraft", VEHICLES, f"{word(paint).capitalize()} light aircraft with one propeller, wings 10 m wide, nose to +X.", camel(paint), tags="aircraft plane vehicle")
+    m.say(
+        "LightAircraft",
+        VEHICLES,
+        f"{word(paint).capitalize()} light aircraft with one propeller, wings 10 m wide, nose to +X.",
+        camel(paint),
+        tags="aircraft plane vehicle",
+    )
     m.b.lathe("WhitePaint", [(0, 0), (50, 40), (62, 160), (56, 380), (20, 700), (0, 720)], (340, 0, 120), (90, 0, 0))
     m.b.box(paint, (130, 1000, 14), (90, 0, 170))
     m.b.box(paint, (80, 330, 10), (-320, 0, 130))
