@@ -71,7 +71,7 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
     level.write(folder / "scene.level.json")
     cameras = views(place)
     with tempfile.TemporaryDirectory(prefix="c4s-open-") as scratch:
-        evidence = Path(scratch) / "evidence"
+        evidence = Path(scratch) / "seen"
         with open_level(
             engine=DEFAULT_ENGINE, packs=[packs / place.pack_id], level=folder / "scene.level.json"
         ) as clean:

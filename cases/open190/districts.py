@@ -16,7 +16,8 @@ def frontage(
 ) -> list[Item]:
     """Houses along a line from a to b whose fronts lie on it and look to its left; each once, then over again."""
     length, yaw = math.hypot(b[0] - a[0], b[1] - a[1]), math.degrees(math.atan2(b[1] - a[1], b[0] - a[0]))
-    x, found, number = 0.0, [], 0
+    x, number = 0.0, 0
+    found: list[Item] = []
     while True:
         thing = p.thing(houses[number % len(houses)])
         number += 1

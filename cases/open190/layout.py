@@ -332,7 +332,8 @@ class Place(Stage):
         """Things side by side from a to b, backs on the line: each once in order, or again and again with ``fill``."""
         names = [assets] if isinstance(assets, str) else list(assets)
         length = math.hypot(b[0] - a[0], b[1] - a[1])
-        yaw, x, found = math.degrees(math.atan2(b[1] - a[1], b[0] - a[0])), 0.0, []
+        yaw, x = math.degrees(math.atan2(b[1] - a[1], b[0] - a[0])), 0.0
+        found: list[Item] = []
         number = 0
         while number < count and (fill or number < len(names)):
             thing = self.thing(self.choose(names) if fill else names[number])
@@ -547,8 +548,7 @@ class Place(Stage):
     ) -> None:
         """Beams or trusses across a rectangle along X, on its walls."""
         x0, y0, x1, y1 = box
-        options = {"of": of} if of else {}
-        asset = self.one("beam", length=x1 - x0 + 26, truss=truss, **options)
+        asset = self.one("beam", length=x1 - x0 + 26, truss=truss, of=of or self.style.wood[0])
         for i in range(count):
             self.put(asset, (x0 + x1) / 2, y0 + (y1 - y0) * (i + 1) / (count + 1), high + 0.1)
 

@@ -41,7 +41,7 @@ def _corners(body: CollisionBody) -> np.ndarray[tuple[int, int], np.dtype[np.flo
     signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
     turn = getattr(body, "rotation_deg", (0.0, 0.0, 0.0))
     matrix = affine(body.center, turn, (1, 1, 1))
-    return (signs * half) @ matrix[:3, :3].T + matrix[:3, 3]
+    return np.asarray((signs * half) @ matrix[:3, :3].T + matrix[:3, 3], dtype=float)
 
 
 def solids(bodies: Iterable[CollisionBody]) -> list[Solid]:

@@ -155,11 +155,11 @@ def pew(m: Maker) -> None:
         b.box(m.mat("metal"), (long_, 8, 8), (0, 0, 30))
         n = int(long_ // 58)
         for i in range(n):
-            x = (i - (n - 1) / 2) * long_ / n
-            b.box(m.mat("cloth"), (50, 46, 6), (x, 2, 40), bevel=2)
-            b.box(m.mat("cloth"), (50, 5, 40), (x, -22, 48), (0, 0, -8), bevel=2)
-        for x in (-0.4, 0.4):
-            b.box(m.mat("metal"), (6, 50, 30), (x * long_, 0, 0))
+            px = (i - (n - 1) / 2) * long_ / n
+            b.box(m.mat("cloth"), (50, 46, 6), (px, 2, 40), bevel=2)
+            b.box(m.mat("cloth"), (50, 5, 40), (px, -22, 48), (0, 0, -8), bevel=2)
+        for side in (-0.4, 0.4):
+            b.box(m.mat("metal"), (6, 50, 30), (side * long_, 0, 0))
     else:
         b.box(wood, (long_, 34, 5), (0, 0, 41))
         for x in (-1, 1):
@@ -340,13 +340,13 @@ def bookcase(m: Maker) -> None:
         "Wide" if w > 100 else "Tall",
         tags="bookcase books shelf library",
     )
-    for x in (-1, 1):
-        m.b.box(wood, (3, 32, high), (x * (w / 2 - 1.5), 0, 0), body=None)
+    for side in (-1, 1):
+        m.b.box(wood, (3, 32, high), (side * (w / 2 - 1.5), 0, 0), body=None)
     m.b.box(wood, (w - 4, 1.5, high - 4), (0, -14, 2), body=None)
     m.b.body_box((w, 32, high))
     rows = int(high // 36)
     for i in range(rows + 1):
-        z = 4 + i * (high - 8) / rows
+        z = 4.0 + i * (high - 8) / rows
         m.b.box(wood, (w - 4, 30, 2.5), (0, 0, z), body=None)
         x = -w / 2 + 5
         while i < rows and x < w / 2 - 12:
@@ -514,7 +514,7 @@ def bath_thing(m: Maker) -> None:
     elif kind == "ShowerCabin":
         b.box("Porcelain", (90, 90, 12))
         for x, y, s in ((0, 44, (90, 2, 190)), (44, 0, (2, 90, 190)), (-44, 0, (2, 90, 190)), (0, -44, (90, 2, 190))):
-            b.box("Glass", s, (x, y, 12))  # type: ignore[arg-type]
+            b.box("Glass", s, (x, y, 12))
         b.tube("Steel", [(0, -40, 12), (0, -40, 200), (0, -10, 206)], 1.5)
     else:
         legs(m, "Steel", 60, 34, 110, 3)

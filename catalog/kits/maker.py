@@ -45,7 +45,8 @@ class Maker:
         self.options = options
         self._random = random.Random(seed)
         self._roles: dict[str, str] = {}
-        self.noun, self.adjectives, self.about, self.category = "", (""), "", ""
+        self.noun, self.about, self.category = "", "", ""
+        self.adjectives: tuple[str, ...] = ()
         self.tags: tuple[str, ...] = ()
         self.surfaces: list[Surface] = []
 
@@ -69,12 +70,14 @@ class Maker:
     def mat(self, role: str) -> str:
         """The material of a role in this thing: one choice a thing, or what the place asks for by the role's name."""
         if role not in self._roles:
-            self._roles[role] = self.opt(role, "") or self.pick(*getattr(self.style, role))
+            chosen: str = self.opt(role, "") or self.pick(*getattr(self.style, role))
+            self._roles[role] = chosen
         return self._roles[role]
 
     def another(self, role: str) -> str:
         """A material of a role, chosen anew."""
-        return self.pick(*getattr(self.style, role))
+        chosen: str = self.pick(*getattr(self.style, role))
+        return chosen
 
     def say(self, noun: str, category: str, about: str, *adjectives: str, tags: str = "") -> None:
         """Name what is made: a noun in camel case, what tells it from its like, and a sentence about it."""

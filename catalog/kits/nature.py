@@ -316,8 +316,8 @@ def crop(m: Maker) -> None:
         m.b.body_box((400, 60, 70))
         return
     if kind == "Vine":
-        for x in (-190, 0, 190):
-            m.b.box("GreyWood", (8, 8, 150), (x, 0, 0), body=None)
+        for post in (-190, 0, 190):
+            m.b.box("GreyWood", (8, 8, 150), (post, 0, 0), body=None)
         m.b.tube("Iron", [(-190, 0, 110), (190, 0, 110)], 1)
     n = 13 if kind in BLOOMS else CROP_PLANTS.get(kind, 8)
     for i in range(n):

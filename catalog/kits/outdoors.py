@@ -371,7 +371,7 @@ def rubble(m: Maker) -> None:
             (m.uni(-12, 12), m.uni(0, 90), 0),
             body=None,
         )
-    m.b.body_box((110, 110, 40))
+    m.b.body_box((110, 110, 45), (0, 0, -5))
 
 
 @family("tomb")

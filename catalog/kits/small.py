@@ -298,10 +298,10 @@ def lamp(m: Maker) -> None:
         b.cylinder(metal, 2.2, 130, segments=8)
         for k in range(5):
             a = k * 1.2566
-            x, y = 24 * math.cos(a), 24 * math.sin(a)
-            b.tube(metal, [(0, 0, 110), (x, y, 118), (x, y, 130)], 1.2)
-            b.cylinder("Wax", 2, 14, (x, y, 130), segments=8, body=None)
-            b.ellipsoid("WarmGlow", (3, 3, 6), (x, y, 144), segments=6, body=None)
+            px, py = 24 * math.cos(a), 24 * math.sin(a)
+            b.tube(metal, [(0, 0, 110), (px, py, 118), (px, py, 130)], 1.2)
+            b.cylinder("Wax", 2, 14, (px, py, 130), segments=8, body=None)
+            b.ellipsoid("WarmGlow", (3, 3, 6), (px, py, 144), segments=6, body=None)
         b.body_box((44, 44, 40), (0, 0, 105))
 
 

@@ -328,9 +328,9 @@ def train(m: Maker) -> None:
                 b.box(paint, (26, 287, 92), (-x + 70 + i * (length - 140) / n, 0, 209), body=None)
             b.box(m.another("paint"), (length + 1, 283, 22), (0, 0, 170), body=None)
             if kind != "PassengerCoach":
-                for i in (-0.3, 0.3):
-                    b.box("SilverPaint", (130, 286, 200), (x * 2 * i, 0, 105), body=None)
-                    b.box("WindowGlass", (90, 288, 90), (x * 2 * i, 0, 205), body=None)
+                for share in (-0.6, 0.6):
+                    b.box("SilverPaint", (130, 286, 200), (x * share, 0, 105), body=None)
+                    b.box("WindowGlass", (90, 288, 90), (x * share, 0, 205), body=None)
         for s in (-1, 1):
             b.box("WindowGlass", (4, 200, 80), (s * x, 0, 230), body=None)
             for y in (-90, 90):
