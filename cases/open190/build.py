@@ -17,13 +17,14 @@ from typing import Any
 from c4s.engine import DEFAULT_ENGINE
 from c4s.evidence import open_level
 from c4s.files import digest, digest_file, read_json, write_json
+from c4s.folders import remove_tree
 from c4s.home import packs_root, suites_root
 from c4s.records.folder import EvidenceFolder
 from c4s.records.pack import MANIFEST
 from c4s.verify.physics.verdict import verify_physics
 from cases.model import SourceScene
 from cases.open190.eyes import views
-from cases.open190.layout import Place
+from cases.open190.layout import StagedPlace
 from cases.open190.library import SCENES
 from cases.open190.scenes import SceneSpec
 from cases.standing import unsound
@@ -33,7 +34,7 @@ from catalog.build import build_pack, sources_digest
 REPORT = "report.json"
 
 
-def source_scene(spec: SceneSpec, place: Place) -> SourceScene:
+def source_scene(spec: SceneSpec, place: StagedPlace) -> SourceScene:
     """A laid out scene as the suite's builder takes it."""
     return SourceScene(
         spec.scene_id, "indoor" if spec.kind == "indoor" else "outdoor", spec.title, place.level(), (place.pack_id,)
@@ -66,7 +67,8 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
     laid = time.perf_counter()
     pack = build_pack(place.assortment.pack(place.pack_id, spec.title), packs, replace=True, previews=not quick)
     packed = time.perf_counter()
-    shutil.rmtree(folder, ignore_errors=True)
+    if folder.exists():
+        remove_tree(folder, inside=out)
     folder.mkdir(parents=True)
     level.write(folder / "scene.level.json")
     cameras = views(place)
@@ -99,7 +101,7 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
         "assets": len(pack.assets),
         "used": len({item.thing.name for item in place.items.values()}),
         "relations": len(place.relations),
-        "physics": verdict.score if spec.kind == "text" else round(1 - len(bad) / len(level.actors), 4),
+        "physical_safety": verdict.score if spec.kind == "text" else round(1 - len(bad) / len(level.actors), 4),
         "floating": floats[:30],
         "penetrating": inside[:30],
         "unsound": bad[:30],
@@ -111,7 +113,7 @@ def build_scene(spec: SceneSpec, packs: Path, out: Path, *, quick: bool = False)
             "layout": round(laid - started, 1),
             "pack": round(packed - laid, 1),
             "pictures": round(seen - packed, 1),
-            "physics": round(time.perf_counter() - seen, 1),
+            "check": round(time.perf_counter() - seen, 1),
         },
     }
     write_json(folder / REPORT, report)
@@ -140,7 +142,7 @@ def main() -> None:
             "actors",
             "assets",
             "used",
-            "physics",
+            "physical_safety",
             "unsound_count",
             "floating",
             "penetrating",

@@ -1,18 +1,18 @@
 """Parts of places that many scenes share: streets, squares, gardens, woods, fields, yards, waterfronts, rails, castles;
-aisles, classes, wards. Each lies in the frame of the place (``Place.at``), its middle at the origin unless told."""
+aisles, classes, wards. Each lies in the frame of the place (``at``), its middle at the origin."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 
-from cases.open190.layout import Assets, Item, Pair, Place
+from cases.open190.layout import Assets, Item, Pair, StagedPlace
 
 Box = tuple[float, float, float, float]
 
 
 def frontage(
-    p: Place, a: Pair, b: Pair, houses: Sequence[str], gap: Pair = (0.0, 0.0), setback: Pair = (0.0, 0.0)
+    p: StagedPlace, a: Pair, b: Pair, houses: Sequence[str], gap: Pair = (0.0, 0.0), setback: Pair = (0.0, 0.0)
 ) -> list[Item]:
     """Houses along a line from a to b whose fronts lie on it and look to its left; each once, then over again."""
     length, yaw = math.hypot(b[0] - a[0], b[1] - a[1]), math.degrees(math.atan2(b[1] - a[1], b[0] - a[0]))
@@ -32,7 +32,7 @@ def frontage(
 
 
 def street(
-    p: Place,
+    p: StagedPlace,
     x0: float,
     x1: float,
     y: float,
@@ -99,7 +99,14 @@ def street(
 
 
 def forest(
-    p: Place, box: Box, trees: Assets, count: int, *, under: Assets = (), floor: int = 0, avoid: Sequence[Box] = ()
+    p: StagedPlace,
+    box: Box,
+    trees: Assets,
+    count: int,
+    *,
+    under: Assets = (),
+    floor: int = 0,
+    avoid: Sequence[Box] = (),
 ) -> None:
     """Trees at random with bushes, stones and flowers under them."""
     p.scatter(box, trees, count, clear=120, scale=(0.7, 1.15), avoid=avoid)
@@ -108,7 +115,7 @@ def forest(
 
 
 def garden(
-    p: Place,
+    p: StagedPlace,
     box: Box,
     *,
     beds: int = 3,
@@ -152,7 +159,7 @@ def garden(
             border(p, a, b, piece, opening=300.0)
 
 
-def border(p: Place, a: Pair, b: Pair, pieces: Sequence[str], opening: float = 0.0) -> None:
+def border(p: StagedPlace, a: Pair, b: Pair, pieces: Sequence[str], opening: float = 0.0) -> None:
     """Fences, walls or hedges end to end from a to b, with an opening in the middle."""
     length, yaw = math.hypot(b[0] - a[0], b[1] - a[1]), math.degrees(math.atan2(b[1] - a[1], b[0] - a[0]))
     step = p.thing(pieces[0]).width + 1
@@ -166,7 +173,7 @@ def border(p: Place, a: Pair, b: Pair, pieces: Sequence[str], opening: float = 0
             p.relate("in_row", p.put(pieces, x, 0))
 
 
-def enclosure(p: Place, box: Box, pieces: Sequence[str], *, gate: str = "", sides: str = "SENW") -> None:
+def enclosure(p: StagedPlace, box: Box, pieces: Sequence[str], *, gate: str = "", sides: str = "SENW") -> None:
     """A fence or wall around a rectangle, with a gate in the middle of its south side."""
     x0, y0, x1, y1 = box
     for side, a, b in (
@@ -181,7 +188,7 @@ def enclosure(p: Place, box: Box, pieces: Sequence[str], *, gate: str = "", side
         p.put(gate, (x0 + x1) / 2, y0, slack=3)
 
 
-def field(p: Place, box: Box, kind: str, *, soil: str = "Furrows", step: float = 130.0) -> int:
+def field(p: StagedPlace, box: Box, kind: str, *, soil: str = "Furrows", step: float = 130.0) -> int:
     """A field of one crop in rows along X."""
     x0, y0, x1, y1 = box
     p.ground(box, soil)
@@ -198,7 +205,7 @@ def field(p: Place, box: Box, kind: str, *, soil: str = "Furrows", step: float =
     return count
 
 
-def castle(p: Place, box: Box, *, towers: Sequence[str], gatehouse: str, wall: str) -> None:
+def castle(p: StagedPlace, box: Box, *, towers: Sequence[str], gatehouse: str, wall: str) -> None:
     """Curtain walls around a rectangle with towers at the corners and a gatehouse in the south."""
     x0, y0, x1, y1 = box
     for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)):
@@ -229,7 +236,7 @@ def castle(p: Place, box: Box, *, towers: Sequence[str], gatehouse: str, wall: s
 
 
 def ring(
-    p: Place,
+    p: StagedPlace,
     x: float,
     y: float,
     radius: float,
@@ -257,7 +264,14 @@ def ring(
 
 
 def rails(
-    p: Place, x0: float, x1: float, y: float, trains: Sequence[str] = (), *, start: float = 400.0, gap: float = 40.0
+    p: StagedPlace,
+    x0: float,
+    x1: float,
+    y: float,
+    trains: Sequence[str] = (),
+    *,
+    start: float = 400.0,
+    gap: float = 40.0,
 ) -> None:
     """A track along X with vehicles coupled on it."""
     piece = p.one("track", length=1000.0)
@@ -274,7 +288,7 @@ def rails(
 
 
 def waterfront(
-    p: Place,
+    p: StagedPlace,
     x0: float,
     x1: float,
     y: float,
@@ -309,7 +323,7 @@ def waterfront(
             )
 
 
-def playground(p: Place, x: float, y: float, wide: float = 1500.0) -> None:
+def playground(p: StagedPlace, x: float, y: float, wide: float = 1500.0) -> None:
     """Play things on a rubber square with a low fence and benches."""
     h = wide / 2
     with p.at(x, y):
@@ -323,7 +337,7 @@ def playground(p: Place, x: float, y: float, wide: float = 1500.0) -> None:
         p.row((-h * 0.6, h * 0.9), (h * 0.6, h * 0.9), p.kit("bench", 2, back=True), 3, yaw=180)
 
 
-def market(p: Place, box: Box, columns: int, lines: int, goods: Assets) -> None:
+def market(p: StagedPlace, box: Box, columns: int, lines: int, goods: Assets) -> None:
     """Stalls in rows back to back with goods between them."""
     x0, y0, x1, y1 = box
     stalls = p.kinds_of(
@@ -337,7 +351,7 @@ def market(p: Place, box: Box, columns: int, lines: int, goods: Assets) -> None:
                 p.put(goods, x + s * 165, y + p.uni(-60, 60), yaw=p.uni(-20, 20))
 
 
-def car_park(p: Place, box: Box, cars: Sequence[str], *, share: float = 0.7) -> None:
+def car_park(p: StagedPlace, box: Box, cars: Sequence[str], *, share: float = 0.7) -> None:
     """Rows of parking bays, most of them taken."""
     x0, y0, x1, y1 = box
     lines = max(1, int((y1 - y0) // 1250))
@@ -359,7 +373,7 @@ def car_park(p: Place, box: Box, cars: Sequence[str], *, share: float = 0.7) -> 
 
 
 def container_yard(
-    p: Place, x: float, y: float, columns: int, lines: int, levels: int = 3, *, long_: bool = False
+    p: StagedPlace, x: float, y: float, columns: int, lines: int, levels: int = 3, *, long_: bool = False
 ) -> None:
     """Blocks of stacked containers."""
     boxes = p.kit("container", 6, long=long_)
@@ -376,13 +390,20 @@ def container_yard(
                 below = item
 
 
-def cemetery(p: Place, box: Box, columns: int, lines: int) -> None:
+def cemetery(p: StagedPlace, box: Box, columns: int, lines: int) -> None:
     """Graves in rows behind a wall."""
     p.grid(box, p.kit("tomb", 8), columns, lines, jitter=14)
 
 
 def aisles(
-    p: Place, box: Box, lines: int, shelf: str, goods: Sequence[Sequence[str]], *, gap: float = 4.0, share: float = 0.92
+    p: StagedPlace,
+    box: Box,
+    lines: int,
+    shelf: str,
+    goods: Sequence[Sequence[str]],
+    *,
+    gap: float = 4.0,
+    share: float = 0.92,
 ) -> int:
     """Double rows of stocked shelves along X; each row has one kind of goods."""
     x0, y0, x1, y1 = box
@@ -404,7 +425,7 @@ def aisles(
 
 
 def desks(
-    p: Place,
+    p: StagedPlace,
     box: Box,
     columns: int,
     lines: int,

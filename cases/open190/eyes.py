@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from c4s.records.level import Vector
 from cases.model import CaseView
-from cases.open190.layout import Place
+from cases.open190.layout import StagedPlace
 from cases.open190.space import Solid
 
 AHEAD_CM = (60.0, 200.0, 340.0, 600.0)
@@ -17,7 +17,7 @@ LEAFY = ("tree", "conifer", "palm", "bush", "arbour")
 """Families whose crowns have no collision body."""
 
 
-def overview(place: Place) -> CaseView:
+def overview(place: StagedPlace) -> CaseView:
     """A camera that sees the whole place from above one side."""
     solid = [item for item in place.items.values() if not item.thing.flat] or list(place.items.values())
     xs, ys = sorted(item.x for item in solid), sorted(item.y for item in solid)
@@ -25,10 +25,10 @@ def overview(place: Place) -> CaseView:
     x0, x1, y0, y1 = xs[cut], xs[-1 - cut], ys[cut], ys[-1 - cut]
     reach = max(x1 - x0, y1 - y0, 400.0)
     centre = ((x0 + x1) / 2, (y0 + y1) / 2, 0.0)
-    return CaseView("overview", (centre[0] - 0.28 * reach, centre[1] + 0.78 * reach, 0.62 * reach + 200), centre, 62.0)
+    return CaseView("above", (centre[0] - 0.28 * reach, centre[1] + 0.78 * reach, 0.62 * reach + 200), centre, 62.0)
 
 
-def views(place: Place) -> list[CaseView]:
+def views(place: StagedPlace) -> list[CaseView]:
     """The cameras of a place, each moved to the nearest spot that is free; two across it where it names none."""
     named = place.views or [
         CaseView("south", (0.0, -3000.0, 175.0), (0.0, 1500.0, 160.0), 72.0),
@@ -37,7 +37,7 @@ def views(place: Place) -> list[CaseView]:
     return [overview(place), *(replace(view, location_cm=_free_spot(place, view)) for view in named)]
 
 
-def _free_spot(place: Place, view: CaseView) -> Vector:
+def _free_spot(place: StagedPlace, view: CaseView) -> Vector:
     x, y, z = view.location_cm
     for reach in RINGS_CM:
         for turn in range(TURNS if reach else 1):
@@ -48,7 +48,7 @@ def _free_spot(place: Place, view: CaseView) -> Vector:
     return view.location_cm
 
 
-def _is_free(place: Place, eye: Vector, target: Vector) -> bool:
+def _is_free(place: StagedPlace, eye: Vector, target: Vector) -> bool:
     length = math.hypot(target[0] - eye[0], target[1] - eye[1]) or 1.0
     dx, dy = (target[0] - eye[0]) / length, (target[1] - eye[1]) / length
     spots = [(eye[0] + dx * ahead, eye[1] + dy * ahead) for ahead in AHEAD_CM]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from cases.open190.districts import aisles, desks, rails
-from cases.open190.layout import Place
+from cases.open190.layout import StagedPlace
 from cases.open190.scenes import scene
 from catalog.kits import styles
 
 
 @scene("tavern", "indoor", "Tavern common room", styles.HISTORICAL.but(wall=("CreamPlaster",), window=("AmberWindow",)))
-def tavern(p: Place) -> None:
+def tavern(p: StagedPlace) -> None:
     """A timbered common room: hearth, bar with casks, long tables, snug corners."""
     p.room(
         (-700, -500, 700, 500),
@@ -100,7 +100,7 @@ def tavern(p: Place) -> None:
 
 
 @scene("supermarket", "indoor", "Supermarket", styles.URBAN.but(wall=("WhitePlaster",), trim=("GreyPaint",)))
-def supermarket(p: Place) -> None:
+def supermarket(p: StagedPlace) -> None:
     """Aisles of stocked shelves, freezers, fruit tables, checkouts."""
     p.room(
         (-2000, -1400, 2000, 1400),
@@ -169,7 +169,7 @@ def supermarket(p: Place) -> None:
         wall=("CreamPlaster",), wood=("Walnut", "DarkOak", "Cherry"), cloth=("GreenCloth", "BrownLeather", "RedCloth")
     ),
 )
-def library(p: Place) -> None:
+def library(p: StagedPlace) -> None:
     """Bays of bookcases around reading tables with lamps and globes."""
     p.room(
         (-1200, -800, 1200, 800),
@@ -225,7 +225,7 @@ def library(p: Place) -> None:
 
 
 @scene("metro-station", "indoor", "Metro station", styles.TRANSIT)
-def metro_station(p: Place) -> None:
+def metro_station(p: StagedPlace) -> None:
     """Two platforms with trains, a concourse with gates and ticket machines."""
     p.room(
         (-3200, -1500, 3200, 1500),
@@ -322,7 +322,7 @@ def metro_station(p: Place) -> None:
     styles.URBAN.but(wall=("CreamPlaster",), stone=("Limestone", "Granite", "Marble"), wood=("Walnut", "Oak")),
     slot=True,
 )
-def museum(p: Place) -> None:
+def museum(p: StagedPlace) -> None:
     """Halls with show cases, statues, columns, a skeleton, benches and barriers."""
     p.room(
         (-1600, -1000, 1600, 1000),
@@ -387,7 +387,7 @@ def museum(p: Place) -> None:
         paint=("WhitePaint", "TealPaint", "SkyPaint", "GreyPaint"),
     ),
 )
-def hospital_ward(p: Place) -> None:
+def hospital_ward(p: StagedPlace) -> None:
     """Bays of beds with screens, a nurses' station, a corridor with trolleys, a bathroom."""
     p.room(
         (-1600, -800, 1600, 800),
@@ -469,7 +469,7 @@ def hospital_ward(p: Place) -> None:
         paint=("RedPaint", "BluePaint", "GreenPaint", "YellowPaint", "OrangePaint"),
     ),
 )
-def school(p: Place) -> None:
+def school(p: StagedPlace) -> None:
     """Classrooms on both sides of a corridor with lockers, an art room and a music room."""
     p.room(
         (-1600, -1000, 1600, 1000),
@@ -538,7 +538,7 @@ def school(p: Place) -> None:
 
 
 @scene("office-floor", "indoor", "Open-plan office floor", styles.OFFICE, slot=True)
-def office_floor(p: Place) -> None:
+def office_floor(p: StagedPlace) -> None:
     """Bays of desks, meeting rooms behind glass, a kitchen and a lounge."""
     p.room(
         (-2000, -1200, 2000, 1200),
@@ -647,7 +647,7 @@ def office_floor(p: Place) -> None:
 
 
 @scene("machine-shop", "indoor", "Machine shop", styles.INDUSTRIAL, slot=True)
-def machine_shop(p: Place) -> None:
+def machine_shop(p: StagedPlace) -> None:
     """Machines in rows between marked ways, workbenches, racks, a forklift, pallets."""
     p.room(
         (-1800, -1100, 1800, 1100),
@@ -764,7 +764,7 @@ def machine_shop(p: Place) -> None:
 
 
 @scene("loft", "indoor", "Loft flat", styles.DOMESTIC.but(wall=("RedBrick",)))
-def loft(p: Place) -> None:
+def loft(p: StagedPlace) -> None:
     """One large room of brick to live in: sofas, kitchen, bed behind a shelf, bath, piano."""
     p.room(
         (-500, -350, 500, 350), "Parquet", wall="RedBrick", S=("Window", "Plain", "Door"), N=("Window",), module=334.0

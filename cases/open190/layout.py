@@ -22,13 +22,15 @@ from cases.model import CaseView
 from cases.open190.space import Solid, Space, placed, solids
 from cases.starter.stage import Stage, asset_path
 from catalog.kits import buildings, furniture, goods, nature, outdoors, rooms, small, vehicles
-from catalog.kits.maker import Assortment, Surface, Thing
+from catalog.kits.maker import Assortment, KitAsset, StandingSurface
 from catalog.kits.styles import Style
 
 VOCABULARY = (buildings, furniture, goods, nature, outdoors, rooms, small, vehicles)
 """Importing them fills the table of families."""
 TOP_CM = 4.5
 """The support rule of text-to-scene knows only the top of a whole thing, and nothing that is further above."""
+SEABED_CM = 0.6
+"""Water carries nothing, so boats of source scenes lie on solid ground that far below its surface."""
 GAP_CM = 0.2
 """Air under what stands on something: rounding never makes it sink."""
 Assets = str | Sequence[str]
@@ -40,7 +42,7 @@ class Item:
     """A thing that was placed."""
 
     label: str
-    thing: Thing
+    thing: KitAsset
     x: float
     y: float
     z: float
@@ -65,7 +67,7 @@ class Relation:
 
 
 @dataclass
-class Place(Stage):
+class StagedPlace(Stage):
     """A scene under construction."""
 
     scene_id: str
@@ -117,7 +119,7 @@ class Place(Stage):
         """Stand a thing at a place of the world, whatever the frame."""
         return self._put(asset, round(x, 3), round(y, 3), round(normalize_axis(yaw), 3), z, 1.0, 0.4, 0.0)
 
-    def thing(self, asset: str) -> Thing:
+    def thing(self, asset: str) -> KitAsset:
         """A made thing by its name."""
         return self.assortment.things[asset]
 
@@ -218,7 +220,7 @@ class Place(Stage):
                     break
         return found
 
-    def _on(self, item: Item, top: Surface, asset: str, u: float, v: float, turn: float) -> Item | None:
+    def _on(self, item: Item, top: StandingSurface, asset: str, u: float, v: float, turn: float) -> Item | None:
         thing = self.thing(asset)
         spare_x, spare_y = top.width - thing.width, top.depth - thing.depth
         if self.tops_only and item.thing.high[2] - top.z > TOP_CM:
@@ -464,6 +466,8 @@ class Place(Stage):
         """Cover a rectangle with tiles of about ``tile`` cm; their upper faces lie at ``z``."""
         x0, y0, x1, y1 = box
         asset = self.one(family, side=tile) if family == "water" else self.one(family, of=of, side=tile)
+        if family == "water" and not self.tops_only:
+            self.ground(box, "Sand", tile=tile, z=z - SEABED_CM)
         columns, lines = max(1, round((x1 - x0) / tile)), max(1, round((y1 - y0) / tile))
         sx, sy = (x1 - x0) / columns / tile, (y1 - y0) / lines / tile
         for i in range(columns):

@@ -18,7 +18,7 @@ from cases.open190.districts import (
     ring,
     street,
 )
-from cases.open190.layout import Place
+from cases.open190.layout import StagedPlace
 from cases.open190.scenes import scene
 from catalog.kits import styles
 
@@ -34,7 +34,7 @@ from catalog.kits import styles
         paint=("RedPaint", "BluePaint", "GreenPaint", "WhitePaint", "SkyPaint"),
     ),
 )
-def fishing_village(p: Place) -> None:
+def fishing_village(p: StagedPlace) -> None:
     """Painted houses above a quay, jetties with boats, drying racks, a church on a terrace."""
     p.ground((-4500, -4500, 4500, 500), "Grass")
     p.ground((-4500, 500, 4500, 1100), "Cobble", tile=600)
@@ -130,7 +130,7 @@ def fishing_village(p: Place) -> None:
     "Castle yard",
     styles.HISTORICAL.but(stone=("Limestone", "Fieldstone"), wall=("WhitePlaster", "Fieldstone", "CreamPlaster")),
 )
-def castle_yard(p: Place) -> None:
+def castle_yard(p: StagedPlace) -> None:
     """A walled yard with a keep, a smithy, stables, a market day and a practice ground."""
     p.ground((-3600, -3200, 3600, 3200), "Grass")
     p.ground((-2200, -1800, 2200, 1800), "Cobble", tile=550, z=0.5)
@@ -192,7 +192,7 @@ def castle_yard(p: Place) -> None:
 
 
 @scene("town-square", "outdoor", "Town square", styles.URBAN, slot=True)
-def town_square(p: Place) -> None:
+def town_square(p: StagedPlace) -> None:
     """A square with a fountain, cafes and market stalls between streets of shops."""
     p.ground((-5200, -4600, 5200, 4600), "Concrete")
     p.ground((-2400, -1800, 2400, 1800), "Paving", tile=600, z=0.8)
@@ -237,7 +237,7 @@ def town_square(p: Place) -> None:
 
 
 @scene("container-port", "outdoor", "Container port", styles.INDUSTRIAL)
-def container_port(p: Place) -> None:
+def container_port(p: StagedPlace) -> None:
     """Stacks of containers, gantry cranes, ships at the quay, warehouses, lorries, a rail siding."""
     p.ground((-7000, -4600, 7000, 1200), "Concrete")
     p.ground((-7000, 1200, 7000, 1600), "Asphalt", tile=800)
@@ -298,7 +298,7 @@ def container_port(p: Place) -> None:
 
 
 @scene("fairground", "outdoor", "Fairground", styles.STYLISED)
-def fairground(p: Place) -> None:
+def fairground(p: StagedPlace) -> None:
     """Tents, stalls, rides, flags and lamps around a way of coloured paving."""
     p.ground((-4000, -3400, 4000, 3400), "Grass")
     p.trail([(0, -3400), (0, 3200)], 500, "RedPaving")
@@ -364,7 +364,7 @@ def fairground(p: Place) -> None:
     styles.INDUSTRIAL.but(wall=("RedBrick", "YellowBrick"), roof=("SlateTile", "DarkConcrete")),
     slot=True,
 )
-def rail_yard(p: Place) -> None:
+def rail_yard(p: StagedPlace) -> None:
     """A station with platforms and canopies beside sidings full of wagons, a shed and a water tower."""
     p.ground((-7200, -3600, 7200, 3600), "Gravel")
     p.ground((-7200, 2400, 7200, 3600), "Cobble", tile=600, z=0.4)
@@ -439,7 +439,7 @@ def rail_yard(p: Place) -> None:
     "University campus",
     styles.URBAN.but(wall=("RedBrick", "YellowBrick", "WhiteBrick", "Concrete")),
 )
-def campus(p: Place) -> None:
+def campus(p: StagedPlace) -> None:
     """Halls around lawns with crossing paths, a library with columns, bicycles, a pond."""
     p.ground((-5500, -4500, 5500, 4500), "LawnStripes")
     p.put(p.one("temple", use="MainLibrary"), 0, 3200, yaw=180)
@@ -512,7 +512,7 @@ def campus(p: Place) -> None:
     "Ruins in a forest",
     styles.FANTASY.but(stone=("MossyStone", "Limestone"), leaf=("Leaf", "DarkLeaf", "AutumnLeaf", "GoldenLeaf")),
 )
-def forest_ruins(p: Place) -> None:
+def forest_ruins(p: StagedPlace) -> None:
     """A fallen temple on a terrace among old trees, a stream with a bridge, glowing crystals."""
     p.ground((-3500, -3000, 3500, 3000), "Moss")
     p.ground((-3500, -1450, 3500, -950), family="water", tile=700, z=0.6)
@@ -582,7 +582,7 @@ def forest_ruins(p: Place) -> None:
         wall=("RedBoards", "WhiteBoards"), old=True, paint=("RedPaint", "GreenPaint", "BluePaint", "YellowPaint")
     ),
 )
-def farm(p: Place) -> None:
+def farm(p: StagedPlace) -> None:
     """Fields of seven crops in rows around a farmyard with barns, silos, animals and machines."""
     p.ground((-9000, -7000, 9000, 7000), "Grass", tile=1500)
     p.trail([(-9000, 0), (9000, 0)], 500, "Soil")
@@ -671,7 +671,7 @@ def farm(p: Place) -> None:
 
 
 @scene("suburb", "outdoor", "Suburban street", styles.DOMESTIC, slot=True)
-def suburb(p: Place) -> None:
+def suburb(p: StagedPlace) -> None:
     """Houses with front gardens, hedges, drives with cars, a playground at the corner."""
     p.ground((-6000, -3600, 6000, 3600), "Grass")
     houses = p.kit("house", 12)

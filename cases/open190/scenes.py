@@ -1,4 +1,4 @@
-"""The table of scenes: each is a function that lays out a ``Place``."""
+"""The table of scenes: each is a function that lays out a ``StagedPlace``."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from cases.open190.layout import Place
+from cases.open190.layout import StagedPlace
 from catalog.kits.styles import Style
 
 Kind = Literal["indoor", "outdoor", "text"]
-Build = Callable[[Place], None]
+Build = Callable[[StagedPlace], None]
 
 
 @dataclass(frozen=True)
@@ -26,9 +26,9 @@ class SceneSpec:
     slot: bool = False
     """Whether a scene that people made may stand in its place where its package is installed."""
 
-    def place(self) -> Place:
+    def place(self) -> StagedPlace:
         """Lay the scene out."""
-        place = Place(self.scene_id, self.style, "1", tops_only=self.kind == "text")
+        place = StagedPlace(self.scene_id, self.style, "1", tops_only=self.kind == "text")
         self.build(place)
         if all(actor.name != "LightSun" for actor in place.actors):
             place.sun(place.uni(-48, -30), place.uni(20, 160), colour=(255, 246, 232))

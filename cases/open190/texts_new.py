@@ -17,12 +17,12 @@ from cases.open190.districts import (
     street,
     waterfront,
 )
-from cases.open190.layout import Place
+from cases.open190.layout import StagedPlace
 from cases.open190.scenes import scene
 from catalog.kits import styles
 
 
-def furniture(p: Place) -> list[str]:
+def furniture(p: StagedPlace) -> list[str]:
     """What stands on pavements."""
     return [
         *p.kit("bench", 2, back=True),
@@ -34,13 +34,13 @@ def furniture(p: Place) -> list[str]:
     ]
 
 
-def yard_goods(p: Place) -> list[str]:
+def yard_goods(p: StagedPlace) -> list[str]:
     """What stands about in works yards."""
     return [*p.kit("pallet", 5), *p.kit("barrel", 3), *p.kit("crate", 3), *p.kit("works", 5), *p.kit("bin", 1)]
 
 
 @scene("city-crossing", "text", "City crossing", styles.URBAN, 130)
-def city_crossing(p: Place) -> None:
+def city_crossing(p: StagedPlace) -> None:
     """Two avenues that cross between tall blocks, shops, traffic lights, buses and taxis."""
     p.plate(130, "Concrete")
     blocks = p.kit("block", 7)
@@ -89,7 +89,7 @@ def city_crossing(p: Place) -> None:
 
 
 @scene("park-lake", "text", "City park with a lake", styles.URBAN, 200)
-def park_lake(p: Place) -> None:
+def park_lake(p: StagedPlace) -> None:
     """A lake with rowing boats, lawns, winding paths, a bandstand, a playground, kiosks."""
     p.plate(200, "Grass")
     p.ground((-4500, 500, 4500, 5500), family="water", z=0.6)
@@ -168,7 +168,7 @@ def park_lake(p: Place) -> None:
     styles.TRANSIT.but(wall=("CreamPlaster", "RedBrick", "PinkPlaster", "YellowBrick"), roof=("SlateTile", "RedTile")),
     130,
 )
-def tram_street(p: Place) -> None:
+def tram_street(p: StagedPlace) -> None:
     """A long street of shops with tram tracks, stops with shelters, planters and cafe tables."""
     p.plate(130, "Paving")
     shops = p.kit("shop", 14)
@@ -197,7 +197,7 @@ def tram_street(p: Place) -> None:
 
 
 @scene("bus-terminal", "text", "Bus terminal", styles.TRANSIT, 130)
-def bus_terminal(p: Place) -> None:
+def bus_terminal(p: StagedPlace) -> None:
     """Bays with buses under canopies, shelters, kiosks, ticket machines, a car park."""
     p.plate(130, "Asphalt")
     p.put(p.one("block", use="TerminalBuilding", storeys=2.0, width=2400.0, depth=1000.0), 0, 4300, yaw=180)
@@ -257,7 +257,7 @@ def bus_terminal(p: Place) -> None:
     ),
     200,
 )
-def country_station(p: Place) -> None:
+def country_station(p: StagedPlace) -> None:
     """A steam train at a small platform, a brick station, a level crossing, meadows and a village lane."""
     p.plate(200, "Grass")
     rails(
@@ -339,7 +339,7 @@ def country_station(p: Place) -> None:
 
 
 @scene("airfield", "text", "Small airfield", styles.TRANSIT.but(wall=("WhitePaint", "Concrete")), 200)
-def airfield(p: Place) -> None:
+def airfield(p: StagedPlace) -> None:
     """A runway with light aircraft, hangars, a control tower, fuel tanks and a cafe."""
     p.plate(200, "DryGrass")
     for i in range(11):
@@ -385,7 +385,7 @@ def airfield(p: Place) -> None:
 
 
 @scene("brickworks", "text", "Brickworks", styles.INDUSTRIAL, 130)
-def brickworks(p: Place) -> None:
+def brickworks(p: StagedPlace) -> None:
     """Kilns and tall chimneys, stacks of bricks, clay heaps, a narrow railway."""
     p.plate(130, "Cinder")
     frontage(p, (-5800, 3000), (5800, 3000), p.kit("hall", 4, wall="RedBrick"), (100, 300))
@@ -432,7 +432,7 @@ def brickworks(p: Place) -> None:
     styles.INDUSTRIAL.but(paint=("WhitePaint", "SilverPaint", "GreyPaint", "GreenPaint", "YellowPaint")),
     200,
 )
-def refinery(p: Place) -> None:
+def refinery(p: StagedPlace) -> None:
     """Fields of tanks with pipe racks between, columns, cooling towers, tank wagons, a jetty."""
     p.plate(200, "Gravel")
     p.grid((-8600, -8200, -2200, -2600), p.kit("tank", 6, kind="StorageTank"), 7, 6)
@@ -479,7 +479,7 @@ def refinery(p: Place) -> None:
 
 
 @scene("building-site", "text", "Building site", styles.INDUSTRIAL.but(wall=("Concrete", "RedBrick")), 130)
-def building_site(p: Place) -> None:
+def building_site(p: StagedPlace) -> None:
     """Half-built walls in scaffolds under tower cranes, diggers, heaps, site huts, a hoarding."""
     p.plate(130, "Soil")
     for x, y in ((-2600, 2600), (2700, -1900)):
@@ -531,7 +531,7 @@ def building_site(p: Place) -> None:
     styles.INDUSTRIAL.but(wall=("Planks", "RedBoards", "GreyPlanks"), old=True),
     130,
 )
-def sawmill(p: Place) -> None:
+def sawmill(p: StagedPlace) -> None:
     """Stacks of logs and planks, a saw shed, a mill pond, carts, a forest around."""
     p.plate(130, "Grass")
     p.ground((-2600, -2600, 3600, 2200), "Soil", tile=700, z=0.5)
@@ -591,7 +591,7 @@ def sawmill(p: Place) -> None:
 @scene(
     "power-station", "text", "Power station", styles.INDUSTRIAL.but(wall=("Concrete", "GreyPaint", "DarkBrick")), 200
 )
-def power_station(p: Place) -> None:
+def power_station(p: StagedPlace) -> None:
     """Cooling towers and chimneys, turbine halls, a coal yard with a train, transformers, a canal."""
     p.plate(200, "Gravel")
     p.grid((-7500, 5200, -1500, 7800), p.kit("tank", 2, kind="CoolingTower"), 3, 2)
@@ -641,7 +641,7 @@ def power_station(p: Place) -> None:
 
 
 @scene("allotments", "text", "Allotment gardens", styles.DOMESTIC, 130)
-def allotments(p: Place) -> None:
+def allotments(p: StagedPlace) -> None:
     """Plots with beds, sheds, greenhouses, water butts, scarecrow flags, hedges and a green path."""
     p.plate(130, "Grass")
     p.trail([(-6300, 0), (6300, 0)], 300, "Gravel")
@@ -702,7 +702,7 @@ def allotments(p: Place) -> None:
     styles.DOMESTIC.but(wall=("WhiteBoards", "GreenBoards", "BlueBoards", "RedBrick", "CreamPlaster")),
     130,
 )
-def quiet_close(p: Place) -> None:
+def quiet_close(p: StagedPlace) -> None:
     """A round turning place with houses in a ring, gardens, drives, a playground."""
     p.plate(130, "Grass")
     p.trail([(0, -6400), (0, -1800)], 700, "Asphalt")
@@ -777,7 +777,7 @@ def quiet_close(p: Place) -> None:
     ),
     200,
 )
-def camping(p: Place) -> None:
+def camping(p: StagedPlace) -> None:
     """Tents, vans and tables under trees by a lake with a jetty and boats, a wash house, a fire ring."""
     p.plate(200, "Grass")
     waterfront(
@@ -842,7 +842,7 @@ def camping(p: Place) -> None:
     ),
     130,
 )
-def school_grounds(p: Place) -> None:
+def school_grounds(p: StagedPlace) -> None:
     """A school with a yard, a playground, a sports field, a garden, bicycles and buses."""
     p.plate(130, "Grass")
     p.put(p.one("block", use="School", storeys=3.0, width=2400.0, depth=1100.0), -1500, 2600, yaw=180)
@@ -915,7 +915,7 @@ def school_grounds(p: Place) -> None:
 
 
 @scene("business-park", "text", "Business park", styles.OFFICE, 200)
-def business_park(p: Place) -> None:
+def business_park(p: StagedPlace) -> None:
     """Glass and brick offices around a pond, car parks, plazas with tables, sculpture, a bus stop."""
     p.plate(200, "LawnStripes")
     blocks = [*p.kit("block", 7, use="OfficeBlock"), p.one("block", use="Hotel", storeys=7.0)]
@@ -994,7 +994,7 @@ def business_park(p: Place) -> None:
 
 
 @scene("toy-town", "text", "Toy town", styles.STYLISED, 130)
-def toy_town(p: Place) -> None:
+def toy_town(p: StagedPlace) -> None:
     """Bright houses on a ring road with toy cars, sweet stalls, a steam train, a castle."""
     p.plate(130, "Grass")
     ring(p, 0, 0, 1900, p.kit("house", 9, storeys=1), 9, face=90, start=10)
@@ -1078,7 +1078,7 @@ def toy_town(p: Place) -> None:
     ),
     130,
 )
-def winter_village(p: Place) -> None:
+def winter_village(p: StagedPlace) -> None:
     """Log houses under snow around a market with a great fir, sledges of wood, fir woods and hills."""
     p.plate(130, "Snow")
     frontage(p, (4800, 2600), (-4800, 2600), p.kit("house", 7), (150, 350))

@@ -17,18 +17,18 @@ from cases.open190.districts import (
     ring,
     waterfront,
 )
-from cases.open190.layout import Place
+from cases.open190.layout import StagedPlace
 from cases.open190.scenes import scene
 from catalog.kits import styles
 
 
-def goods(p: Place) -> list[str]:
+def goods(p: StagedPlace) -> list[str]:
     """What stands about in yards."""
     return [*p.kit("crate", 3), *p.kit("barrel", 3), *p.kit("sack", 3), *p.kit("handcart", 2)]
 
 
 @scene("market-town", "text", "Medieval market town", styles.HISTORICAL, 130)
-def market_town(p: Place) -> None:
+def market_town(p: StagedPlace) -> None:
     """Timbered houses around a cobbled market with a well, a church and a gate."""
     p.plate(130, "Grass")
     p.ground((-2600, -2200, 2600, 2200), "Cobble", tile=650, z=0.5)
@@ -63,7 +63,7 @@ def market_town(p: Place) -> None:
     ),
     130,
 )
-def monastery(p: Place) -> None:
+def monastery(p: StagedPlace) -> None:
     """A cloister with a herb garden, a church on a terrace, vines, graves, a bell tower."""
     p.plate(130, "DryGrass")
     mound = p.put(p.one("mound", of="DryGrass", width=3400.0, depth=2600.0, high=150.0), 0, 3300)
@@ -124,7 +124,7 @@ def monastery(p: Place) -> None:
     ),
     130,
 )
-def viking_harbour(p: Place) -> None:
+def viking_harbour(p: StagedPlace) -> None:
     """Longhouses above a beach with longships, a smithy, drying racks and a palisade."""
     p.plate(130, "Grass")
     p.ground((-6400, 900, 6400, 1700), "Sand", tile=800, z=0.5)
@@ -180,7 +180,7 @@ def viking_harbour(p: Place) -> None:
     ),
     130,
 )
-def caravanserai(p: Place) -> None:
+def caravanserai(p: StagedPlace) -> None:
     """A walled inn of sandstone with an arcade, a bazaar, tents, palms and a pool."""
     p.plate(130, "Sand")
     castle(
@@ -223,7 +223,7 @@ def caravanserai(p: Place) -> None:
     styles.HISTORICAL.but(wall=("RedBrick", "WhiteBoards", "GreenBoards"), trim=("WhitePaint",), old=False),
     200,
 )
-def windmill_village(p: Place) -> None:
+def windmill_village(p: StagedPlace) -> None:
     """Mills along a canal, fields of tulips in coloured rows, brick houses, a bridge."""
     p.plate(200, "Grass")
     p.ground((-9900, -600, 9900, 200), family="water", tile=800, z=0.6)
@@ -270,7 +270,7 @@ def windmill_village(p: Place) -> None:
     ),
     200,
 )
-def vineyard(p: Place) -> None:
+def vineyard(p: StagedPlace) -> None:
     """A villa with a formal garden on an avenue of cypresses, vines in long rows, a winery."""
     p.plate(200, "DryGrass")
     p.put(p.one("block", use="Villa", storeys=2.0, width=2200.0, depth=1200.0), 0, 3000, yaw=180)
@@ -327,7 +327,7 @@ def vineyard(p: Place) -> None:
     ),
     130,
 )
-def roman_forum(p: Place) -> None:
+def roman_forum(p: StagedPlace) -> None:
     """Temples and colonnades around a paved forum with statues, stalls and an obelisk."""
     p.plate(130, "DryGrass")
     p.ground((-3600, -2800, 3600, 2800), "Flagstone", tile=700, z=0.5)
@@ -368,7 +368,7 @@ def roman_forum(p: Place) -> None:
 
 
 @scene("wizard-village", "text", "Wizard village", styles.FANTASY, 130)
-def wizard_village(p: Place) -> None:
+def wizard_village(p: StagedPlace) -> None:
     """Crooked towers and violet roofs among giant mushrooms, crystals and lantern stalls."""
     p.plate(130, "Grass")
     p.put(p.one("tower", round=True, spire=True, height=1700.0), 0, 2600, yaw=180)
@@ -431,7 +431,7 @@ def wizard_village(p: Place) -> None:
     styles.FANTASY.but(stone=("DarkStone", "Granite"), leaf=("VioletLeaf", "DarkLeaf")),
     130,
 )
-def crystal_camp(p: Place) -> None:
+def crystal_camp(p: StagedPlace) -> None:
     """Tents around a fire, carts of rock, crystals in a ring of boulders, a palisade."""
     p.plate(130, "Cinder")
     ring(p, 0, 0, 1400, p.kit("tent", 6), 9, face=90)
@@ -476,7 +476,7 @@ def crystal_camp(p: Place) -> None:
     ),
     200,
 )
-def elf_river(p: Place) -> None:
+def elf_river(p: StagedPlace) -> None:
     """White houses with green spires on both banks, bridges, gardens and slender boats."""
     p.plate(200, "Grass")
     p.ground((-9900, -900, 9900, 900), family="water", tile=1000, z=0.6)
@@ -561,7 +561,7 @@ def elf_river(p: Place) -> None:
     ),
     200,
 )
-def war_camp(p: Place) -> None:
+def war_camp(p: StagedPlace) -> None:
     """Rows of striped tents with banners and fires before a castle with a gatehouse."""
     p.plate(200, "Grass")
     castle(
@@ -609,7 +609,7 @@ def war_camp(p: Place) -> None:
     styles.HISTORICAL.but(leaf=("AutumnLeaf", "GoldenLeaf", "DarkLeaf"), stone=("Granite", "MossyStone", "DarkStone")),
     130,
 )
-def cemetery_hill(p: Place) -> None:
+def cemetery_hill(p: StagedPlace) -> None:
     """Graves in rows inside a wall, a chapel, tombs, statues, autumn trees, an iron gate."""
     p.plate(130, "Grass")
     enclosure(p, (-5200, -4600, 5200, 4600), p.kit("wall", 2, high=140.0), gate=p.one("gate", width=400.0))

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 
 from catalog.kits.facade import battlements, chimney, door, facade, flat_roof, gable_roof, hip_roof, timbers, window
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 from catalog.shapes.patches import hull
 
 BUILDINGS = "buildings"
 
 
 @family("house")
-def house(m: Maker) -> None:
+def house(m: KitMaker) -> None:
     """A dwelling of one to four storeys."""
     storeys = m.opt("storeys", m.pick(1, 2, 2, 3))
     width, depth = m.opt("width", m.uni(650, 1150, 50)), m.opt("depth", m.uni(600, 850, 50))
@@ -56,7 +56,7 @@ def house(m: Maker) -> None:
         awning(m, width * 0.8, depth / 2, 255)
 
 
-def awning(m: Maker, width: float, y: float, z: float) -> None:
+def awning(m: KitMaker, width: float, y: float, z: float) -> None:
     """A sloped awning and a signboard over a shop window."""
     m.b.add(
         m.mat("awning"),
@@ -74,7 +74,7 @@ def awning(m: Maker, width: float, y: float, z: float) -> None:
 
 
 @family("shop")
-def shop(m: Maker) -> None:
+def shop(m: KitMaker) -> None:
     """A narrow building of a street with a shop at its foot."""
     trade = m.opt(
         "trade",
@@ -122,7 +122,7 @@ def shop(m: Maker) -> None:
 
 
 @family("block")
-def block(m: Maker) -> None:
+def block(m: KitMaker) -> None:
     """A large building with many equal windows: flats, offices, a hotel, a school, a hospital."""
     use = m.opt("use", m.pick("ApartmentBlock", "OfficeBlock", "Hotel", "School", "Hospital"))
     storeys = m.opt("storeys", m.uni(3, 8, 1))
@@ -177,7 +177,7 @@ def block(m: Maker) -> None:
 
 
 @family("tower")
-def tower(m: Maker) -> None:
+def tower(m: KitMaker) -> None:
     """A tower, round or square, with battlements or a spire."""
     round_ = m.opt("round", m.chance(0.5))
     height, radius, stone = m.opt("height", m.uni(900, 1700, 50)), m.opt("radius", m.uni(220, 340, 10)), m.mat("stone")
@@ -234,7 +234,7 @@ def tower(m: Maker) -> None:
 
 
 @family("church")
-def church(m: Maker) -> None:
+def church(m: KitMaker) -> None:
     """A church or chapel with a bell tower at its front."""
     wall, roof = m.mat("stone"), m.mat("roof")
     width, length, high = m.uni(700, 950, 50), m.uni(1400, 1900, 50), m.uni(550, 750, 50)
@@ -263,7 +263,7 @@ def church(m: Maker) -> None:
 
 
 @family("hall")
-def hall(m: Maker) -> None:
+def hall(m: KitMaker) -> None:
     """A large hall: a barn, a warehouse, a factory, a boat shed."""
     use = m.opt(
         "use",
@@ -318,7 +318,7 @@ def hall(m: Maker) -> None:
 
 
 @family("shed")
-def shed(m: Maker) -> None:
+def shed(m: KitMaker) -> None:
     """A small hut."""
     use = m.opt("use", m.pick("ToolShed", "Hut", "GuardHut", "Woodshed", "FishingHut", "GardenShed", "Sauna"))
     wall = m.opt("wall", m.pick("Planks", "DarkPlanks", "GreyPlanks", "RedBoards", "GreenBoards", "PalePlanks"))
@@ -338,7 +338,7 @@ def shed(m: Maker) -> None:
 
 
 @family("kiosk")
-def kiosk(m: Maker) -> None:
+def kiosk(m: KitMaker) -> None:
     """A kiosk with a counter and a striped canopy."""
     use = m.opt("use", m.pick("IceCreamKiosk", "NewsKiosk", "TicketBooth", "CoffeeKiosk", "SnackKiosk", "FlowerKiosk"))
     paint = m.mat("paint")
@@ -362,7 +362,7 @@ def kiosk(m: Maker) -> None:
 
 
 @family("pavilion")
-def pavilion(m: Maker) -> None:
+def pavilion(m: KitMaker) -> None:
     """An open roof on posts."""
     use = m.opt("use", m.pick("Pavilion", "Bandstand", "Gazebo", "Shelter"))
     wide, roof, post = m.opt("size", m.uni(400, 600, 50)), m.mat("roof"), m.mat("trim")
@@ -381,7 +381,7 @@ def pavilion(m: Maker) -> None:
 
 
 @family("canopy")
-def canopy(m: Maker) -> None:
+def canopy(m: KitMaker) -> None:
     """A platform roof on columns in a row."""
     length, metal = m.opt("length", 1000.0), m.mat("metal")
     m.say(
@@ -409,7 +409,7 @@ def canopy(m: Maker) -> None:
 
 
 @family("greenhouse")
-def greenhouse(m: Maker) -> None:
+def greenhouse(m: KitMaker) -> None:
     """A glass house with beds of plants."""
     width, depth = m.uni(500, 900, 50), m.uni(350, 500, 50)
     m.say(
@@ -449,7 +449,7 @@ def greenhouse(m: Maker) -> None:
 
 
 @family("windmill")
-def windmill(m: Maker) -> None:
+def windmill(m: KitMaker) -> None:
     """A tower mill with four sails."""
     wall = m.opt("wall", m.pick("WhitePlaster", "RedBrick", "Fieldstone"))
     m.say(
@@ -473,7 +473,7 @@ def windmill(m: Maker) -> None:
 
 
 @family("castle-wall")
-def castle_wall(m: Maker) -> None:
+def castle_wall(m: KitMaker) -> None:
     """A length of curtain wall with battlements and a walk."""
     length, stone = m.opt("length", 800.0), m.mat("stone")
     m.say(
@@ -490,7 +490,7 @@ def castle_wall(m: Maker) -> None:
 
 
 @family("gatehouse")
-def gatehouse(m: Maker) -> None:
+def gatehouse(m: KitMaker) -> None:
     """A gate with a round arch between two short towers, open to pass."""
     stone = m.mat("stone")
     m.say(
@@ -510,7 +510,7 @@ def gatehouse(m: Maker) -> None:
 
 
 @family("temple")
-def temple(m: Maker) -> None:
+def temple(m: KitMaker) -> None:
     """A temple front: steps, columns all around, a low gable."""
     stone = m.mat("stone")
     width, depth = m.uni(900, 1300, 100), m.uni(1200, 1600, 100)
@@ -542,7 +542,7 @@ def temple(m: Maker) -> None:
 
 
 @family("tent")
-def tent(m: Maker) -> None:
+def tent(m: KitMaker) -> None:
     """A tent: round with a peak, or a ridge tent."""
     cloth = m.mat("awning")
     round_ = m.opt("round", m.chance(0.5))
@@ -576,7 +576,7 @@ def tent(m: Maker) -> None:
 
 
 @family("lighthouse")
-def lighthouse(m: Maker) -> None:
+def lighthouse(m: KitMaker) -> None:
     """A lighthouse in bands of two colours."""
     m.say(
         "LighthouseTower",
@@ -596,7 +596,7 @@ def lighthouse(m: Maker) -> None:
 
 
 @family("bridge")
-def bridge(m: Maker) -> None:
+def bridge(m: KitMaker) -> None:
     """A level bridge of planks or stone along X with railings."""
     length, stone = m.opt("length", 800.0), m.opt("stone", m.pick("Planks", "Fieldstone", "Limestone", "DarkPlanks"))
     wide = m.opt("width", 300.0)

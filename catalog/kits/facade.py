@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from catalog.kits.maker import Maker
+from catalog.kits.maker import KitMaker
 from catalog.shapes.patches import Point3
 
 
-def window(m: Maker, width: float, height: float, at: Point3, yaw: float = 0.0) -> None:
+def window(m: KitMaker, width: float, height: float, at: Point3, yaw: float = 0.0) -> None:
     """A framed window that looks to +Y of its frame; ``at`` is the middle of its sill on the wall's face."""
     trim = m.mat("trim")
     with m.b.moved(at, (0, yaw, 0)):
@@ -17,14 +17,14 @@ def window(m: Maker, width: float, height: float, at: Point3, yaw: float = 0.0) 
         m.b.box(trim, (width + 22, 14, 5), (0, 5, -9), body=None)
 
 
-def shutters(m: Maker, width: float, height: float, at: Point3, yaw: float = 0.0) -> None:
+def shutters(m: KitMaker, width: float, height: float, at: Point3, yaw: float = 0.0) -> None:
     """A pair of shutters beside a window."""
     with m.b.moved(at, (0, yaw, 0)):
         for side in (-1, 1):
             m.b.box(m.mat("door"), (width / 2, 4, height + 6), (side * (width * 0.75 + 8), 2, -3), body=None)
 
 
-def door(m: Maker, width: float, height: float, at: Point3, yaw: float = 0.0) -> None:
+def door(m: KitMaker, width: float, height: float, at: Point3, yaw: float = 0.0) -> None:
     """A closed door with a frame and a step."""
     with m.b.moved(at, (0, yaw, 0)):
         m.b.box(m.mat("trim"), (width + 24, 8, height + 14), (0, 2, 0), body=None)
@@ -35,14 +35,14 @@ def door(m: Maker, width: float, height: float, at: Point3, yaw: float = 0.0) ->
         m.b.box(m.mat("stone"), (width + 40, 30, 10), (0, 15, 0), body=None)
 
 
-def gable_roof(m: Maker, width: float, depth: float, z: float, rise: float, material: str) -> None:
+def gable_roof(m: KitMaker, width: float, depth: float, z: float, rise: float, material: str) -> None:
     """A gable roof whose ridge runs along X, with eaves all around."""
     m.b.gable(material, (depth + 70, width + 60, rise), (0, 0, z), (0, 90, 0))
     m.b.box(m.mat("trim"), (width + 66, 10, 14), (0, depth / 2 + 32, z - 6), body=None)
     m.b.box(m.mat("trim"), (width + 66, 10, 14), (0, -depth / 2 - 32, z - 6), body=None)
 
 
-def hip_roof(m: Maker, width: float, depth: float, z: float, rise: float, material: str) -> None:
+def hip_roof(m: KitMaker, width: float, depth: float, z: float, rise: float, material: str) -> None:
     """A hipped roof: four slopes."""
     from catalog.shapes.patches import hull
 
@@ -55,7 +55,7 @@ def hip_roof(m: Maker, width: float, depth: float, z: float, rise: float, materi
     m.b.box(m.mat("trim"), (width + 60, depth + 60, 12), (0, 0, z - 10), body=None)
 
 
-def flat_roof(m: Maker, width: float, depth: float, z: float) -> None:
+def flat_roof(m: KitMaker, width: float, depth: float, z: float) -> None:
     """A flat roof behind a parapet."""
     m.b.box("DarkConcrete", (width, depth, 12), (0, 0, z), body="box")
     for side in (-1, 1):
@@ -63,14 +63,14 @@ def flat_roof(m: Maker, width: float, depth: float, z: float) -> None:
         m.b.box(m.mat("trim"), (16, depth + 16, 45), (side * width / 2, 0, z), body=None)
 
 
-def chimney(m: Maker, at: Point3, height: float) -> None:
+def chimney(m: KitMaker, at: Point3, height: float) -> None:
     """A chimney stack with pots."""
     m.b.box("RedBrick" if not m.style.old else m.mat("stone"), (60, 60, height), at, body=None)
     for x in (-14, 14):
         m.b.cylinder("Terracotta", 9, 30, (at[0] + x, at[1], at[2] + height), segments=8, body=None)
 
 
-def battlements(m: Maker, material: str, width: float, depth: float, z: float, thick: float = 40.0) -> None:
+def battlements(m: KitMaker, material: str, width: float, depth: float, z: float, thick: float = 40.0) -> None:
     """Merlons along the edge of a rectangle."""
     for length, other, turn in ((width, depth, False), (depth, width, True)):
         count = max(2, int(length // 120))
@@ -82,7 +82,7 @@ def battlements(m: Maker, material: str, width: float, depth: float, z: float, t
 
 
 def facade(
-    m: Maker, width: float, depth: float, storeys: int, floor: float, *, base: float = 0.0, doors: bool = True
+    m: KitMaker, width: float, depth: float, storeys: int, floor: float, *, base: float = 0.0, doors: bool = True
 ) -> None:
     """Rows of windows on all four faces, and a door in front."""
     w, h = m.pick(80.0, 95.0, 110.0), m.pick(120.0, 135.0, 150.0)
@@ -102,7 +102,7 @@ def facade(
                         shutters(m, w, h, at)
 
 
-def timbers(m: Maker, width: float, depth: float, storeys: int, floor: float) -> None:
+def timbers(m: KitMaker, width: float, depth: float, storeys: int, floor: float) -> None:
     """Beams of a timber frame on all faces."""
     beam = m.mat("trim")
     for yaw, length, reach in ((0, width, depth), (180, width, depth), (90, depth, width), (-90, depth, width)):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 from catalog.shapes.patches import Point3, hull
 
 SEATS, TABLES, BEDS, STORAGE, KITCHEN, BATH = "seating", "tables", "beds", "storage", "kitchen", "bathroom"
@@ -12,7 +12,7 @@ BOOKS = ("MaroonPaint", "NavyPaint", "GreenPaint", "CreamPaint", "BrownPaint", "
 
 
 def legs(
-    m: Maker, of: str, width: float, depth: float, height: float, thick: float = 5.0, *, round_: bool = False
+    m: KitMaker, of: str, width: float, depth: float, height: float, thick: float = 5.0, *, round_: bool = False
 ) -> None:
     """Four legs at the corners of a rectangle."""
     for x in (-1, 1):
@@ -25,7 +25,7 @@ def legs(
 
 
 @family("chair")
-def chair(m: Maker) -> None:
+def chair(m: KitMaker) -> None:
     """A chair."""
     kind = m.opt(
         "kind",
@@ -81,7 +81,7 @@ def chair(m: Maker) -> None:
 
 
 @family("stool")
-def stool(m: Maker) -> None:
+def stool(m: KitMaker) -> None:
     """A stool, low or of a bar."""
     high, wood = m.opt("high", m.pick(45.0, 45.0, 75.0)), m.mat("wood")
     pad = m.chance(0.4)
@@ -100,7 +100,7 @@ def stool(m: Maker) -> None:
 
 
 @family("sofa")
-def sofa(m: Maker) -> None:
+def sofa(m: KitMaker) -> None:
     """A sofa or an armchair."""
     seats, cloth = m.opt("seats", m.pick(1, 2, 3)), m.mat("cloth")
     m.say(
@@ -132,7 +132,7 @@ def sofa(m: Maker) -> None:
 
 
 @family("pew")
-def pew(m: Maker) -> None:
+def pew(m: KitMaker) -> None:
     """A long bench: a pew, a waiting bench, a school bench, a plain bench."""
     kind, wood, long_ = m.opt("kind", m.pick("Pew", "PlainBench")), m.mat("wood"), m.opt("length", 240.0)
     m.say(
@@ -170,7 +170,7 @@ def pew(m: Maker) -> None:
 
 
 @family("table")
-def table(m: Maker) -> None:
+def table(m: KitMaker) -> None:
     """A table that things stand on and chairs stand under."""
     kind = m.opt("kind", m.pick("Long", "Square", "Round", "Trestle", "Small"))
     wood, high = m.opt("wood", m.mat("wood")), m.opt("high", 74.0)
@@ -212,7 +212,7 @@ def table(m: Maker) -> None:
 
 
 @family("desk")
-def desk(m: Maker) -> None:
+def desk(m: KitMaker) -> None:
     """A desk: of an office, a school, a writer."""
     kind = m.opt("kind", m.pick("Office", "Writing", "School", "Corner"))
     wood, metal = m.mat("wood"), m.mat("metal")
@@ -254,7 +254,7 @@ def desk(m: Maker) -> None:
 
 
 @family("cot")
-def cot(m: Maker) -> None:
+def cot(m: KitMaker) -> None:
     """A bed: double, single, bunk, of a hospital, a cot of straw."""
     kind = m.opt(
         "kind",
@@ -300,7 +300,7 @@ def cot(m: Maker) -> None:
 
 
 @family("shelf")
-def shelf(m: Maker) -> None:
+def shelf(m: KitMaker) -> None:
     """An open shelf whose boards carry things."""
     boards, w, d, high = (
         m.opt("boards", m.pick(4, 5)),
@@ -329,7 +329,7 @@ def shelf(m: Maker) -> None:
 
 
 @family("bookcase")
-def bookcase(m: Maker) -> None:
+def bookcase(m: KitMaker) -> None:
     """A bookcase full of books."""
     wood, w, high = m.mat("wood"), m.opt("width", m.uni(80, 120, 10)), m.opt("high", m.pick(190.0, 210.0, 230.0))
     m.say(
@@ -358,7 +358,7 @@ def bookcase(m: Maker) -> None:
 
 
 @family("cupboard")
-def cupboard(m: Maker) -> None:
+def cupboard(m: KitMaker) -> None:
     """A closed cupboard: wardrobe, chest of drawers, cabinet, sideboard, locker, file cabinet, dresser."""
     kind = m.opt(
         "kind",
@@ -416,7 +416,7 @@ def cupboard(m: Maker) -> None:
 
 
 @family("counter")
-def counter(m: Maker) -> None:
+def counter(m: KitMaker) -> None:
     """A counter: of a bar, a shop, a reception."""
     kind, wood = m.opt("kind", m.pick("BarCounter", "ShopCounter", "ReceptionDesk", "ServingCounter")), m.mat("wood")
     long_, top = m.opt("length", 200.0), m.opt("top", m.pick("Worktop", m.mat("wood"), "Marble"))
@@ -438,7 +438,7 @@ def counter(m: Maker) -> None:
 
 
 @family("kitchen-unit")
-def kitchen_unit(m: Maker) -> None:
+def kitchen_unit(m: KitMaker) -> None:
     """A unit of a kitchen: base, sink, stove, fridge, wall oven."""
     kind = m.opt("kind", m.pick("KitchenBase", "KitchenSink", "Stove", "Fridge", "Dishwasher"))
     paint, top = m.mat("paint"), m.opt("top", "Worktop")
@@ -486,7 +486,7 @@ def kitchen_unit(m: Maker) -> None:
 
 
 @family("bath-thing")
-def bath_thing(m: Maker) -> None:
+def bath_thing(m: KitMaker) -> None:
     """Bath, toilet, basin, shower, urinal row."""
     kind = m.opt("kind", m.pick("Bathtub", "Toilet", "Washbasin", "ShowerCabin", "TowelShelf"))
     m.say(
@@ -525,7 +525,7 @@ def bath_thing(m: Maker) -> None:
 
 
 @family("fireplace")
-def fireplace(m: Maker) -> None:
+def fireplace(m: KitMaker) -> None:
     """A fireplace with a chimney breast."""
     stone = m.mat("stone")
     m.say(
@@ -549,7 +549,7 @@ def fireplace(m: Maker) -> None:
 
 
 @family("display")
-def display(m: Maker) -> None:
+def display(m: KitMaker) -> None:
     """A show case, a pedestal with an exhibit, or a table case."""
     kind = m.opt("kind", m.pick("TableCase", "TallCase", "Pedestal", "SkeletonPlinth", "VasePedestal", "MapCase"))
     stone, exhibit = (
@@ -637,7 +637,7 @@ def display(m: Maker) -> None:
 
 
 @family("service")
-def service(m: Maker) -> None:
+def service(m: KitMaker) -> None:
     """Machines of public rooms: vending, tickets, lockers, checkout, gates, freezers."""
     kind = m.opt(
         "kind",
@@ -752,7 +752,7 @@ def service(m: Maker) -> None:
 
 
 @family("care")
-def care(m: Maker) -> None:
+def care(m: KitMaker) -> None:
     """Equipment of a ward, a laboratory, a gymnasium, a salon."""
     kind = m.opt(
         "kind",
@@ -852,7 +852,7 @@ def care(m: Maker) -> None:
 
 
 @family("music")
-def music(m: Maker) -> None:
+def music(m: KitMaker) -> None:
     """Instruments and stage things."""
     kind = m.opt(
         "kind",

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 from catalog.shapes.patches import hull
 
 GOODS, MACHINES, TOOLS = "containers", "machines", "tools"
 
 
 @family("crate")
-def crate(m: Maker) -> None:
+def crate(m: KitMaker) -> None:
     """A crate, a chest or a box."""
     kind = m.opt(
         "kind",
@@ -65,7 +65,7 @@ def crate(m: Maker) -> None:
 
 
 @family("barrel")
-def barrel(m: Maker) -> None:
+def barrel(m: KitMaker) -> None:
     """A barrel, a drum or a churn."""
     kind = m.opt(
         "kind",
@@ -96,7 +96,7 @@ def barrel(m: Maker) -> None:
 
 
 @family("sack")
-def sack(m: Maker) -> None:
+def sack(m: KitMaker) -> None:
     """Sacks and baskets."""
     kind = m.opt("kind", m.pick("GrainSack", "FlourSacks", "Basket", "FruitBasket", "CoalSack", "LaundryBasket"))
     m.say(
@@ -128,7 +128,7 @@ def sack(m: Maker) -> None:
 
 
 @family("pallet")
-def pallet(m: Maker) -> None:
+def pallet(m: KitMaker) -> None:
     """A pallet, empty or with a load."""
     load = m.opt("load", m.pick("", "Sacks", "Bricks", "Boxes", "Drums", "Timber"))
     m.say(
@@ -173,11 +173,11 @@ def pallet(m: Maker) -> None:
             for i in range(4):
                 m.b.box("Pine", (160, 17, 12), (0, -30 + 20 * i, 12 + 13 * row), body=None)
         m.b.body_box((160, 78, 52), (0, 0, 12))
-        m.top(64, 120, 66)
+        m.top(63, 120, 66)
 
 
 @family("container")
-def container(m: Maker) -> None:
+def container(m: KitMaker) -> None:
     """A freight container."""
     paint, long_ = m.mat("paint"), m.opt("long", m.chance(0.4))
     length = 1219.0 if long_ else 606.0
@@ -200,7 +200,7 @@ def container(m: Maker) -> None:
 
 
 @family("crane")
-def crane(m: Maker) -> None:
+def crane(m: KitMaker) -> None:
     """A tall crane: a harbour crane, a tower crane or a treadwheel crane."""
     kind = m.opt("kind", m.pick("HarbourCrane", "TowerCrane", "GantryCrane") if not m.style.old else "TreadwheelCrane")
     paint = m.opt("paint", m.pick("YellowPaint", "OrangePaint", "BluePaint", "RedPaint"))
@@ -261,7 +261,7 @@ def crane(m: Maker) -> None:
 
 
 @family("machine")
-def machine(m: Maker) -> None:
+def machine(m: KitMaker) -> None:
     """A machine of a workshop or factory."""
     kind = m.opt(
         "kind",
@@ -393,7 +393,7 @@ def machine(m: Maker) -> None:
 
 
 @family("tank")
-def tank(m: Maker) -> None:
+def tank(m: KitMaker) -> None:
     """A storage tank, a silo or a factory chimney."""
     kind = m.opt(
         "kind",
@@ -447,7 +447,7 @@ def tank(m: Maker) -> None:
 
 
 @family("pipe")
-def pipe(m: Maker) -> None:
+def pipe(m: KitMaker) -> None:
     """Pipes on stands along X, or an elbow, a valve."""
     kind = m.opt("kind", m.pick("PipeRack", "PipeStraight", "PipeValve", "PipeStack", "PipeBend"))
     paint = m.opt("paint", m.pick("GreenPaint", "YellowPaint", "SilverPaint", "RedPaint", "BluePaint", "Copper"))
@@ -494,7 +494,7 @@ def pipe(m: Maker) -> None:
 
 
 @family("forge")
-def forge(m: Maker) -> None:
+def forge(m: KitMaker) -> None:
     """What a smith, a cooper, a potter or a carpenter works with."""
     kind = m.opt(
         "kind",
@@ -607,7 +607,7 @@ def forge(m: Maker) -> None:
 
 
 @family("works")
-def works(m: Maker) -> None:
+def works(m: KitMaker) -> None:
     """Things of a building site."""
     kind = m.opt(
         "kind",

@@ -1,7 +1,7 @@
-"""How families make things: ``Maker`` chooses and builds, ``Assortment`` collects what a place needs into a pack.
+"""How families make things: ``KitMaker`` chooses and builds, ``Assortment`` collects what a place needs into a pack.
 
-A family is a function of a ``Maker``. It says what it makes (``say``), adds parts, and marks surfaces that things may
-stand on. All choices come from one generator whose seed is the family, the number of the variant and the seed of the
+A family is a function of a ``KitMaker``. It says what it makes (``say``), adds parts, and marks surfaces
+that things may stand on. All choices come from one generator whose seed is the family, the number of the variant and the seed of the
 place, so that equal places are equal bytes.
 """
 
@@ -18,13 +18,13 @@ from catalog.shapes import AssetSpec, Builder, BuiltShape, PackSpec
 from catalog.shapes.spec import asset_id, readable
 
 T = TypeVar("T")
-FamilyFunction = Callable[["Maker"], None]
+FamilyFunction = Callable[["KitMaker"], None]
 TRIES = 6
 SIZES = ("Small", "Large", "Old", "Plain", "Tall", "Wide", "Narrow", "Long", "Broad", "Little", "Second", "Third")
 
 
 @dataclass(frozen=True)
-class Surface:
+class StandingSurface:
     """A level part of a thing that others may stand on: height, middle and size (cm) in the thing's own axes."""
 
     z: float
@@ -36,7 +36,7 @@ class Surface:
     """Free height above it."""
 
 
-class Maker:
+class KitMaker:
     """One thing being made: its builder, its style, its choices."""
 
     def __init__(self, style: Style, seed: str, options: dict[str, Any]) -> None:
@@ -48,7 +48,7 @@ class Maker:
         self.noun, self.about, self.category = "", "", ""
         self.adjectives: tuple[str, ...] = ()
         self.tags: tuple[str, ...] = ()
-        self.surfaces: list[Surface] = []
+        self.surfaces: list[StandingSurface] = []
 
     def pick(self, *among: T) -> T:
         """One of some things."""
@@ -89,7 +89,7 @@ class Maker:
 
     def top(self, z: float, width: float, depth: float, x: float = 0, y: float = 0, room: float = 200.0) -> None:
         """Mark a surface that things may stand on."""
-        self.surfaces.append(Surface(z, x, y, width, depth, room))
+        self.surfaces.append(StandingSurface(z, x, y, width, depth, room))
 
 
 def word(material: str) -> str:
@@ -123,7 +123,7 @@ def family(name: str, *, flat: bool = False) -> Callable[[FamilyFunction], Famil
 
 
 @dataclass(frozen=True)
-class Thing:
+class KitAsset:
     """A made asset: what a place needs to know to put it somewhere."""
 
     name: str
@@ -131,7 +131,7 @@ class Thing:
     noun: str
     category: str
     shape: BuiltShape
-    surfaces: tuple[Surface, ...]
+    surfaces: tuple[StandingSurface, ...]
     flat: bool
 
     @property
@@ -166,7 +166,7 @@ class Assortment:
 
     style: Style
     seed: str
-    things: dict[str, Thing] = field(default_factory=dict)
+    things: dict[str, KitAsset] = field(default_factory=dict)
     specs: list[AssetSpec] = field(default_factory=list)
     categories: dict[str, str] = field(default_factory=dict)
     _asked: dict[str, list[str]] = field(default_factory=dict)
@@ -183,7 +183,7 @@ class Assortment:
     def _make(self, family_name: str, seed: str, style: Style, options: dict[str, Any]) -> str:
         make = FAMILIES[family_name]
         for attempt in range(TRIES):
-            maker = Maker(style, f"{seed}|{attempt}", options)
+            maker = KitMaker(style, f"{seed}|{attempt}", options)
             make(maker)
             name = next((name for name in names_of(maker, attempt == TRIES - 1) if self._free(name)), "")
             if name:
@@ -191,11 +191,11 @@ class Assortment:
         chosen = f"{seed}|{attempt}"
 
         def build(b: Builder) -> None:
-            again = Maker(style, chosen, options)
+            again = KitMaker(style, chosen, options)
             again.b = b
             make(again)
 
-        self.things[name] = Thing(
+        self.things[name] = KitAsset(
             name, family_name, maker.noun, maker.category, maker.b.shape(), tuple(maker.surfaces), family_name in FLAT
         )
         self.specs.append(AssetSpec(name, maker.category, maker.about, maker.tags, build))
@@ -220,7 +220,7 @@ class Assortment:
         )
 
 
-def names_of(maker: Maker, last: bool) -> Iterable[str]:
+def names_of(maker: KitMaker, last: bool) -> Iterable[str]:
     """Names for a thing, the shortest first; the last are tried only when nothing else is free."""
     adjectives: Sequence[str] = tuple(maker.adjectives)
     noun = maker.noun

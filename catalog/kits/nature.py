@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 from catalog.shapes.patches import Point3, hull
 
 PLANTS, GROUND, ROCKS, ANIMALS = "plants", "ground", "rocks", "animals"
@@ -23,7 +23,7 @@ PAVED = {
 
 
 @family("ground", flat=True)
-def ground(m: Maker) -> None:
+def ground(m: KitMaker) -> None:
     """A square piece of ground; its upper face is at the pivot."""
     material, side = m.opt("of", "Grass"), m.opt("side", 1000.0)
     noun = PAVED.get(material, f"{material}Ground")
@@ -37,7 +37,7 @@ def ground(m: Maker) -> None:
 
 
 @family("road", flat=True)
-def road(m: Maker) -> None:
+def road(m: KitMaker) -> None:
     """A piece of road along X with markings, upper face at the pivot."""
     length, wide, of = m.opt("length", 800.0), m.opt("wide", 700.0), m.opt("of", "Asphalt")
     mark = m.opt("mark", "line")
@@ -65,7 +65,7 @@ def road(m: Maker) -> None:
 
 
 @family("water", flat=True)
-def water(m: Maker) -> None:
+def water(m: KitMaker) -> None:
     """A square of water."""
     side = m.opt("side", 1000.0)
     m.say(
@@ -79,7 +79,7 @@ def water(m: Maker) -> None:
 
 
 @family("bed", flat=True)
-def bed(m: Maker) -> None:
+def bed(m: KitMaker) -> None:
     """A garden bed edged with stones or boards, upper face near the pivot."""
     edge, soil = m.opt("edge", m.pick("Fieldstone", "Oak", "RedBrick", "Limestone")), "DarkSoil"
     length, wide = m.opt("length", 400.0), m.opt("wide", 160.0)
@@ -96,7 +96,7 @@ def bed(m: Maker) -> None:
         m.b.box(edge, (10, wide, 9), (s * length / 2, 0, -3), body=None)
 
 
-def crown(m: Maker, material: str, at: Point3, size: float, balls: int, squash: float = 0.8) -> None:
+def crown(m: KitMaker, material: str, at: Point3, size: float, balls: int, squash: float = 0.8) -> None:
     """A cloud of leaves."""
     m.b.ellipsoid(material, (size, size, size * squash), at, segments=12, body=None)
     for i in range(balls):
@@ -123,7 +123,7 @@ TREES = {
 
 
 @family("tree")
-def tree(m: Maker) -> None:
+def tree(m: KitMaker) -> None:
     """A broad-leaved tree."""
     leaf = m.mat("leaf")
     height = m.opt("height", m.uni(450, 900, 25))
@@ -150,7 +150,7 @@ def tree(m: Maker) -> None:
 
 
 @family("conifer")
-def conifer(m: Maker) -> None:
+def conifer(m: KitMaker) -> None:
     """A fir, spruce or pine."""
     leaf = m.opt("leaf", m.pick("Needle", "Needle", "DarkLeaf"))
     height, kind = m.uni(500, 1100, 25), m.pick("Spruce", "Fir", "Pine", "Cypress")
@@ -189,7 +189,7 @@ def conifer(m: Maker) -> None:
 
 
 @family("palm")
-def palm(m: Maker) -> None:
+def palm(m: KitMaker) -> None:
     """A palm."""
     height = m.uni(450, 800, 25)
     m.say(
@@ -208,7 +208,7 @@ def palm(m: Maker) -> None:
 
 
 @family("bush")
-def bush(m: Maker) -> None:
+def bush(m: KitMaker) -> None:
     """A bush, with flowers or berries or clipped."""
     leaf = m.opt("leaf", m.pick("Leaf", "DarkLeaf", "PaleLeaf"))
     kind = m.pick("Round", "Flowering", "Berry", "Clipped")
@@ -242,7 +242,7 @@ def bush(m: Maker) -> None:
 
 
 @family("hedge")
-def hedge(m: Maker) -> None:
+def hedge(m: KitMaker) -> None:
     """A clipped hedge along X."""
     leaf, length, high = (
         m.opt("leaf", m.pick("Leaf", "DarkLeaf")),
@@ -261,7 +261,7 @@ def hedge(m: Maker) -> None:
 
 
 @family("flowers")
-def flowers(m: Maker) -> None:
+def flowers(m: KitMaker) -> None:
     """A clump of flowers, herbs or grass."""
     kind = m.opt(
         "kind",
@@ -303,7 +303,7 @@ CROP_PLANTS = {"Maize": 9, "Pumpkin": 6, "Vine": 8, "Strawberry": 12, "Carrot": 
 
 
 @family("crop")
-def crop(m: Maker) -> None:
+def crop(m: KitMaker) -> None:
     """A row of a crop along X."""
     kind = m.opt(
         "kind", m.pick("Cabbage", "Maize", "Wheat", "Pumpkin", "Vine", "Lettuce", "Carrot", "Strawberry", "Leek")
@@ -351,7 +351,7 @@ def crop(m: Maker) -> None:
 
 
 @family("log")
-def log(m: Maker) -> None:
+def log(m: KitMaker) -> None:
     """Trunks, stumps and piles of wood."""
     kind = m.opt("kind", m.pick("FallenLog", "TreeStump", "WoodPile", "Firewood"))
     m.say(kind, PLANTS, f"{word(kind).capitalize()} of bark-covered wood.", tags="log wood trunk")
@@ -385,7 +385,7 @@ def log(m: Maker) -> None:
 
 
 @family("rock")
-def rock(m: Maker) -> None:
+def rock(m: KitMaker) -> None:
     """A boulder or a group of stones."""
     stone = m.opt("stone", m.pick("Rock", "Rock", "RedRock" if m.style.name == "fantasy" else "Rock"))
     size = m.opt("size", m.uni(60, 240, 10))
@@ -408,7 +408,7 @@ def rock(m: Maker) -> None:
 
 
 @family("mushroom")
-def mushroom(m: Maker) -> None:
+def mushroom(m: KitMaker) -> None:
     """A giant mushroom or a group of crystals."""
     if m.opt("crystal", m.chance(0.4)):
         glow = m.pick("CrystalBlue", "CrystalViolet")
@@ -455,7 +455,7 @@ def mushroom(m: Maker) -> None:
 
 
 @family("animal")
-def animal(m: Maker) -> None:
+def animal(m: KitMaker) -> None:
     """A farm animal or a pet, standing."""
     kind = m.opt("kind", m.pick("Cow", "Sheep", "Horse", "Pig", "Goat", "Dog", "Hen", "Duck", "Donkey", "Cat"))
     long_, tall, coat = {
@@ -515,7 +515,7 @@ def animal(m: Maker) -> None:
 
 
 @family("mound", flat=False)
-def mound(m: Maker) -> None:
+def mound(m: KitMaker) -> None:
     """A flat-topped terrace of earth with sloping sides: things may stand on it."""
     of, wide, depth, high = m.opt("of", "Grass"), m.opt("width", 1600.0), m.opt("depth", 1200.0), m.opt("high", 120.0)
     m.say(
@@ -540,7 +540,7 @@ def mound(m: Maker) -> None:
 
 
 @family("hill")
-def hill(m: Maker) -> None:
+def hill(m: KitMaker) -> None:
     """A rounded hill or a mountain of the background."""
     of, wide, high = m.opt("of", "Grass"), m.opt("width", m.uni(2000, 3600, 100)), m.opt("high", m.uni(500, 1400, 50))
     m.say(

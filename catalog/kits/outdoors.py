@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 from catalog.shapes.patches import hull
 
 STREET, FENCES, MARKET, PLAY, RUINS, ART = "street furniture", "fences", "market", "playground", "ruins", "monuments"
 
 
 @family("streetlamp")
-def streetlamp(m: Maker) -> None:
+def streetlamp(m: KitMaker) -> None:
     """A lamp on a post."""
     metal, kind = m.mat("metal"), m.opt("kind", m.pick("Lantern", "Globe", "Arm", "Twin"))
     height = m.uni(320, 480, 20)
@@ -38,7 +38,7 @@ def streetlamp(m: Maker) -> None:
 
 
 @family("bench")
-def bench(m: Maker) -> None:
+def bench(m: KitMaker) -> None:
     """A bench for two or three."""
     wood, metal = m.mat("wood"), m.mat("metal")
     long_, back = m.uni(140, 200, 10), m.opt("back", m.chance(0.7))
@@ -67,7 +67,7 @@ def bench(m: Maker) -> None:
 
 
 @family("bin")
-def bin_(m: Maker) -> None:
+def bin_(m: KitMaker) -> None:
     """A litter bin."""
     paint, round_ = m.mat("paint"), m.chance(0.6)
     m.say(
@@ -87,7 +87,7 @@ def bin_(m: Maker) -> None:
 
 
 @family("bollard")
-def bollard(m: Maker) -> None:
+def bollard(m: KitMaker) -> None:
     """A bollard."""
     metal = m.opt("stone", m.pick(m.mat("metal"), m.mat("stone")))
     m.say("Bollard", STREET, f"{word(metal).capitalize()} bollard, 0.9 m high.", camel(metal), tags="bollard post")
@@ -95,7 +95,7 @@ def bollard(m: Maker) -> None:
 
 
 @family("sign")
-def sign(m: Maker) -> None:
+def sign(m: KitMaker) -> None:
     """A sign on a post."""
     paint = m.mat("paint")
     kind = m.opt(
@@ -120,7 +120,7 @@ def sign(m: Maker) -> None:
 
 
 @family("bike-rack")
-def bike_rack(m: Maker) -> None:
+def bike_rack(m: KitMaker) -> None:
     """Hoops for bicycles."""
     metal = m.mat("metal")
     m.say(
@@ -138,7 +138,7 @@ def bike_rack(m: Maker) -> None:
 
 
 @family("hydrant")
-def hydrant(m: Maker) -> None:
+def hydrant(m: KitMaker) -> None:
     """A hydrant or a post box."""
     kind = m.opt("kind", m.pick("Hydrant", "PostBox", "ParkingMeter", "PhoneBooth", "ElectricBox"))
     paint = m.opt("paint", m.pick("RedPaint", "YellowPaint", "BluePaint", "GreenPaint"))
@@ -168,7 +168,7 @@ def hydrant(m: Maker) -> None:
 
 
 @family("bus-shelter")
-def bus_shelter(m: Maker) -> None:
+def bus_shelter(m: KitMaker) -> None:
     """A glass shelter with a bench."""
     metal = m.mat("metal")
     m.say(
@@ -191,7 +191,7 @@ def bus_shelter(m: Maker) -> None:
 
 
 @family("planter")
-def planter(m: Maker) -> None:
+def planter(m: KitMaker) -> None:
     """A box or pot with plants outdoors."""
     stone, flower = (
         m.opt("stone", m.pick("Terracotta", m.mat("stone"), m.mat("wood"))),
@@ -218,7 +218,7 @@ def planter(m: Maker) -> None:
 
 
 @family("fountain")
-def fountain(m: Maker) -> None:
+def fountain(m: KitMaker) -> None:
     """A fountain with a round or eight-sided basin."""
     stone = m.mat("stone")
     r, tiers = m.opt("radius", m.uni(180, 320, 20)), m.pick(1, 2)
@@ -247,7 +247,7 @@ def fountain(m: Maker) -> None:
 
 
 @family("statue")
-def statue(m: Maker) -> None:
+def statue(m: KitMaker) -> None:
     """A figure or a beast on a pedestal."""
     stone = m.opt("stone", m.pick("Bronze", "Marble", "Verdigris", m.mat("stone")))
     kind = m.opt("kind", m.pick("Figure", "Rider", "Obelisk", "Bust", "Lion", "Urn"))
@@ -290,7 +290,7 @@ def statue(m: Maker) -> None:
 
 
 @family("column")
-def column(m: Maker) -> None:
+def column(m: KitMaker) -> None:
     """A standing column, or a broken one."""
     stone = m.opt("stone", m.pick(m.mat("stone"), "Marble"))
     broken = m.opt("broken", m.chance(0.5))
@@ -322,7 +322,7 @@ def column(m: Maker) -> None:
 
 
 @family("ruin-wall")
-def ruin_wall(m: Maker) -> None:
+def ruin_wall(m: KitMaker) -> None:
     """A broken wall with a stepped top."""
     stone, length = m.mat("stone"), m.opt("length", m.uni(300, 700, 50))
     opening = m.chance(0.4)
@@ -352,7 +352,7 @@ def ruin_wall(m: Maker) -> None:
 
 
 @family("rubble")
-def rubble(m: Maker) -> None:
+def rubble(m: KitMaker) -> None:
     """A heap of broken stones."""
     stone = m.mat("stone")
     m.say(
@@ -375,7 +375,7 @@ def rubble(m: Maker) -> None:
 
 
 @family("tomb")
-def tomb(m: Maker) -> None:
+def tomb(m: KitMaker) -> None:
     """A gravestone or a tomb."""
     stone = m.mat("stone")
     kind = m.pick("Gravestone", "GraveCross", "StoneTomb")
@@ -395,7 +395,7 @@ def tomb(m: Maker) -> None:
 
 
 @family("fence")
-def fence(m: Maker) -> None:
+def fence(m: KitMaker) -> None:
     """A length of fence along X."""
     kind = m.opt("kind", m.pick("Picket", "Rail", "Plank", "Iron", "Wicker"))
     length = m.opt("length", 300.0)
@@ -432,7 +432,7 @@ def fence(m: Maker) -> None:
 
 
 @family("wall")
-def wall(m: Maker) -> None:
+def wall(m: KitMaker) -> None:
     """A length of garden wall along X."""
     stone, length, high = (
         m.opt("stone", m.pick(m.mat("stone"), "RedBrick", "WhitePlaster")),
@@ -451,7 +451,7 @@ def wall(m: Maker) -> None:
 
 
 @family("gate")
-def gate(m: Maker) -> None:
+def gate(m: KitMaker) -> None:
     """An open gate to pass: two posts and wings turned back."""
     metal, stone = m.mat("metal"), m.mat("stone")
     wide = m.opt("width", 300.0)
@@ -477,7 +477,7 @@ def gate(m: Maker) -> None:
 
 
 @family("arbour")
-def arbour(m: Maker) -> None:
+def arbour(m: KitMaker) -> None:
     """A pergola with climbing plants, open to walk through along Y."""
     wood = m.mat("wood")
     m.say(
@@ -515,7 +515,7 @@ GOODS = {
 
 
 @family("stall")
-def stall(m: Maker) -> None:
+def stall(m: KitMaker) -> None:
     """A market stall with goods under an awning."""
     ware = m.opt("ware", m.pick(*GOODS))
     wood, cloth = m.mat("wood"), m.mat("awning")
@@ -553,7 +553,7 @@ def stall(m: Maker) -> None:
 
 
 @family("handcart")
-def handcart(m: Maker) -> None:
+def handcart(m: KitMaker) -> None:
     """A cart on two or four wheels."""
     load = m.opt("load", m.pick("Hay", "Soil", "Pine", "Empty", "Pottery", "Apple", "Rock"))
     wood = m.mat("wood")
@@ -577,7 +577,7 @@ def handcart(m: Maker) -> None:
         m.b.ellipsoid({"Pottery": "Terracotta"}.get(load, load), (150, 84, 60), (0, 0, 66), body=None)
 
 
-def wheel(m: Maker, material: str, radius: float, at: tuple[float, float, float], roll: float) -> None:
+def wheel(m: KitMaker, material: str, radius: float, at: tuple[float, float, float], roll: float) -> None:
     """An upright spoked wheel whose axle runs along Y (``roll`` 90)."""
     from catalog.shapes.patches import tube
 
@@ -588,7 +588,7 @@ def wheel(m: Maker, material: str, radius: float, at: tuple[float, float, float]
 
 
 @family("parasol-table")
-def parasol_table(m: Maker) -> None:
+def parasol_table(m: KitMaker) -> None:
     """A round cafe table with a parasol through it."""
     cloth, metal = m.mat("awning"), m.mat("metal")
     m.say(
@@ -605,7 +605,7 @@ def parasol_table(m: Maker) -> None:
 
 
 @family("well")
-def well(m: Maker) -> None:
+def well(m: KitMaker) -> None:
     """A draw well under a small roof."""
     stone = m.mat("stone")
     m.say(
@@ -626,7 +626,7 @@ def well(m: Maker) -> None:
 
 
 @family("flag")
-def flag(m: Maker) -> None:
+def flag(m: KitMaker) -> None:
     """A flag on a pole, or a banner."""
     cloth = m.mat("cloth")
     banner = m.opt("banner", m.style.old)
@@ -655,7 +655,7 @@ def flag(m: Maker) -> None:
 
 
 @family("play")
-def play(m: Maker) -> None:
+def play(m: KitMaker) -> None:
     """A piece of a playground."""
     kind = m.opt(
         "kind", m.pick("Slide", "Swing", "Seesaw", "Sandbox", "ClimbingFrame", "Roundabout", "SpringHorse", "PlayHouse")
@@ -740,7 +740,7 @@ def play(m: Maker) -> None:
 
 
 @family("traffic-light")
-def traffic_light(m: Maker) -> None:
+def traffic_light(m: KitMaker) -> None:
     """A set of traffic lights on a post."""
     m.say(
         "TrafficSignal",
@@ -756,7 +756,7 @@ def traffic_light(m: Maker) -> None:
 
 
 @family("clock")
-def clock(m: Maker) -> None:
+def clock(m: KitMaker) -> None:
     """A clock on a post."""
     metal = m.mat("metal")
     m.say(

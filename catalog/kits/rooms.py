@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 
 ROOM = "architecture"
 THICK = 14.0
 
 
 @family("floor", flat=True)
-def floor(m: Maker) -> None:
+def floor(m: KitMaker) -> None:
     """A square floor piece, upper face at the pivot."""
     of, side = m.opt("of", "Parquet"), m.opt("side", 400.0)
     m.say(
@@ -22,7 +22,7 @@ def floor(m: Maker) -> None:
 
 
 @family("room-wall")
-def room_wall(m: Maker) -> None:
+def room_wall(m: KitMaker) -> None:
     """A wall module: plain, with a window, a doorway, a picture, panelling or an arch."""
     kind, length, high = m.opt("kind", "Plain"), m.opt("length", 400.0), m.opt("high", 300.0)
     wall, trim, base = m.opt("wall", m.mat("wall")), m.mat("trim"), m.opt("base", "")
@@ -84,7 +84,7 @@ def room_wall(m: Maker) -> None:
 
 
 @family("pillar")
-def pillar(m: Maker) -> None:
+def pillar(m: KitMaker) -> None:
     """A pillar of a hall."""
     stone, high = m.opt("of", m.mat("stone")), m.opt("high", 300.0)
     kind = m.opt("kind", m.pick("Round", "Square", "Clustered"))
@@ -107,7 +107,7 @@ def pillar(m: Maker) -> None:
 
 
 @family("dais")
-def dais(m: Maker) -> None:
+def dais(m: KitMaker) -> None:
     """A stage, a dais or a plinth that things stand on."""
     of, wide, deep, high = m.opt("of", m.mat("wood")), m.opt("width", 600.0), m.opt("depth", 300.0), m.opt("high", 40.0)
     m.say(
@@ -123,7 +123,7 @@ def dais(m: Maker) -> None:
 
 
 @family("stairs")
-def stairs(m: Maker) -> None:
+def stairs(m: KitMaker) -> None:
     """A flight of stairs that rises to -Y."""
     of, wide, steps = m.opt("of", m.mat("stone")), m.opt("width", 300.0), m.opt("steps", 10)
     m.say(
@@ -153,7 +153,7 @@ def stairs(m: Maker) -> None:
 
 
 @family("rug", flat=True)
-def rug(m: Maker) -> None:
+def rug(m: KitMaker) -> None:
     """A carpet on the floor."""
     of, wide, deep = (
         m.opt("of", m.pick("RedRug", "BlueRug", "GreenRug")),
@@ -182,7 +182,7 @@ def rug(m: Maker) -> None:
 
 
 @family("beam")
-def beam(m: Maker) -> None:
+def beam(m: KitMaker) -> None:
     """A beam or truss along X that lies on two walls."""
     length, of, deep = m.opt("length", 1000.0), m.opt("of", m.mat("wood")), m.opt("deep", 26.0)
     truss = m.opt("truss", False)

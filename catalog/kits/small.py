@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 
 DISHES, DECOR, LIGHTS, DESK = "tableware", "decor", "lighting", "desk things"
 
 
 @family("dish")
-def dish(m: Maker) -> None:
+def dish(m: KitMaker) -> None:
     """Tableware and food."""
     old = m.style.old
     kind = m.opt(
@@ -124,7 +124,7 @@ def dish(m: Maker) -> None:
 
 
 @family("decor")
-def decor(m: Maker) -> None:
+def decor(m: KitMaker) -> None:
     """Vases, plants in pots, clocks, figures, boxes: on tables, shelves and floors."""
     kind = m.opt(
         "kind",
@@ -209,7 +209,7 @@ def decor(m: Maker) -> None:
 
 
 @family("house-plant")
-def house_plant(m: Maker) -> None:
+def house_plant(m: KitMaker) -> None:
     """A large plant in a pot on the floor."""
     kind, pot = (
         m.pick("Palm", "Fig", "Snake", "Fern"),
@@ -247,7 +247,7 @@ def house_plant(m: Maker) -> None:
 
 
 @family("lamp")
-def lamp(m: Maker) -> None:
+def lamp(m: KitMaker) -> None:
     """A lamp: on a table, on the floor, a candelabrum, a lantern."""
     kind = m.opt(
         "kind",
@@ -306,7 +306,7 @@ def lamp(m: Maker) -> None:
 
 
 @family("desk-thing")
-def desk_thing(m: Maker) -> None:
+def desk_thing(m: KitMaker) -> None:
     """What lies on desks today."""
     kind = m.opt(
         "kind",
@@ -389,7 +389,7 @@ def desk_thing(m: Maker) -> None:
 
 
 @family("package")
-def package(m: Maker) -> None:
+def package(m: KitMaker) -> None:
     """Goods of a shop shelf: tins, boxes, bottles, jars, rolls in a row."""
     kind, paint = (
         m.opt(
@@ -463,7 +463,7 @@ def package(m: Maker) -> None:
 
 
 @family("board")
-def board(m: Maker) -> None:
+def board(m: KitMaker) -> None:
     """A standing board: whiteboard, blackboard, screen, painting on a stand, mirror, map."""
     kind = m.opt(
         "kind", m.pick("Whiteboard", "Blackboard", "PosterStand", "FloorMirror", "ProjectionScreen", "TimetableBoard")
@@ -501,7 +501,7 @@ def board(m: Maker) -> None:
 
 
 @family("ceiling-lamp")
-def ceiling_lamp(m: Maker) -> None:
+def ceiling_lamp(m: KitMaker) -> None:
     """A lamp on a stand-alone gallows: a tall lamp post of a hall with hanging shades."""
     metal, high = m.mat("metal"), m.opt("high", 270.0)
     kind = m.pick("Globe", "Cone", "Ring")

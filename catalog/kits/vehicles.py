@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from catalog.kits.maker import Maker, camel, family, word
+from catalog.kits.maker import KitMaker, camel, family, word
 from catalog.shapes.patches import hull, prism
 
 VEHICLES, BOATS, RAIL = "vehicles", "boats", "railway"
 
 
-def tyres(m: Maker, wheels: tuple[float, ...], half: float, radius: float, thick: float = 20.0) -> None:
+def tyres(m: KitMaker, wheels: tuple[float, ...], half: float, radius: float, thick: float = 20.0) -> None:
     """Pairs of wheels at places along X."""
     for x in wheels:
         m.b.body_box((radius, 2 * half, radius), (x, 0, 0))
@@ -30,7 +30,7 @@ def tyres(m: Maker, wheels: tuple[float, ...], half: float, radius: float, thick
 
 
 @family("car")
-def car(m: Maker) -> None:
+def car(m: KitMaker) -> None:
     """A car: saloon, hatchback, estate, van, pickup or taxi."""
     kind = m.opt("kind", m.pick("Saloon", "Hatchback", "Estate", "Van", "Pickup", "Taxi", "Police"))
     paint = {"Taxi": "YellowPaint", "Police": "WhitePaint"}.get(kind) or m.mat("paint")
@@ -92,7 +92,7 @@ def car(m: Maker) -> None:
 
 
 @family("truck")
-def truck(m: Maker) -> None:
+def truck(m: KitMaker) -> None:
     """A lorry, a bus, a fire engine or a tanker."""
     kind = m.opt("kind", m.pick("Lorry", "CityBus", "TankerTruck", "DumpTruck", "RescueTruck", "Ambulance"))
     paint = {"RescueTruck": "RedPaint", "Ambulance": "WhitePaint"}.get(kind) or m.mat("paint")
@@ -149,7 +149,7 @@ def truck(m: Maker) -> None:
 
 
 @family("bicycle")
-def bicycle(m: Maker) -> None:
+def bicycle(m: KitMaker) -> None:
     """A bicycle that stands."""
     paint = m.mat("paint")
     m.say(
@@ -179,7 +179,7 @@ def bicycle(m: Maker) -> None:
 
 
 @family("tractor")
-def tractor(m: Maker) -> None:
+def tractor(m: KitMaker) -> None:
     """A tractor, a digger, a forklift or a roller."""
     kind = m.opt("kind", m.pick("Tractor", "Excavator", "Forklift", "RoadRoller", "Bulldozer"))
     paint = m.opt("paint", m.pick("YellowPaint", "OrangePaint", "RedPaint", "GreenPaint"))
@@ -240,7 +240,7 @@ def tractor(m: Maker) -> None:
 
 
 @family("cart")
-def wagon(m: Maker) -> None:
+def wagon(m: KitMaker) -> None:
     """A four-wheeled wagon, a coach or a covered wagon."""
     from catalog.kits.outdoors import wheel
 
@@ -281,7 +281,7 @@ def wagon(m: Maker) -> None:
 
 
 @family("train")
-def train(m: Maker) -> None:
+def train(m: KitMaker) -> None:
     """A railway vehicle on its wheels (rails at z = 0 + 16 cm)."""
     kind = m.opt(
         "kind",
@@ -377,7 +377,7 @@ def train(m: Maker) -> None:
 
 
 @family("track", flat=True)
-def track(m: Maker) -> None:
+def track(m: KitMaker) -> None:
     """A length of railway track along X: ballast, sleepers, rails."""
     length = m.opt("length", 1000.0)
     m.say(
@@ -395,7 +395,7 @@ def track(m: Maker) -> None:
 
 
 @family("platform")
-def platform(m: Maker) -> None:
+def platform(m: KitMaker) -> None:
     """A length of station platform along X: things stand on it at 90 cm."""
     length, wide, of = m.opt("length", 1000.0), m.opt("wide", 500.0), m.opt("of", "Paving")
     m.say(
@@ -413,7 +413,7 @@ def platform(m: Maker) -> None:
 
 
 @family("rail-thing")
-def rail_thing(m: Maker) -> None:
+def rail_thing(m: KitMaker) -> None:
     """A buffer stop, a signal, a barrier or a water crane of a railway."""
     kind = m.opt("kind", m.pick("BufferStop", "RailSignal", "LevelCrossingBarrier", "SwitchLever"))
     m.say(
@@ -443,7 +443,7 @@ def rail_thing(m: Maker) -> None:
         b.body_box((390, 10, 12), (215, 0, 100))
 
 
-def boat_hull(m: Maker, paint: str, length: float, beam: float, depth: float) -> None:
+def boat_hull(m: KitMaker, paint: str, length: float, beam: float, depth: float) -> None:
     """A boat's hull, bow to +X, keel at z = 0, hollow under a deck line."""
     x, y = length / 2, beam / 2
     keel = [(-x * 0.9, 0.0, 0.0), (x * 0.55, 0.0, 0.0)]
@@ -462,7 +462,7 @@ def boat_hull(m: Maker, paint: str, length: float, beam: float, depth: float) ->
 
 
 @family("boat")
-def boat(m: Maker) -> None:
+def boat(m: KitMaker) -> None:
     """A boat: rowing, fishing, sailing, barge, motor boat, gondola, ferry, longship."""
     kinds = ("RowingBoat", "FishingBoat", "SailingBoat", "Barge", "MotorBoat", "Ferry", "Longship", "TugBoat")
     kind = m.opt("kind", m.pick(*(k for k in kinds if not m.style.old or k not in ("MotorBoat", "Ferry", "TugBoat"))))
@@ -569,7 +569,7 @@ def boat(m: Maker) -> None:
 
 
 @family("jetty")
-def jetty(m: Maker) -> None:
+def jetty(m: KitMaker) -> None:
     """A jetty of planks along X on piles, or a quay."""
     length, wide, high = m.opt("length", 800.0), m.opt("wide", 300.0), m.opt("high", 60.0)
     wood = m.opt("wood", m.pick("Planks", "GreyPlanks", "DarkPlanks"))
@@ -597,7 +597,7 @@ def jetty(m: Maker) -> None:
 
 
 @family("quay")
-def quay(m: Maker) -> None:
+def quay(m: KitMaker) -> None:
     """A quay block: things stand on it."""
     length, wide, high, stone = (
         m.opt("length", 1000.0),
@@ -618,7 +618,7 @@ def quay(m: Maker) -> None:
 
 
 @family("boat-gear")
-def boat_gear(m: Maker) -> None:
+def boat_gear(m: KitMaker) -> None:
     """Gear of the waterside."""
     kind = m.opt(
         "kind",
@@ -685,7 +685,7 @@ def boat_gear(m: Maker) -> None:
 
 
 @family("plane")
-def plane(m: Maker) -> None:
+def plane(m: KitMaker) -> None:
     """A small aeroplane."""
     paint = m.mat("paint")
     m.say(

@@ -9,7 +9,7 @@ import pytest
 
 from c4s.records.pack import Pack
 from c4s.verify.physics.verdict import verify_physics
-from cases.open190.layout import Place
+from cases.open190.layout import StagedPlace
 from cases.open190.library import SCENES
 from cases.open190.space import Solid, Space
 from cases.standing import snapshot_of, unsound
@@ -22,7 +22,7 @@ BOXES = {"indoor": (95, 3168), "outdoor": (260, 6700), "text": (20, 6700)}
 
 
 @cache
-def laid(scene_id: str) -> Place:
+def laid(scene_id: str) -> StagedPlace:
     """A scene, laid out once."""
     return SCENES[scene_id].place()
 
