@@ -1,8 +1,8 @@
 """How families make things: ``KitMaker`` chooses and builds, ``Assortment`` collects what a place needs into a pack.
 
-A family is a function of a ``KitMaker``. It says what it makes (``say``), adds parts, and marks surfaces
-that things may stand on. All choices come from one generator whose seed is the family, the number of the variant and the seed of the
-place, so that equal places are equal bytes.
+A family is a function of a ``KitMaker``. It says what it makes (``say``), adds parts, and marks surfaces that things
+may stand on. All choices come from one generator whose seed is the family, the number of the variant and the seed of
+the place, so that equal places are equal bytes.
 """
 
 from __future__ import annotations
