@@ -155,7 +155,7 @@ class _Writer:
 
 
 def build_pack(spec: PackSpec, root: Path, *, replace: bool = False, previews: bool = True) -> Pack:
-    """Write a pack to ``root/<pack id>`` and return its manifest; without ``previews`` it has no pictures of its assets.
+    """Write a pack to ``root/<pack id>`` and return its manifest; without ``previews`` its assets have no pictures.
 
     Raises ``BadInput`` when the specification is wrong, or where another pack lies there and ``replace`` is not given.
     """
