@@ -37,8 +37,12 @@
     details.addEventListener("toggle", function () { open(details); });
   });
 
+  function named() {
+    try { return document.getElementById(decodeURIComponent(location.hash.slice(1))); } catch (odd) { return null; }
+  }
+
   function show() {
-    var chosen = document.querySelector(":target");
+    var chosen = location.hash && named();
     for (var at = chosen; at; at = at.parentElement) { if (at.tagName === "DETAILS") { at.open = true; } }
     if (chosen) { chosen.scrollIntoView(); }
   }

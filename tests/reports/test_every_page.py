@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import pytest
 
 from tests.reports.kinds import KINDS
-from tests.reports.pictures import assert_as_kept
+from tests.reports.pictures import KEEP, assert_as_kept
 from tests.reports.watching import complaints, watched
 
 if TYPE_CHECKING:
@@ -63,14 +63,20 @@ def test_it_looks_as_it_did(browser: Browser, page_of: Callable[[str], Path], ki
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_a_page_that_changed_is_seen(browser: Browser, page_of: Callable[[str], Path], change: str) -> None:
+def test_a_page_that_changed_is_seen(
+    browser: Browser, page_of: Callable[[str], Path], change: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv(KEEP, raising=False)
     with watched(browser, page_of("cases")) as page:
         page.evaluate(CHANGES[change])
         with pytest.raises(AssertionError, match="of it is other"):
             assert_as_kept(page, "cases-light")
 
 
-def test_other_letters_are_not_another_page(browser: Browser, page_of: Callable[[str], Path]) -> None:
+def test_other_letters_are_not_another_page(
+    browser: Browser, page_of: Callable[[str], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv(KEEP, raising=False)
     with watched(browser, page_of("leaderboard")) as page:
         page.evaluate("document.body.style.fontFamily = 'Liberation Serif, Georgia, serif'")
         assert_as_kept(page, "leaderboard-light")

@@ -72,8 +72,9 @@ def test_it_looks_as_it_did(browser: Browser, links: dict[str, str], name: str, 
 
 
 def settle(page: Page) -> None:
-    """Links hold keys that are drawn anew each time: another text takes their place."""
+    """What is drawn anew each time is left out: the keys in links, and which scene stands where."""
     page.evaluate("""() => document.querySelectorAll("code").forEach((one) => { one.textContent = "a link"; })""")
+    page.eval_on_selector_all(".picture img", "all => all.forEach((one) => { one.style.opacity = '0'; })")
     page.wait_for_function("Array.from(document.images).every((one) => one.complete || !one.src)")
 
 

@@ -21,7 +21,18 @@
     return kept.get(name);
   };
 
-  const json = async (root, name) => JSON.parse(new TextDecoder().decode(await inflated(bytes(await scene.fetchText(root, name)))));
+  /** A text as people are shown it: what turns its direction or cannot be seen is written as its escape. */
+  const UNSEEN = /[\p{Cc}\p{Cf}\p{Cs}\p{Zl}\p{Zp}]/gu;
+  const visible = (text) => text.replace(UNSEEN, (one) => "\\u" + one.codePointAt(0).toString(16).padStart(4, "0"));
+
+  function shown(value) {
+    if (typeof value === "string") return visible(value);
+    if (Array.isArray(value)) return value.map(shown);
+    if (value === null || typeof value !== "object") return value;
+    return Object.fromEntries(Object.entries(value).map(([name, one]) => [visible(name), shown(one)]));
+  }
+
+  const json = async (root, name) => shown(JSON.parse(new TextDecoder().decode(await inflated(bytes(await scene.fetchText(root, name))))));
 
   scene.index = json;
 
