@@ -248,7 +248,9 @@ def test_nodes_named_for_unreal_become_its_bodies_and_are_never_shown(source: Pa
     )
     report = ingest(source, "own", tmp_path / "packs", hulls="decompose")
     asset = assets(tmp_path / "packs", "own")["thing"]
-    assert asset.collision_source == "authored" and not [n for n in report["notes"] if n["file"] and "pivot" not in n["note"]]
+    assert asset.collision_source == "authored" and not [
+        n for n in report["notes"] if n["file"] and "pivot" not in n["note"]
+    ]
     assert asset.size_m == pytest.approx((4, 4, 0.1), abs=1e-3)
     kinds = sorted(body.kind for body in asset.collision)
     assert kinds == ["box", "capsule", "hull", "hull", "sphere"]
