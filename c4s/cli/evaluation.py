@@ -101,8 +101,6 @@ def evaluate_here(
         cases=cases,
         left_out=left_out,
     )
-    for row in left_out:
-        tell(f"c4s: without {row.agent}: {row.reason}")
     scheduled = list(trials(run, folder, plan))
     for trial in {trial.case.case_id: trial for trial in scheduled}.values():
         inputs(trial)
@@ -115,6 +113,8 @@ def evaluate_here(
         if found.missing:
             check_ready(plan.configurations)
             check_judge(plan, bounds.judge_usd)
+        for row in left_out:
+            tell(f"c4s: without {row.agent}: {row.reason}")
         plan = open_run(run, plan)
         send_suite(suite)
         store.push_files(RunFolder(run).plan)
