@@ -17,6 +17,8 @@ from warehouse.parquet import arrow_schema
 UNHELD = ("pictures", "calls", "scenes", "shapes")
 """Tables whose rows stay in their parts: a question reads them there."""
 REMEDY = "delete it, then run `c4s report --from-runs`"
+_OUTSIDE = re.compile(r'Cannot access (?:file|directory) "(.*)" - file system operations are disabled')
+_NO_FILE = re.compile(r'No files found that match the pattern "(.*)"')
 _NO_TABLE = re.compile(r"Table with name (.+?) does not exist")
 
 
@@ -26,6 +28,14 @@ def refused(root: Path, error: duckdb.Error, where: str, names: Iterable[str]) -
     Rows that the database holds were read when it took them; here it is about those that stay in their parts. For an
     error that may speak of types or columns only the files' schemas are looked at; else all is read.
     """
+    if outside := _OUTSIDE.search(str(error)):
+        return BadInput(
+            f"a question reads the warehouse and no other file, not {outside[1]!r}",
+            where=where,
+            todo="c4s sql --allow FOLDER lets it read a folder of yours",
+        )
+    if (missing := _NO_FILE.search(str(error))) and not Path(missing[1]).is_relative_to(root.absolute()):
+        return BadInput(f"there is no file {missing[1]!r}", where=where)
     if not isinstance(error, duckdb.ParserException | duckdb.CatalogException):
         whole = not isinstance(error, duckdb.BinderException | duckdb.ConversionException)
         damaged = broken_part(root, whole=whole)

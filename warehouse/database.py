@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from contextvars import ContextVar
 from pathlib import Path
@@ -32,14 +32,18 @@ __all__ = [
 ]
 
 _HELD: ContextVar[tuple[Path, duckdb.DuckDBPyConnection] | None] = ContextVar("held", default=None)
-_ASKING = (duckdb.StatementType.SELECT, duckdb.StatementType.EXPLAIN)
+_EXPLAIN = re.compile(r"\s*EXPLAIN\b\s*(?:ANALYZE\b\s*)?(?:\(\s*(?:ANALYZE|FORMAT)\b[^()]*\))?", re.IGNORECASE)
 
 
-def connect(root: Path) -> duckdb.DuckDBPyConnection:
-    """A read-only connection that reads no file but the warehouse's own, inside ``MEMORY`` and ``THREADS``.
+def connect(root: Path, allow: Sequence[Path] = ()) -> duckdb.DuckDBPyConnection:
+    """A read-only connection that reads no file but the warehouse's own and those below the folders ``allow``.
 
-    None of it can be changed from within. ``BadInput`` where there is no warehouse, or its file is damaged or in use.
+    It is inside ``MEMORY`` and ``THREADS``, and none of this can be changed from within. ``BadInput`` where there is no
+    warehouse, its file is damaged or in use, or ``allow`` names no folder.
     """
+    for folder in allow:
+        if not folder.is_dir():
+            raise BadInput("there is no such folder", where=str(folder), todo="--allow takes a folder")
     path = root / NAME
     if not path.exists():
         raise BadInput("no warehouse here yet", where=str(root), todo="run `c4s run` or `c4s report` first")
@@ -56,20 +60,20 @@ def connect(root: Path) -> duckdb.DuckDBPyConnection:
         raise BadInput("another version of c4s made this file", where=str(path), todo="run `c4s report`")
     if books.place != str(root.absolute()):
         raise BadInput("the warehouse was moved since this file was made", where=str(path), todo="run `c4s report`")
-    place = str(root.absolute()).replace("'", "''")
-    connection.execute(f"SET allowed_directories = ['{place}']")
+    places = ", ".join("'" + str(one.absolute()).replace("'", "''") + "'" for one in (root, *allow))
+    connection.execute(f"SET allowed_directories = [{places}]")
     connection.execute("SET enable_external_access = false")
     connection.execute("SET lock_configuration = true")
     return connection
 
 
 @contextmanager
-def held_open(root: Path) -> Iterator[None]:
+def held_open(root: Path, allow: Sequence[Path] = ()) -> Iterator[None]:
     """Within it every question of this thread is asked over one connection, of the warehouse as it was at its begin.
 
-    For many questions in a row: to open the file takes longer than most of them.
+    For many questions in a row: to open the file takes longer than most of them. ``allow``: as of ``connect``.
     """
-    with connect(root) as connection:
+    with connect(root, allow) as connection:
         token = _HELD.set((root.absolute(), connection))
         try:
             yield
@@ -112,7 +116,7 @@ def _asked(root: Path, sql: str, where: str) -> Iterator[tuple[duckdb.DuckDBPyCo
             if len(statements) != 1:
                 told = f"these are {len(statements)} queries" if statements else "the query is empty"
                 raise BadInput(told, where=where, todo="ask one")
-            if statements[0].type not in _ASKING:
+            if not _only_reads(connection, statements[0]):
                 raise BadInput("a question only reads", where=where, todo="SELECT ...")
             yield connection, statements[0]
         except UnicodeEncodeError:
@@ -123,6 +127,15 @@ def _asked(root: Path, sql: str, where: str) -> Iterator[tuple[duckdb.DuckDBPyCo
             raise refused(root, error, where, [*TABLES, *questions()]) from None
         except duckdb.Error as error:
             raise refused(root, error, where, [*TABLES, *questions()]) from None
+
+
+def _only_reads(connection: duckdb.DuckDBPyConnection, statement: duckdb.Statement) -> bool:
+    """Whether it is a ``SELECT``, or an ``EXPLAIN`` of one: ``EXPLAIN ANALYZE COPY`` would write its file."""
+    if statement.type == duckdb.StatementType.EXPLAIN:
+        explain = _EXPLAIN.match(statement.query)
+        explained = connection.extract_statements(statement.query[explain.end() :]) if explain else []
+        return [one.type for one in explained] == [duckdb.StatementType.SELECT]
+    return statement.type == duckdb.StatementType.SELECT
 
 
 def columns_of(root: Path) -> dict[str, dict[str, str]]:

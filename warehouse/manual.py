@@ -76,9 +76,13 @@ holds the same rows but those of `pictures`, `calls`, `scenes` and `shapes`, and
 c4s sql leaderboard                     # a question by its name
 c4s sql "SELECT * FROM outcomes"        # or SQL (DuckDB's), which only reads
 c4s sql leaderboard --out board.xlsx    # .csv, .parquet or .xlsx
+c4s sql --allow data "SELECT * FROM 'data/mine.csv'"   # a folder of yours beside it
 c4s sql --shell                         # one question after another: .tables, .schema, .export
 c4s report --download rows              # every table as one sorted file, with a manifest of digests
 ```
+
+A question reads the warehouse and no other file, loads no extension and opens no connection; `--allow FOLDER` opens a
+folder of yours to it, for reading.
 
 `warehouse.frames.frame(root, sql)` gives a pandas data frame; [analysis.ipynb](analysis.ipynb) shows it. Scores and
 shares lie in [0, 1]. A null was not measured. Public and private cases (`visibility`) are panels of their own: their

@@ -18,6 +18,9 @@ def sql(
     query: Annotated[str | None, typer.Argument(help="SQL, a question's name, or a .sql file")] = None,
     out: Annotated[Path | None, typer.Option(help="write the rows to a .csv, .parquet or .xlsx file")] = None,
     replace: Annotated[bool, typer.Option("--replace", help="overwrite a file of this name")] = False,
+    allow: Annotated[
+        list[Path] | None, typer.Option(help="a folder of yours whose files the query may read; again for another")
+    ] = None,
     shell: Annotated[
         bool, typer.Option("--shell", help="ask one question after another; without a terminal, read a script")
     ] = False,
@@ -27,11 +30,11 @@ def sql(
 
     Rows that came since the last answer are taken in first, those of a run at work too.
     """
-    from warehouse.database import ask, catch_up, questions
+    from warehouse.database import ask, catch_up, held_open, questions
     from warehouse.records import TABLES
 
     if shell:
-        if query is not None or out is not None or json_output:
+        if query is not None or out is not None or allow or json_output:
             raise BadInput("--shell asks for nothing else", todo="c4s sql --shell")
         from c4s.cli.shell import run_shell
 
@@ -61,12 +64,13 @@ def sql(
         from warehouse.frames import export
 
         check_new_file(out)
-        count = export(
-            warehouse_root(), text, out, replace=replace, where=where, name=query if query in questions() else "rows"
-        )
+        sheet = query if query in questions() else "rows"
+        with held_open(warehouse_root(), allow or ()):
+            count = export(warehouse_root(), text, out, replace=replace, where=where, name=sheet)
         print_json({"file": str(out), "rows": count}) if json_output else say(f"{count} rows: {out}")
         return
-    columns, rows = ask(warehouse_root(), text, where=where)
+    with held_open(warehouse_root(), allow or ()):
+        columns, rows = ask(warehouse_root(), text, where=where)
     if json_output:
         print_json([dict(zip(columns, row, strict=True)) for row in rows])
     else:
