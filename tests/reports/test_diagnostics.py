@@ -44,7 +44,10 @@ def test_a_category_marks_its_best_of_four(browser: Browser, made_home: Path) ->
 
 def test_a_reader_is_told_why_there_is_no_navigation(browser: Browser, made_home: Path) -> None:
     with watched(browser, diagnostics(made_home), fragment="#navigation") as page:
-        assert "Not evaluated: no trial of this leaderboard has a navigation verdict" in page.locator("#navigation").inner_text()
+        assert (
+            "Not evaluated: no trial of this leaderboard has a navigation verdict"
+            in page.locator("#navigation").inner_text()
+        )
         assert page.locator("#behaviour table.bars").count() == 3 and page.locator("#firmness table").count() == 3
 
 
