@@ -32,6 +32,7 @@ def export(
         list[str] | None,
         typer.Option(help="id or folder of a pack, once for each; default: the built packs that the level uses"),
     ] = None,
+    walk: Annotated[bool, typer.Option("--walk", help="add where a body can walk, as nodes of their own")] = False,
     engine: Kind = DEFAULT_ENGINE,
     replace: Annotated[bool, typer.Option("--replace", help="overwrite a GLB file of this name")] = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
@@ -48,7 +49,7 @@ def export(
     check_new_file(glb)
     check_out(glb, replace=replace, magic=b"glTF")
     packs = [named_pack(name) for name in pack] if pack else packs_of(used)
-    report = {**chosen.export_glb(level, packs, glb), "file": str(glb), "packs": [p.name for p in packs]}
+    report = {**chosen.export_glb(level, packs, glb, walk=walk), "file": str(glb), "packs": [p.name for p in packs]}
     if json_output:
         print_json(report)
         return
@@ -56,6 +57,8 @@ def export(
         f"{glb}: {report['actors']} actors, {report['meshes']} meshes, {report['triangles']} triangles, "
         f"{report['lights']} lights, {report['cameras']} cameras"
     )
+    if walk:
+        say(", ".join(report["layers"]) or "nowhere in this level can a body of 50 by 180 cm stand")
     for label in report["left_out"]:
         tell(f"c4s: left out, glTF has no such light or camera: {label}")
     for path in report["unresolved"]:

@@ -124,8 +124,10 @@ class Backend(Protocol):
         """Paths of all assets and Blueprint classes that a saved level names, sorted."""
         ...
 
-    def export_glb(self, level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:
+    def export_glb(self, level: Path, packs: Sequence[Path], glb: Path, *, walk: bool = False) -> dict[str, Any]:
         """Write a saved level as one GLB file, without an engine process; what it holds by count, and ``unresolved``.
+
+        With ``walk`` where a body can walk is in it, as nodes that ``layers`` names.
 
         No code of an agent runs, so this is done in the process that asks.
         """

@@ -11,12 +11,15 @@ from reports.case.runs import CaseRun, case_runs, higher_and_lower
 from reports.case.timeline import Attempt, attempts_of
 from reports.case.trace import trace_of
 from reports.case.walk import FALLS, WalkMap, astray, walk_of
+from reports.case.walks import UNTOLD, CaseWalks, walks_of
 
 __all__ = [
     "FALLS",
+    "UNTOLD",
     "Attempt",
     "CaseRows",
     "CaseRun",
+    "CaseWalks",
     "Matrix",
     "Renders",
     "RunPair",
@@ -32,4 +35,5 @@ __all__ = [
     "requirement_rows",
     "trace_of",
     "walk_of",
+    "walks_of",
 ]

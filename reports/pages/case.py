@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from c4s.protocol.settings import is_construction
-from reports.case import case_rows, case_runs, higher_and_lower, matrix_of, pair_of, renders_of
+from reports.case import FALLS, case_rows, case_runs, higher_and_lower, matrix_of, pair_of, renders_of, walks_of
 from reports.frame import Board, SiteContext, SitePage, links
 from reports.frame.board import Row
 from reports.viewer import scene_part
@@ -42,4 +42,6 @@ def _values(site: SiteContext, board: Board, case: Row) -> dict[str, Any]:
         "matrix": matrix_of(asked, runs),
         "pair": pair_of(*pair, asked, pictures) if pair else None,
         "documents": asked.documents,
+        "walks": walks_of(runs, asked.documents),
+        "falls": FALLS,
     }

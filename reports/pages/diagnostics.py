@@ -23,7 +23,10 @@ STUDIES: Final = (
     "python-operations",
     "stability",
     "weight-sensitivity",
+    "embodied-utility",
 )
+UTILITY_MORE: Final = ("rooms", "difference", "alignment", "reasons")
+"""Tables of the Embodied Utility Score beside panels and changes."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,16 @@ class FigureBars:
     rows: Sequence[FigureBar]
 
 
+@dataclass(frozen=True)
+class Utility:
+    """What is shown of the Embodied Utility Score."""
+
+    panels: Sequence[Grid]
+    changes: Sequence[tuple[FigureBars, Grid]]
+    """Against the matched input, as a plot and as a table."""
+    more: Sequence[Grid]
+
+
 def pages(site: SiteContext) -> Iterator[SitePage]:
     """A page a leaderboard; the first one's is in the navigation."""
     for place, board in enumerate(site.boards):
@@ -84,6 +97,7 @@ def _values(site: SiteContext, board: Board) -> dict[str, Any]:
         "operations": _operations(board, answers["python-operations"]),
         "firm": [_grid(board, answers["stability"], "stability"), _grid(board, answers["stability"], "without_source")],
         "weights": _grid(board, answers["weight-sensitivity"], "sensitivity_public"),
+        "utility": _utility(board, answers["embodied-utility"]),
     }
 
 
@@ -215,6 +229,34 @@ def _is_of(setting: str, row: Row) -> bool:
 def _grid(board: Board, answer: Answer, name: str) -> Grid | None:
     table = answer.table(name)
     return None if table is None else grid(table, order=board.order)
+
+
+def _utility(board: Board, answer: Answer) -> Utility | None:
+    """The study's panels and changes; None where no trial of the leaderboard has a navigation verdict."""
+    tables = [table for table in answer.findings.tables if table.rows]
+    panels = [table for table in tables if table.name.startswith("panel_")]
+    if not any(row["records"] for table in panels for row in table.rows):
+        return None
+    changes = [table for table in tables if table.name.startswith("change_")]
+    return Utility(
+        panels=[grid(table) for table in panels],
+        changes=[(_changes(board, table), grid(table, order=board.order)) for table in changes],
+        more=[grid(table) for table in tables if table.name in UTILITY_MORE],
+    )
+
+
+def _changes(board: Board, table: Table) -> FigureBars:
+    """Changes to both sides of a middle that is no change; the widest fills its side."""
+    known = [row for row in _ordered(board, table.rows) if isinstance(row["change"], float)]
+    most = max((abs(float(row["change"])) for row in known), default=0.0) or 1.0
+    rows = []
+    for row in known:
+        change = float(row["change"])
+        length = 50 * abs(change) / most
+        part = FigurePart("score" if change >= 0 else "mismatched", 50.0 - length * (change < 0), length)
+        error = "" if row["se"] is None else f" ± {number(row['se'])}"
+        rows.append(FigureBar(row["configuration"], [part], f"{change:+.3f}{error}", configuration=True))
+    return FigureBars(f"{table.title} (the middle is no change)", rows)
 
 
 def _stacked(values: Sequence[tuple[str, float]], most: float) -> list[FigurePart]:

@@ -13,6 +13,7 @@ from c4s.verify.physics.verifier import PHYSICS
 from c4s.verify.semantic.verifier import DETAILED
 from reports.case import (
     FALLS,
+    UNTOLD,
     CaseRows,
     astray,
     attempts_of,
@@ -70,6 +71,7 @@ def _values(site: SiteContext, board: Board, case: Row, trial: Row) -> dict[str,
         "findings": _physical(asked, trial_id),
         "walk": walk_of(documents.get(NAVIGATION.name)),
         "falls": FALLS,
+        "untold": UNTOLD,
         "unreached": astray(asked.findings.get(trial_id, [])),
         "limit": FINDINGS_SHOWN,
         "profiles": list(PROFILES),

@@ -14,6 +14,7 @@ import trimesh
 from scipy.spatial.transform import Rotation
 
 from c4s.engine.headless.glb.level import write_glb
+from c4s.engine.headless.glb.walkable import LARGEST, walkable_layers
 from c4s.engine.headless.pictures.lights import candela_of, kelvin_rgb, lights_of
 from c4s.engine.headless.process.boot import boot
 from c4s.engine.headless.world.state import world
@@ -165,3 +166,21 @@ def test_a_sun_in_real_lux_is_written_as_it_is(tmp_path: Path):
     assert write_glb(world(), tmp_path / "noon.glb")["light_factor"] == 1
     (light,) = tree_of(tmp_path / "noon.glb")["extensions"]["KHR_lights_punctual"]["lights"]
     assert light["intensity"] == 75_000.0
+
+
+def test_where_a_body_can_walk_is_a_layer_of_its_own(tmp_path: Path):
+    unreal = boot([], tmp_path / "content")
+    cube = unreal.load_asset("/Engine/BasicShapes/Cube")
+    plate = unreal.EditorLevelLibrary.spawn_actor_from_object(cube, unreal.Vector(0, 0, -50))
+    plate.set_actor_scale3d(unreal.Vector(10, 6, 1))
+    layers = walkable_layers()
+    report = write_glb(world(), tmp_path / "walk.glb", layers)
+    assert [layer.name for layer in layers] == [LARGEST] and report["actors"] == 1
+    nodes = {node["name"]: node for node in tree_of(tmp_path / "walk.glb")["nodes"]}
+    assert LARGEST in nodes and len(nodes) == 2
+    low, high = layers[0].points.min(axis=0), layers[0].points.max(axis=0)
+    assert 0 < low[1] == high[1] < 0.05, "on the plate's top"
+    assert np.all(low[[0, 2]] > [-5, -3]) and np.all(high[[0, 2]] > [4, 2]) and np.all(high[[0, 2]] < [5, 3])
+    corners = layers[0].points[layers[0].faces]
+    assert np.all(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 1] > 0), "looks up"
+    assert trimesh.load_scene(tmp_path / "walk.glb").bounds[1, 1] == pytest.approx(high[1])

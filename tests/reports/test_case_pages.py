@@ -185,3 +185,14 @@ def test_other_policies_are_told_as_they_would_score(browser: Browser, home: Pat
 def test_tokens_are_the_whole_text() -> None:
     for text in (SCRIPT, "", "x", "  \n", "def f(:\n\t'''", "\u202e\0 é", MARKUP):
         assert "".join(part for _, part in code_tokens(text)) == text
+
+
+def test_walks_of_a_case_stand_side_by_side_beside_the_truth(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "cases/*bath*"), fragment="#walks") as page:
+        walks = page.locator("#walks figure[data-walk]")
+        assert walks.first.locator("h3").inner_text() == "Truth (oracle)" and walks.count() == len(AGENTS)
+        for walk in walks.all():
+            told = walk.inner_text()
+            assert walk.locator("svg image").count() == 1 or "not evaluated" in told or "withheld" in told, told
+        assert page.locator("#walks svg image").count() >= 1
+        assert "Start is not shown: noop has not played this case." in page.locator("#walks").inner_text()

@@ -44,5 +44,17 @@ def test_a_category_marks_its_best_of_four(browser: Browser, made_home: Path) ->
 
 def test_a_reader_is_told_why_there_is_no_navigation(browser: Browser, made_home: Path) -> None:
     with watched(browser, diagnostics(made_home), fragment="#navigation") as page:
-        assert "no navigation verdicts" in page.locator("#navigation").inner_text()
+        assert (
+            "Not evaluated: no trial of this leaderboard has a navigation verdict"
+            in page.locator("#navigation").inner_text()
+        )
         assert page.locator("#behaviour table.bars").count() == 3 and page.locator("#firmness table").count() == 3
+
+
+def test_panels_of_navigation_are_shown_where_trials_were_walked(browser: Browser, played_home: Path) -> None:
+    with watched(browser, diagnostics(played_home), fragment="#navigation") as page:
+        section = page.locator("#navigation")
+        assert "Not evaluated" not in section.inner_text()
+        panel = section.locator("table[data-name=panel_text_to_scene]")
+        assert panel.locator("tr[data-configuration=oracle] td.r").first.inner_text() != ""
+        assert "No change against the matched input" in section.inner_text(), "nobody played noop"

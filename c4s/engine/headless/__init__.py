@@ -64,8 +64,8 @@ def asset_paths(level: Path) -> list[str]:
     return references(Level.read(level))
 
 
-def export_glb(level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:
+def export_glb(level: Path, packs: Sequence[Path], glb: Path, *, walk: bool = False) -> dict[str, Any]:
     """Write a level document as one GLB in this process; ``unresolved`` lists the assets that no pack holds."""
     from c4s.engine.headless.glb.export import export
 
-    return export(level, packs, glb)
+    return export(level, packs, glb, walk=walk)

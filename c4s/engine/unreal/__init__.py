@@ -54,6 +54,6 @@ def asset_paths(level: Path) -> list[str]:
     return sorted({path for path in document.made_of() if not path.startswith("/Script/")} | materials)
 
 
-def export_glb(level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:
+def export_glb(level: Path, packs: Sequence[Path], glb: Path, *, walk: bool = False) -> dict[str, Any]:
     """``BadInput``: only the editor itself can read what it saved."""
     raise BadInput("a real editor's levels are not written as GLB", where=str(level), todo="use the engine headless")

@@ -8,14 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from c4s.engine.headless.glb.level import write_glb
+from c4s.engine.headless.glb.walkable import walkable_layers
 from c4s.engine.headless.process.boot import boot
 from c4s.engine.headless.world.documents import references
 from c4s.engine.headless.world.state import world
 from c4s.records.level import Level
 
 
-def export(level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:
-    """Write ``level`` to ``glb``: what it holds by count, and under ``unresolved`` the assets that no pack holds."""
+def export(level: Path, packs: Sequence[Path], glb: Path, *, walk: bool = False) -> dict[str, Any]:
+    """Write ``level`` to ``glb``: what it holds by count, and under ``unresolved`` the assets that no pack holds.
+
+    With ``walk`` its walkable area too, whose layers are named under ``layers``.
+    """
     document = Level.read(level)
     with tempfile.TemporaryDirectory(prefix="c4s-glb-") as folder:
         content = _content_root(level, document.package)
@@ -27,7 +31,9 @@ def export(level: Path, packs: Sequence[Path], glb: Path) -> dict[str, Any]:
             scratch=Path(folder) / "Saved",
         )
         unresolved = [path for path in references(document) if world().find(path) is None]
-        return {**write_glb(world(), glb), "unresolved": unresolved}
+        layers = walkable_layers() if walk else []
+        told = write_glb(world(), glb, layers)
+        return {**told, "layers": [layer.name for layer in layers], "unresolved": unresolved}
 
 
 def _content_root(level: Path, package: str) -> Path | None:

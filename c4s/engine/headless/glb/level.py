@@ -7,7 +7,7 @@ normals point. Mirrored scales stay at the nodes, where viewers expect them. Lig
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -19,6 +19,7 @@ from trimesh.visual.material import PBRMaterial
 
 from c4s.engine.headless.glb.lights import LightsAndCameras
 from c4s.engine.headless.glb.nodes import Leaf, NodeTree
+from c4s.engine.headless.glb.walkable import Layer
 from c4s.engine.headless.unreal.components import StaticMeshComponent
 from c4s.engine.headless.world.world import Drawable, World
 from c4s.errors import BadInput
@@ -33,8 +34,10 @@ _MIN_VOLUME = 1e-9
 _VERTICES, _INDICES = 34962, 34963
 
 
-def write_glb(world: World, path: Path) -> dict[str, Any]:
+def write_glb(world: World, path: Path, layers: Sequence[Layer] = ()) -> dict[str, Any]:
     """Write the open level of ``world`` to ``path``; returns what it holds by count, and lights that it cannot hold.
+
+    ``layers`` are nodes of their own behind those of the level, and are not counted.
 
     Raises:
         BadInput: the level shows no mesh, or a mesh file is broken.
@@ -45,6 +48,8 @@ def write_glb(world: World, path: Path) -> dict[str, Any]:
         scene.add(drawable)
     if not shown:
         raise BadInput("the level shows no mesh", where=world.package, todo="give the packs that it uses")
+    for layer in layers:
+        scene.add_layer(layer)
     write_bytes(path, scene.bytes())
     return {
         "actors": len({d.actor_index for d in shown}),
@@ -84,6 +89,8 @@ class _Scene:
         self._materials: dict[tuple[Material, GlbPictures], tuple[str, PBRMaterial]] = {}
         self._opened: dict[tuple[Path, bool], Image.Image] = {}
         self._exact: dict[str, tuple[str, Material, GlbPictures]] = {}
+        self._layers: list[tuple[str, int]] = []
+        """Names of layers and the numbers of their meshes."""
         self.triangles = 0
         self.extras = LightsAndCameras(world, self._tree)
 
@@ -91,6 +98,17 @@ class _Scene:
         """A mesh that an actor shows."""
         mesh = self.meshes.setdefault(tuple(self._geometries(part)), len(self.meshes))
         self._tree.add(part.actor, Leaf(part.component.get_name(), part.pose, {"mesh": mesh}))
+
+    def add_layer(self, layer: Layer) -> None:
+        """Triangles that no actor shows."""
+        _, material = self._material(layer.material, GlbPictures())
+        up = np.tile([0.0, 1.0, 0.0], (len(layer.points), 1))
+        visual = trimesh.visual.TextureVisuals(material=material)  # type: ignore[no-untyped-call]
+        shape = trimesh.Trimesh(layer.points, layer.faces, vertex_normals=up, visual=visual, process=False)
+        name = f"mesh_{len(self.geometries)}"
+        self.geometries[layer.name, 0, ""] = name
+        self._scene.add_geometry(shape, geom_name=name)
+        self._layers.append((layer.name, self.meshes.setdefault((name,), len(self.meshes))))
 
     def _geometries(self, part: Drawable) -> Iterator[str]:
         mesh = self._store.mesh(part.mesh)
@@ -159,6 +177,9 @@ class _Scene:
             for names in self.meshes
         ]
         self.nodes, tops = self._tree.write(self._world.actor_list())
+        for name, number in self._layers:
+            tops.append(len(self.nodes))
+            self.nodes.append({"name": name, "mesh": number})
         tree["nodes"], tree["scene"], tree["scenes"] = self.nodes, 0, [{"nodes": tops}]
         _tell_targets(tree)
         self.extras.add_to(tree)
