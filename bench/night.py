@@ -36,6 +36,7 @@ from c4s.run.headroom import Headroom
 from c4s.run.limits import LIMITS, Limit, Stage
 from c4s.run.plan import Trial, trials
 from c4s.run.pool import Pool
+from c4s.verify.navigation.verifier import NAVIGATION
 from c4s.verify.paired.verifier import PAIRED
 from c4s.verify.physics.verifier import PHYSICS
 from c4s.verify.repair.verifier import REPAIR
@@ -48,7 +49,7 @@ Args = TypeVarTuple("Args")
 Made = TypeVar("Made")
 Times = Mapping[str, float]
 """Seconds by the name under which a stage is recorded, ``attempt`` and ``orchestration`` left out."""
-_GATE = {"score": 0.02, "persist": 0.2}
+_GATE = {"score": 0.02, "persist": 0.2, NAVIGATION.name: 0.5}
 RECORDED: dict[str, list[Times]] = {
     TEXT_TO_SCENE: [_GATE | {"integrity": 1.5, "look": 0.2, "judge": 0.2, DETAILED.name: 0.05, OVERVIEW.name: 0.02}],
     INDOOR_REPAIR: [

@@ -16,6 +16,8 @@ from c4s.records.folder import RunFolder, TrialFolder
 from c4s.records.plan import Configuration, Plan, PlannedCase
 from c4s.records.verdict import Verdict
 from c4s.score.case import case_score
+from c4s.stats.navigation import utility
+from c4s.verify.navigation.verifier import NAVIGATION
 from c4s.verify.paired.verifier import PAIRED
 from c4s.verify.physics.verifier import PHYSICS
 from c4s.verify.repair.verifier import REPAIR
@@ -121,7 +123,26 @@ def _paired(rng: random.Random) -> Verdict:
     )
 
 
+def _navigation(rng: random.Random) -> Verdict:
+    share, arrived = rng.random(), rng.randint(0, 3)
+    if rng.random() < 0.1:
+        return Verdict(
+            verifier=NAVIGATION.name,
+            status="not_evaluated",
+            policy="made",
+            measurements={"reason_code": "no_route", "excluded": False},
+        )
+    return Verdict(
+        verifier=NAVIGATION.name,
+        status="measured",
+        policy="made",
+        score=utility(share, arrived, 3),
+        measurements={"approachability": share, "completion": arrived / 3},
+    )
+
+
 _MADE = {
+    NAVIGATION.name: _navigation,
     PAIRED.name: _paired,
     PHYSICS.name: _physics,
     REPAIR.name: _repair,
@@ -143,7 +164,7 @@ def _write(folder: TrialFolder, setting: Setting, case_id: str, configuration: s
         )
     }
     if valid:
-        verdicts[PHYSICS.name] = _physics(rng)
+        verdicts |= {PHYSICS.name: _physics(rng), NAVIGATION.name: _navigation(rng)}
         if is_construction(setting):
             verdicts |= {DETAILED.name: _detailed(rng), OVERVIEW.name: _overview(rng)}
         else:

@@ -57,12 +57,15 @@ def audit(suite: SuiteFolder, packs_root: Path) -> Iterator[CaseAudit]:
                 boxes[pack.pack_id] = boxes_of(Pack.read(packs_root / pack.pack_id / MANIFEST).assets)
         known = {path: box for pack in agent.packs for path, box in boxes[pack.pack_id].items()}
         start = Level.read(suite.agent(case.alias) / "start.level.json")
-        yield audit_case(case.case_id, start, WithheldFolder(suite.withheld(case.case_id)), known)
+        withheld = WithheldFolder(suite.withheld(case.case_id))
+        snapshots = read_json(withheld.input_snapshot), read_json(withheld.truth_snapshot)
+        yield audit_repair(case.case_id, start, *snapshots, known)
 
 
-def audit_case(case_id: str, start: Level, withheld: WithheldFolder, boxes: Boxes) -> CaseAudit:
-    """Try every blind way on one repair."""
-    input_snapshot, truth = read_json(withheld.input_snapshot), read_json(withheld.truth_snapshot)
+def audit_repair(
+    case_id: str, start: Level, input_snapshot: Mapping[str, Any], truth: Mapping[str, Any], boxes: Boxes
+) -> CaseAudit:
+    """Try every blind way on one repair: its start level, and the snapshots of that and of the original."""
     scene = seen(start, boxes)
     actors = {actor.name: actor for actor in start.actors}
     changed = _changed(input_snapshot, truth)
@@ -145,7 +148,7 @@ def _ways(scene: SeenLevel) -> Iterator[tuple[str, list[Guess]]]:
     yield TOGETHER, chosen([guess for made in together.values() for guess in made])
 
 
-def _changed(start: dict[str, Any], truth: dict[str, Any]) -> set[str]:
+def _changed(start: Mapping[str, Any], truth: Mapping[str, Any]) -> set[str]:
     """Names of the start scene's actors that are not as in the truth: nothing else can be repaired where it stands."""
     same = ("asset_path", "transform", "component_material_slots")
     wanted = {record["stable_actor_id"]: [record[name] for name in same] for record in truth["actors"]}
@@ -165,7 +168,7 @@ def _one_each(made: Sequence[Guess]) -> list[Guess]:
 
 
 def _guessed(
-    snapshot: dict[str, Any], made: Sequence[Guess], actors: Mapping[str, LevelActor], boxes: Boxes
+    snapshot: Mapping[str, Any], made: Sequence[Guess], actors: Mapping[str, LevelActor], boxes: Boxes
 ) -> dict[str, Any]:
     """The start scene's snapshot as it would be exported after the guesses were made."""
     records = {record["name"]: record for record in snapshot["actors"]}
@@ -187,7 +190,7 @@ def _guessed(
             records[name] = record | {"name": name, "label": name, "actor_guid": "0" * 32, "stable_actor_id": name}
         else:
             records[guess.actor] = record
-    return snapshot | {"actors": list(records.values()), "actor_count": len(records)}
+    return dict(snapshot) | {"actors": list(records.values()), "actor_count": len(records)}
 
 
 def _place(now: Mapping[str, Any], guess: Guess) -> Transform:

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from c4s.errors import BadInput
 from c4s.geometry.transform import quat_angle_deg, quat_from_rotator
 from c4s.records.level import Level, LevelActor
-from cases.corruption import Operation, RemoveActor, SetTransform, SpawnActor, id_of, meshes
+from cases.corruption import id_of, meshes
 from cases.model import RepairCase, SourceScene, SuiteDefinition, TextCase
+from cases.recipe import LONGEST_CHAIN, Operation, RemoveActor, SetTransform, SpawnActor
 
 MOVE_CM, TURN_DEG, SCALE_REL = 5.0, 5.0, 0.05
 """A change within these acceptance limits of Repair F1 would count as repaired when nothing is done."""
@@ -30,6 +31,8 @@ def check_definition(definition: SuiteDefinition) -> None:
             raise BadInput(f"no scene {case.scene_id!r}", where=case.case_id)
         if isinstance(case, TextCase):
             continue
+        if len({view.name for view in case.views}) < len(case.views):
+            raise BadInput("two views have one name", where=case.case_id)
         if case.setting != f"image-to-scene/{known[case.scene_id].environment}":
             raise BadInput(f"the setting {case.setting} does not fit the scene", where=case.case_id)
 
@@ -52,6 +55,8 @@ def check_repair(case: RepairCase, operations: Sequence[Operation], truth: Level
     """
     if not operations or not case.views:
         raise BadInput("a repair case needs at least one change and one view", where=case.case_id)
+    if len(case.corruptions) > LONGEST_CHAIN:
+        raise BadInput(f"a repair case has at most {LONGEST_CHAIN} changes; join some in one", where=case.case_id)
     original = {id_of(actor): actor for actor in truth.actors}
     corrupt = {id_of(actor): actor for actor in corrupted.actors}
     gone = {_look(original[o.target]) for o in operations if isinstance(o, RemoveActor)}

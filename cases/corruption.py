@@ -1,8 +1,8 @@
-"""Corruption recipes: authored changes that turn a scene into the copy that an agent has to repair.
+"""Corruptions: authored changes that turn a scene into the copy that an agent has to repair.
 
-A recipe (``code4scene.recipe.v1``) is a list of operations applied in order to the original level. A target is named
-by its stable id, which every actor of a scene carries as a tag. Vectors are new absolute values (cm, [pitch, yaw, roll]
-degrees, scale factors), never differences; what is left out stays as it is. So the repair is the inverse of the recipe.
+A change becomes operations of a recipe (``cases.recipe``), which are applied in order to the original level
+(``cases.applying``); the repair is the inverse. A target is named by its stable id, which every actor of a scene
+carries as a tag.
 
 The eight kinds of change (paper, benchmark suite) are made by ``removal``, ``insertion``, ``duplication``,
 ``replacement``, ``move``, ``rotate``, ``rescale`` and ``mirror``.
@@ -11,19 +11,15 @@ The eight kinds of change (paper, benchmark suite) are made by ``removal``, ``in
 from __future__ import annotations
 
 import hashlib
-import math
 import uuid
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
-
-from pydantic import ConfigDict, Field
+from typing import Literal
 
 from c4s.editor.identity import ID_TAG, ORIGIN_TAG, tag_values, told
 from c4s.errors import BadInput
 from c4s.geometry.transform import normalize_axis
-from c4s.records.base import Record
-from c4s.records.level import Level, LevelActor, LevelComponent, Transform, Vector
+from c4s.records.level import Level, LevelActor, Vector
+from cases.recipe import Expected, Kind, Operation, RemoveActor, SetStaticMesh, SetTransform, SpawnActor
 
 STABLE_ID_TAG = f"{ID_TAG}="
 SOURCE_TAG = f"{ORIGIN_TAG}=source"
@@ -32,82 +28,18 @@ IDENTITY_NAMESPACE = uuid.uuid5(uuid.NAMESPACE_URL, "https://simworld.ai/SimCode
 STATIC_MESH_ACTOR = "/Script/Engine.StaticMeshActor"
 STATIC_MESH_COMPONENT = "/Script/Engine.StaticMeshComponent"
 
-Kind = Literal["removal", "insertion", "duplication", "replacement", "move", "rotate", "rescale", "mirror"]
-KINDS: tuple[Kind, ...] = ("removal", "insertion", "duplication", "replacement", "move", "rotate", "rescale", "mirror")
-
-
-class SetTransform(Record):
-    """New location, rotation or scale of an actor."""
-
-    op: Literal["set_transform"] = "set_transform"
-    target: str
-    location_cm: Vector | None = None
-    rotation_deg: Vector | None = None
-    scale: Vector | None = None
-
-
-class RemoveActor(Record):
-    """An actor goes missing."""
-
-    op: Literal["remove_actor"] = "remove_actor"
-    target: str
-
-
-class SpawnActor(Record):
-    """An actor appears. ``source`` (``from`` in JSON) is ``{"static_mesh": path}`` or ``{"class": path_C}``."""
-
-    op: Literal["spawn_actor"] = "spawn_actor"
-    stable_id: str
-    identity_tag: bool = True
-    object_name: str
-    label: str
-    source: dict[str, str] = Field(alias="from")
-    location_cm: Vector
-    rotation_deg: Vector = (0.0, 0.0, 0.0)
-    scale: Vector = (1.0, 1.0, 1.0)
-    expect: dict[str, Any] = Field(default_factory=dict)
-    """``{"like": stable id}``: components and materials are those of that actor."""
-
-    model_config = ConfigDict(populate_by_name=True)
-
-
-class SetStaticMesh(Record):
-    """A component shows another mesh; ``replaces`` is the original one."""
-
-    op: Literal["set_static_mesh"] = "set_static_mesh"
-    target: str
-    component: str
-    static_mesh: str
-    replaces: str
-
-
-Operation = Annotated[SetTransform | RemoveActor | SpawnActor | SetStaticMesh, Field(discriminator="op")]
-
-
-class Recipe(Record):
-    """A recipe in the published format."""
-
-    schema_version: Literal["code4scene.recipe.v1"] = "code4scene.recipe.v1"
-    case_id: str
-    setting: str
-    scene_id: str
-    source_map: str
-    ground_truth_map: str
-    input_map: str
-    level_structure: list[dict[str, Any]] = Field(default_factory=list)
-    operations: list[Operation]
-
-    def plain(self) -> dict[str, Any]:
-        """JSON data with the published names; values that are not set are left out."""
-        return self.model_dump(mode="json", by_alias=True, exclude_none=True)
-
 
 @dataclass(frozen=True)
 class Corruption:
-    """One authored change: its kind and the operations that make it."""
+    """One authored change: its label and the operations that make it, one or several (an entry of a recipe)."""
 
     kind: Kind
-    operations: tuple[SetTransform | RemoveActor | SpawnActor | SetStaticMesh, ...]
+    operations: tuple[Operation, ...]
+
+
+def compound(label: Kind, *changes: Corruption) -> Corruption:
+    """Several changes as one entry of the chain, under one label: a row of lamps that is moved, say."""
+    return Corruption(label, tuple(operation for change in changes for operation in change.operations))
 
 
 def stable_id(scene_id: str, actor_name: str, class_path: str) -> str:
@@ -134,117 +66,6 @@ def id_of(actor: LevelActor) -> str | None:
 def meshes(actor: LevelActor) -> list[str]:
     """Static meshes that an actor shows."""
     return [component.static_mesh for component in actor.components if component.static_mesh]
-
-
-def _index(actors: Sequence[LevelActor], target: str) -> int:
-    for position, actor in enumerate(actors):
-        if id_of(actor) == target:
-            return position
-    raise BadInput("no actor has this stable id", where=target, todo="is it removed by an earlier operation?")
-
-
-def apply(
-    level: Level, operations: Sequence[SetTransform | RemoveActor | SpawnActor | SetStaticMesh], package: str
-) -> Level:
-    """The corrupted copy of ``level`` as package ``package``. ``BadInput`` where a target or a component is missing."""
-    actors = list(level.actors)
-    for operation in operations:
-        match operation:
-            case RemoveActor(target=target):
-                gone = actors.pop(_index(actors, target))
-                if any(actor.parent == gone.name for actor in actors):
-                    raise BadInput("an actor with attached children cannot be removed", where=gone.name)
-            case SetTransform(target=target):
-                at = _index(actors, target)
-                changes = {
-                    key: value
-                    for key in ("location_cm", "rotation_deg", "scale")
-                    if (value := getattr(operation, key)) is not None
-                }
-                moved = actors[at].transform.model_copy(update=changes)
-                actors[at] = actors[at].model_copy(update={"transform": moved})
-            case SetStaticMesh(target=target):
-                at = _index(actors, target)
-                like = _nearest(actors, actors[at].transform.location_cm, operation.static_mesh)
-                actors[at] = _with_mesh(actors[at], operation, like)
-            case SpawnActor():
-                actors.append(_spawned(actors, operation))
-    return Level(package=package, actors=actors)
-
-
-def _with_mesh(actor: LevelActor, operation: SetStaticMesh, like: LevelActor | None) -> LevelActor:
-    """The actor with another mesh, painted as the nearest actor of that mesh is."""
-    components = []
-    for component in actor.components:
-        if component.name == operation.component:
-            if component.static_mesh != operation.replaces:
-                raise BadInput(
-                    f"the component shows {component.static_mesh}, not {operation.replaces}", where=actor.name
-                )
-            materials = like.components[0].materials if like else {}
-            component = component.model_copy(update={"static_mesh": operation.static_mesh, "materials": materials})
-        components.append(component)
-    if components == actor.components:
-        raise BadInput(f"no component {operation.component!r} to change", where=actor.name)
-    return actor.model_copy(update={"components": components})
-
-
-def _spawned(actors: Sequence[LevelActor], operation: SpawnActor) -> LevelActor:
-    """The new actor. What it shows comes from the operation; all else it has like those that it stands among.
-
-    Its tags, flags and properties are those of the actor that it is made like, or of the nearest one of its mesh, or
-    of the nearest static mesh actor; an override of a material is taken from one of its mesh alone.
-    """
-    if any(actor.name == operation.object_name for actor in actors):
-        raise BadInput("an actor of this object name exists", where=operation.object_name)
-    mesh = operation.source.get("static_mesh")
-    if "like" in operation.expect:
-        model: LevelActor | None = actors[_index(actors, operation.expect["like"])]
-    elif mesh is not None:
-        model = _nearest(actors, operation.location_cm, mesh) or _nearest(actors, operation.location_cm)
-    else:
-        raise BadInput("a Blueprint is spawned like an existing actor only", where=operation.object_name)
-    components = list(model.components) if model else []
-    if "like" not in operation.expect:
-        components = [_component(model, mesh)]
-    tags = [STABLE_ID_TAG + operation.stable_id, SOURCE_TAG] if operation.identity_tag else []
-    return LevelActor(
-        name=operation.object_name,
-        label=operation.label,
-        guid=guid_of(operation.stable_id),
-        class_path=operation.source.get("class", STATIC_MESH_ACTOR),
-        components=components,
-        tags=[*_other_tags(model), *tags],
-        hidden=model is not None and model.hidden,
-        properties=dict(model.properties) if model else {},
-        transform=Transform(
-            location_cm=operation.location_cm, rotation_deg=operation.rotation_deg, scale=operation.scale
-        ),
-    )
-
-
-def _component(model: LevelActor | None, mesh: str | None) -> LevelComponent:
-    """A component that shows a mesh, like the one of a static mesh actor."""
-    if model is None:
-        return LevelComponent(name="StaticMeshComponent0", class_path=STATIC_MESH_COMPONENT, static_mesh=mesh)
-    like = model.components[0]
-    return like.model_copy(
-        update={"static_mesh": mesh, "materials": like.materials if like.static_mesh == mesh else {}}
-    )
-
-
-def _other_tags(actor: LevelActor | None) -> list[str]:
-    return [tag for tag in (actor.tags if actor else ()) if not tag.startswith((STABLE_ID_TAG, ORIGIN_TAG))]
-
-
-def _nearest(actors: Sequence[LevelActor], place: Vector, mesh: str | None = None) -> LevelActor | None:
-    """The nearest static mesh actor of a single component, of a mesh or of any; None where there is none."""
-    found = [
-        actor
-        for actor in actors
-        if actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1 and mesh in (None, *meshes(actor))
-    ]
-    return min(found, key=lambda actor: math.dist(actor.transform.location_cm, place), default=None)
 
 
 def guid_of(text: str) -> str:
@@ -283,7 +104,7 @@ class Author:
         """An actor that does not belong appears; ``mesh`` is a static mesh path."""
         return Corruption(
             "insertion",
-            (self._spawn({"static_mesh": mesh}, location_cm, (0.0, yaw_deg, 0.0), (scale, scale, scale), {}),),
+            (self._spawn({"static_mesh": mesh}, location_cm, (0.0, yaw_deg, 0.0), (scale, scale, scale), None),),
         )
 
     def duplication(self, name: str, location_cm: Vector, *, yaw_deg: float | None = None) -> Corruption:
@@ -291,7 +112,9 @@ class Author:
         actor = self.actor(name)
         mesh = next((c.static_mesh for c in actor.components if c.static_mesh), None)
         simple = actor.class_path == STATIC_MESH_ACTOR and mesh
-        source = {"static_mesh": str(mesh)} if simple else {"class": actor.class_path}
+        source: dict[Literal["static_mesh", "class"], str] = (
+            {"static_mesh": str(mesh)} if simple else {"class": actor.class_path}
+        )
         pitch, yaw, roll = actor.transform.rotation_deg
         return Corruption(
             "duplication",
@@ -301,7 +124,7 @@ class Author:
                     location_cm,
                     (pitch, yaw if yaw_deg is None else yaw_deg, roll),
                     actor.transform.scale,
-                    {"like": self.target(name)},
+                    self.target(name),
                 ),
             ),
         )
@@ -346,7 +169,12 @@ class Author:
         return Corruption("mirror", (SetTransform(target=self.target(name), scale=scale),))
 
     def _spawn(
-        self, source: dict[str, str], location_cm: Vector, rotation_deg: Vector, scale: Vector, expect: dict[str, Any]
+        self,
+        source: dict[Literal["static_mesh", "class"], str],
+        location_cm: Vector,
+        rotation_deg: Vector,
+        scale: Vector,
+        like: str | None,
     ) -> SpawnActor:
         name = self._fresh_name(next(iter(source.values())))
         self.names.add(name)
@@ -359,7 +187,7 @@ class Author:
             location_cm=location_cm,
             rotation_deg=rotation_deg,
             scale=scale,
-            expect=expect,
+            expect=None if like is None else Expected(like=like),
         )
 
     def _fresh_name(self, asset: str) -> str:

@@ -6,13 +6,13 @@ All of it comes from clean engine processes, by the very code that exports a sub
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from string import Template
 from typing import Any
 
-from c4s.engine import DEFAULT_ENGINE, open_engine
+from c4s.engine import DEFAULT_ENGINE, Engine, open_engine
 from c4s.engine.answers import ask
 from c4s.engine.bridge import FAILED
 from c4s.errors import MachineryFault
@@ -101,6 +101,28 @@ def scene(
     )
 
 
+def snapshots(packs: Sequence[Path], levels: Mapping[str, Level], out: Path) -> Generator[tuple[str, dict[str, Any]]]:
+    """Snapshots of levels by name, each when it is asked for, of one clean engine that opens one after the other."""
+    for name, level in levels.items():
+        level.write(out / "levels" / f"{name}.level.json")
+    with open_engine(
+        DEFAULT_ENGINE,
+        packs=packs,
+        content=out / "content",
+        scratch=out / "engine",
+        levels=[out / "levels" / f"{name}.level.json" for name in levels],
+    ) as engine:
+        for name, level in levels.items():
+            _open(engine, level, name)
+            yield name, ask(engine, "snapshot.export_snapshot")
+
+
+def _open(engine: Engine, level: Level, name: str) -> None:
+    reply = engine.execute(_OPEN.substitute(package=level.package))
+    if reply["status"] in FAILED:
+        raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=name)
+
+
 def _inputs(
     packs: Sequence[Path],
     levels: Mapping[str, Level],
@@ -113,7 +135,6 @@ def _inputs(
         level.write(out / "levels" / f"{case_id}.level.json")
     files = {case_id: out / f"{case_id}.scene.json" for case_id in levels}
     pictures: dict[str, list[Path]] = {}
-    size = dict(zip(("width", "height"), SIZE_PX, strict=True))
     with open_engine(
         DEFAULT_ENGINE,
         packs=packs,
@@ -123,12 +144,16 @@ def _inputs(
     ) as engine:
         for case_id, level in levels.items():
             progress(f"  {case_id}: snapshot and pictures of the corrupted level")
-            reply = engine.execute(_OPEN.substitute(package=level.package))
-            if reply["status"] in FAILED:
-                raise MachineryFault(f"the engine cannot open the level: {reply.get('error')}", where=case_id)
+            _open(engine, level, case_id)
             write_json(files[case_id], ask(engine, "snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
-            take_pictures(engine, [{**camera(view), **size} for view in views[case_id]], folder, keep=True)
+            take_pictures(engine, [_reduced(view) for view in views[case_id]], folder, keep=True)
             pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]
             shutil.copytree(folder, out / "pictures" / case_id)
     return files, pictures
+
+
+def _reduced(view: CaseView) -> dict[str, Any]:
+    """The camera of a view with a picture of its shape that is as wide as an overview's."""
+    width = min(view.width, SIZE_PX[0])
+    return {**camera(view), "width": width, "height": round(width * view.height / view.width)}

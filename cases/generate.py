@@ -1,7 +1,8 @@
 """Repair cases made from a source scene by chance: which actors, which changes, which views, all from one seed.
 
 Only actors that stand and fit in the original are changed, so that a perfect repair can score fully: a thing that hangs
-in the air or sinks into another in the scene as its makers left it would cost points that nobody can win.
+in the air or sinks into another in the scene as its makers left it would cost points that nobody can win. What is too
+large to be left askew in the original (``cases.natural``) keeps right angles, its size, and its grid.
 """
 
 from __future__ import annotations
@@ -17,26 +18,30 @@ import numpy as np
 from c4s.errors import BadInput
 from c4s.records.level import Level, Vector
 from c4s.records.pack import Pack
-from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, Kind
-from cases.model import CaseView, Group, RepairCase, SourceScene, SuiteDefinition
-from cases.standing import snapshot_of, unsound
+from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption
+from cases.model import GROUP_OF_KIND, CaseView, RepairCase, SourceScene, SuiteDefinition, difficulty_of
+from cases.natural import LARGEST_CM
+from cases.recipe import Kind
+from cases.standing import snapshot_of, unscored, unsound
 from cases.views import orbit
 
 KINDS: tuple[Kind, ...] = ("removal", "move", "rotate", "rescale", "insertion", "duplication", "replacement", "mirror")
-GROUP: dict[Kind, Group] = {
-    "removal": "Restore",
-    "insertion": "Lifecycle",
-    "duplication": "Lifecycle",
-    "replacement": "Lifecycle",
-    "move": "Layout",
-    "rotate": "Transform",
-    "rescale": "Transform",
-    "mirror": "Symmetry",
-}
+TRIES = 6
+"""So many cases are made for each that is wanted: some lose points of their own, some can be guessed."""
+LIKE, SMALL_CM = (0.4, 1.6), 120.0
+"""What takes a thing's place or is put beside it is about as large: this many times, or small."""
 MIN_SIDE_CM, MAX_SHARE = 15.0, 0.34
 """Changed things are at least this large, and at most this share of the scene in plan: no crumbs, no floors."""
 MIN_DISTANCE_CM, REACH = 220.0, 2.6
 """A view stands this many times the radius of what changed away, at least this far."""
+
+
+@dataclass(frozen=True)
+class MeshShape:
+    """A mesh that may be put into a scene: its lowest point about its pivot, and its longest side (cm)."""
+
+    bottom_cm: float
+    side_cm: float
 
 
 @dataclass(frozen=True)
@@ -63,6 +68,8 @@ def generated(
 ) -> SuiteDefinition:
     """A suite of ``count`` repair cases of 1 to ``changes`` changes each (the first has one, the next two, and so on).
 
+    ``TRIES`` as many are made, of which the suite keeps the first good ones.
+
     Args:
         scene_id: name of the scene; the suite has the same id with ``-cases`` behind it.
         level: the original.
@@ -84,14 +91,19 @@ def generated(
             todo="give fewer --changes",
         )
     meshes = {
-        asset.path: asset.bounds_min_cm[2]
+        asset.path: MeshShape(asset.bounds_min_cm[2], 100 * max(asset.size_m))
         for pack in packs
         for asset in Pack.read(packs_root / pack / "pack.json").assets
-        if asset.kind == "static_mesh" and max(asset.size_m) < 3 and min(asset.size_m) > MIN_SIDE_CM / 100
+        if asset.kind == "static_mesh" and min(asset.size_m) > MIN_SIDE_CM / 100
     }
     author, chance = Author(level, scene_id), random.Random(f"{scene_id}|{seed}")
     scene = SourceScene(scene_id, environment, scene_id.replace("-", " ").capitalize(), level, tuple(packs))
-    cases = [_case(number, scene, author, things, meshes, 1 + (number % changes), chance) for number in range(count)]
+    made = (
+        _case(number, scene, author, things, meshes, 1 + (number % changes), chance) for number in range(TRIES * count)
+    )
+    cases = [case for case in made if case is not None]
+    if not cases:
+        raise BadInput("no actor can take a change", where=scene_id, todo="give another --seed")
     return SuiteDefinition(
         f"{scene_id}-cases",
         f"Repairs of {scene_id}",
@@ -99,16 +111,17 @@ def generated(
         tuple(packs),
         (scene,),
         tuple(cases),
+        most=count,
     )
 
 
 def sound_things(level: Level, packs: Sequence[Path]) -> list[SoundThing]:
-    """Static mesh actors of a handy size that are supported and sink into nothing, by name.
+    """Static mesh actors of a handy size that are solid, are supported and sink into nothing, by name.
 
     Raises ``MachineryFault`` when the engine cannot export the scene.
     """
     snapshot = snapshot_of(level, packs)
-    bad = unsound(snapshot)
+    bad = unsound(snapshot) | unscored(snapshot)
     known = {actor.name: actor for actor in level.actors if actor.class_path == STATIC_MESH_ACTOR}
     boxes = {
         actor["name"]: (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"], actor.get("label"))
@@ -131,10 +144,10 @@ def _case(
     scene: SourceScene,
     author: Author,
     things: Sequence[SoundThing],
-    meshes: Mapping[str, float],
+    meshes: Mapping[str, MeshShape],
     changes: int,
     chance: random.Random,
-) -> RepairCase:
+) -> RepairCase | None:
     made: list[Corruption] = []
     places: list[SoundThing] = []
     removed: set[str] = set()
@@ -150,16 +163,16 @@ def _case(
                 places.append(thing)
                 break
     if not made:
-        raise BadInput(f"no actor can take the change {kinds[0]}", where=scene.scene_id, todo="give another --seed")
+        return None
     names = "-".join(dict.fromkeys(change.kind for change in made))
     return RepairCase(
         f"{scene.scene_id}-{number + 1:02d}-{names}",
         scene.scene_id,
         f"{len(made)} change{'s' if len(made) > 1 else ''}",
         made,
-        GROUP[made[0].kind],
-        "easy" if len(made) == 1 else "medium" if len(made) < 4 else "hard",
-        _views(places),
+        GROUP_OF_KIND[made[0].kind],
+        difficulty_of(len(made)),
+        views_of(places, 1 if scene.environment == "outdoor" else 2),
         "image-to-scene/indoor" if scene.environment == "indoor" else "image-to-scene/outdoor",
     )
 
@@ -168,7 +181,7 @@ def _change(
     kind: Kind,
     thing: SoundThing,
     author: Author,
-    meshes: Mapping[str, float],
+    meshes: Mapping[str, MeshShape],
     chance: random.Random,
     removed: set[str],
     added: set[str],
@@ -177,8 +190,16 @@ def _change(
     name, (x, y, z), (wide, deep, high) = thing.name, thing.origin, thing.extent
     far = chance.uniform(2.0, 3.2)
     aside = (max(40.0, far * wide) * chance.choice((-1, 1)), max(40.0, far * deep) * chance.choice((-1, 0, 1)))
+    large = 2 * max(thing.extent) > LARGEST_CM
+    if large:
+        aside = (2 * wide * chance.choice((-2, -1, 1, 2)), 2 * deep * chance.choice((-2, -1, 0, 1, 2)))
     bottom = z - high
-    others = [mesh for mesh in meshes if mesh != thing.mesh and mesh not in removed]
+    near = (max(LIKE[0] * 2 * max(thing.extent), MIN_SIDE_CM), max(LIKE[1] * 2 * max(thing.extent), SMALL_CM))
+    others = [
+        mesh
+        for mesh, shape in meshes.items()
+        if mesh != thing.mesh and mesh not in removed and near[0] <= shape.side_cm <= near[1]
+    ]
     match kind:
         case "removal":
             if thing.mesh in added:
@@ -188,8 +209,13 @@ def _change(
         case "move":
             return author.move(name, by_cm=(round(aside[0], 1), round(aside[1], 1), 0.0))
         case "rotate":
-            return author.rotate(name, round(chance.choice((-1, 1)) * chance.uniform(30.0, 140.0), 2))
+            turn = (
+                chance.choice((-90.0, 90.0, 180.0)) if large else chance.choice((-1, 1)) * chance.uniform(30.0, 140.0)
+            )
+            return author.rotate(name, round(turn, 2))
         case "rescale":
+            if large:
+                return None
             return author.rescale(
                 name, round(chance.choice((chance.uniform(0.58, 0.75), chance.uniform(1.3, 1.65))), 3)
             )
@@ -202,7 +228,7 @@ def _change(
                 return None
             added.add(mesh := chance.choice(others))
             return author.insertion(
-                mesh, (round(x + aside[0], 1), round(y + aside[1], 1), round(bottom - meshes[mesh], 3))
+                mesh, (round(x + aside[0], 1), round(y + aside[1], 1), round(bottom - meshes[mesh].bottom_cm, 3))
             )
         case "duplication":
             if thing.mesh in removed:
@@ -212,8 +238,8 @@ def _change(
             return author.duplication(name, (round(px + aside[0], 1), round(py + aside[1], 1), pz))
 
 
-def _views(places: Sequence[SoundThing]) -> list[CaseView]:
-    """Two views from opposite sides above all that changed."""
+def views_of(places: Sequence[SoundThing], count: int) -> list[CaseView]:
+    """One view, or two from opposite sides, above all that changed."""
     low = np.min([np.subtract(thing.origin, thing.extent) for thing in places], axis=0)
     high = np.max([np.add(thing.origin, thing.extent) for thing in places], axis=0)
     x, y, z = (float(round(value, 1)) for value in (low + high) / 2)
@@ -221,4 +247,4 @@ def _views(places: Sequence[SoundThing]) -> list[CaseView]:
     return [
         orbit("view-01", (x, y, z), distance_cm=distance, yaw_deg=-60, pitch_deg=42),
         orbit("view-02", (x, y, z), distance_cm=distance, yaw_deg=125, pitch_deg=52),
-    ]
+    ][:count]

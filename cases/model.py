@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -10,12 +10,24 @@ from c4s.protocol.settings import Setting
 from c4s.records.binding import ReviewedBindings
 from c4s.records.level import Level, Vector
 from c4s.records.suite import Budget, Visibility
-from cases.corruption import Corruption, Operation
+from cases.corruption import Corruption
+from cases.recipe import Entry, Kind, Operation
 from cases.requirements import RequirementSpec
 
 Group = Literal["Restore", "Lifecycle", "Layout", "Symmetry", "Transform"]
 Difficulty = Literal["easy", "medium", "hard"]
 
+GROUP_OF_KIND: dict[Kind, Group] = {
+    "removal": "Restore",
+    "insertion": "Lifecycle",
+    "duplication": "Lifecycle",
+    "replacement": "Lifecycle",
+    "move": "Layout",
+    "rotate": "Transform",
+    "rescale": "Transform",
+    "mirror": "Symmetry",
+}
+"""The operation group of a case whose author names none: that of its first change."""
 TEXT_BUDGET = Budget(tool_calls=800, wall_minutes=180)
 INDOOR_BUDGET = Budget(tool_calls=120, wall_minutes=45)
 OUTDOOR_BUDGET = Budget(tool_calls=80, wall_minutes=20)
@@ -71,6 +83,16 @@ class RepairCase:
         return [operation for corruption in self.corruptions for operation in corruption.operations]
 
     @property
+    def entries(self) -> list[Entry]:
+        """The changes in order, each with its operations by their place in ``operations``."""
+        made: list[Entry] = []
+        first = 0
+        for corruption in self.corruptions:
+            made.append(Entry(label=corruption.kind, operations=list(range(first, first + len(corruption.operations)))))
+            first += len(corruption.operations)
+        return made
+
+    @property
     def kinds(self) -> list[str]:
         """The kinds of change in order."""
         return [corruption.kind for corruption in self.corruptions]
@@ -111,3 +133,12 @@ class SuiteDefinition:
     packs: Sequence[str]
     scenes: Sequence[SourceScene]
     cases: Sequence[RepairCase | TextCase]
+    authors: Mapping[str, str] = field(default_factory=dict)
+    """Who made a case, by its id."""
+    most: int | None = None
+    """Of each scene so many repairs are kept, the first good ones (``cases.sifting``); every case when left out."""
+
+
+def difficulty_of(changes: int) -> Difficulty:
+    """The difficulty of a repair whose author names none, by its number of changes."""
+    return "easy" if changes == 1 else "medium" if changes < 4 else "hard"

@@ -17,7 +17,8 @@ import numpy as np
 from c4s.geometry.transform import normalize_axis
 from c4s.records.level import Level, LevelActor, Transform, Vector
 from cases.boxes import Array, Boxes, world_box
-from cases.corruption import STATIC_MESH_ACTOR, Operation, SetTransform, SpawnActor, id_of
+from cases.corruption import STATIC_MESH_ACTOR, id_of
+from cases.recipe import Operation, SetTransform, SpawnActor
 
 CLEAR_CM = 4.0
 """Air that is kept beside what is shifted, turned or scaled."""
@@ -188,6 +189,11 @@ def _disturbed(
         if not placed.beside(row, *box, CLEAR_CM / 2).any() and placed.held(row, *box):
             return place
     return now
+
+
+def rounded(level: Level) -> Level:
+    """The level with as many decimals as all that is written of a scene: what is left as it was is the same in all."""
+    return level.model_copy(update={"actors": [_rounded(actor) for actor in level.actors]})
 
 
 def _rounded(actor: LevelActor) -> LevelActor:

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Any, ClassVar, Literal, TypeAlias, get_args
+
+from pydantic import ConfigDict
 
 from c4s.errors import BadInput
 from c4s.protocol.graph.check import check_bundle
@@ -47,6 +49,8 @@ REVIEW = {
 class EntitySpec:
     """Something the prompt speaks of. ``text`` are its words in the prompt; ``aliases`` are other names for it."""
 
+    __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
+
     key: str
     text: str
     aliases: tuple[str, ...] = ()
@@ -59,6 +63,8 @@ class EntitySpec:
 @dataclass(frozen=True)
 class Quantity:
     """How many: ``exact``, ``approximately``, ``at_least``, ``range`` or ``qualitative`` (several, few, dense)."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
     mode: Literal["exact", "approximately", "at_least", "range", "qualitative"]
     value: float | None = None
@@ -74,6 +80,8 @@ class PredicateSpec:
     ``relation`` and ``reference`` say what it stands in relation to; ``qualifiers`` are (kind, word) pairs such as
     ``("color", "red")`` whose words occur in ``text``.
     """
+
+    __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
     type: PredicateType
     name: str

@@ -29,17 +29,35 @@ def snapshot_of(level: Level, packs: Sequence[Path]) -> dict[str, Any]:
 
 
 def unsound(snapshot: dict[str, Any]) -> set[str]:
-    """Names and labels of actors that float, cannot be told to stand, or sink into others, were each of them edited."""
+    """Names and labels of actors that float, cannot be told to stand, or sink into others, were each of them edited.
+
+    Both ways to tell what stands count: the published rule, which is scored, and the bodies near an actor.
+    """
+    measured = _alone(snapshot)
+    leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
+    return {
+        *(
+            name
+            for leaf in ("floating", "near_bodies")
+            for state in ("floating_actors", "unresolved_actors")
+            for name in leaves[leaf][state]
+        ),
+        *(row["actor"] for row in leaves["solid_penetration"]["actors"] if row["state"] != "clean"),
+    }
+
+
+def unscored(snapshot: dict[str, Any]) -> set[str]:
+    """Names and labels of actors that physics does not score: a repair of these alone has no physics to win."""
+    return {name for name, role in _alone(snapshot)["roles"].items() if role != "scored_solid"}
+
+
+def _alone(snapshot: dict[str, Any]) -> dict[str, Any]:
+    """What physics measures of each actor as if it alone were edited."""
     aside = copy.deepcopy(snapshot)
     for actor in aside["actors"]:
         actor["transform"]["location_cm"][0] += ASIDE_CM
-    measured = verify_physics("image-to-scene/indoor", snapshot, aside, alone=True).measurements
-    leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
-    return {
-        *leaves["near_bodies"]["floating_actors"],
-        *leaves["near_bodies"]["unresolved_actors"],
-        *(row["actor"] for row in leaves["solid_penetration"]["actors"] if row["state"] != "clean"),
-    }
+    measured: dict[str, Any] = verify_physics("image-to-scene/indoor", snapshot, aside, alone=True).measurements
+    return measured
 
 
 def settled(authored: Level, disturbed: Level, packs: Sequence[Path]) -> Level:

@@ -8,10 +8,14 @@ whether a suite that is there is the one that is asked for; another one is repla
 
 from __future__ import annotations
 
+import math
 import shutil
 import tempfile
+from collections import Counter
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -19,28 +23,36 @@ from c4s.errors import BadInput
 from c4s.files import digest, read_json, write_json, write_text
 from c4s.folders import beside, put_folder
 from c4s.packs.check import check_pack
+from c4s.packs.store import PackStore
 from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
 from cases import exports
+from cases.admissible import Refusal, Refused, TargetSighting, looked_at, refusals, sightings
+from cases.applying import apply
 from cases.audit import audit, check_blind
 from cases.binding import freeze_binding
-from cases.boxes import boxes_of
+from cases.boxes import Boxes, boxes_of
 from cases.checks import check_definition, check_repair, check_scene
-from cases.corruption import Operation, Recipe, SpawnActor, apply, with_identities
+from cases.corruption import id_of, with_identities
+from cases.losses import told, truth_losses
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
-from cases.natural import lived_in, plans_of, rebased, settled_spawns
+from cases.natural import lived_in, plans_of, rebased, rounded, settled_spawns
 from cases.prompts import repair_prompt, text_prompt
+from cases.recipe import Operation, Recipe, SpawnActor
 from cases.requirements import bundle
 from cases.settle import to_build
+from cases.sifting import MadeCase, sifted, summed
 from cases.standing import settled
 from cases.veil import Veil
 from cases.views import cameras_record, changed, targets_record
 
-BUILDER_VERSION = 5
+BUILDER_VERSION = 6
 """Part of the definition's digest: raise it when the same definition is built into other files."""
 STAMP = "build.json"
-"""Beside ``suite.json``: the digest of the definition that the suite was built from."""
+"""Beside ``suite.json``: the digest of the definition that the suite was built from, and what its truth loses."""
+SPARE = 1.5
+"""Where only so many repairs are kept, pictures are taken of this many times as many: some show too little."""
 SCENES_AT_ONCE = 2
 """An engine starts and writes its files on one processor; meanwhile that of another scene renders on the others."""
 BLANK_STAGE = "/Game/SceneBench/BlankStage"
@@ -69,6 +81,8 @@ def definition_digest(definition: SuiteDefinition, packs: Sequence[PackRef]) -> 
                 for scene in definition.scenes
             ],
             "cases": [_case_digest(case) for case in definition.cases],
+            **({"authors": dict(definition.authors)} if definition.authors else {}),
+            **({} if definition.most is None else {"most": definition.most}),
         }
     )
 
@@ -111,11 +125,36 @@ def build_suite(
         builder = _Builder(definition, folder, packs, packs_root, Veil(wanted), progress)
         with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
             list(pool.map(builder.scene, definition.scenes))
+        if definition.most is None and builder.refused:
+            raise Refused(sorted(builder.refused, key=lambda one: one.case_id))
+        if definition.most is not None and len({one.case_id for one in builder.refused}) == len(definition.cases):
+            raise BadInput(
+                f"none of {len(definition.cases)} made cases is a good one: {summed(builder.refused)}",
+                where=f"{builder.refused[0].case_id}: {builder.refused[0].reason}",
+                todo="give another --seed, or fewer --changes",
+            )
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
-        write_json(folder.root / STAMP, {"definition": wanted})
+        refused = [one.plain() for one in builder.refused]
+        losses = truth_losses(folder, packs_root)
+        for line in told(losses):
+            progress(line)
+        made = {"definition": wanted, "physics_of_truth": losses}
+        write_json(folder.root / STAMP, {**made, **({"refused": refused} if refused else {})})
+        write_json(folder.sightings, {name: list(map(asdict, rows)) for name, rows in builder.sightings.items()})
         put_folder(folder.root, root, marker=SUITE)
     return suite
+
+
+def refused_cases(root: Path) -> list[Refusal]:
+    """The made cases that were refused when the suite at ``root`` was built."""
+    return [Refusal(**row) for row in read_json(root / STAMP).get("refused", [])]
+
+
+def losses_of_build(root: Path) -> dict[str, Any] | None:
+    """What a built suite's truth loses to physics, as its build found it; None where its build did not look."""
+    found: dict[str, Any] | None = read_json(root / STAMP).get("physics_of_truth") if (root / STAMP).is_file() else None
+    return found
 
 
 class _Builder:
@@ -134,6 +173,13 @@ class _Builder:
         self.packs_root, self.veil, self.progress = packs_root, veil, progress
         self.operations: dict[str, list[Operation]] = {}
         """Of each repair, as they were made."""
+        self.taken: Counter[str] = Counter()
+        """How many repairs of each scene are written."""
+        self.names: dict[str, dict[str, str]] = {}
+        """Of each repair: what its author calls the actors of the veiled levels."""
+        self.refused: list[Refusal] = []
+        """Repairs that cannot be used, and where only so many are kept, those that are not taken."""
+        self.sightings: dict[str, list[TargetSighting]] = {}
 
     def scene(self, scene: SourceScene) -> None:
         """Write every case of a scene."""
@@ -151,6 +197,12 @@ class _Builder:
         corrupted: dict[str, Level] = {}
         if repairs:
             truth, corrupted = self._damaged(scene, truth, repairs, assets)
+        if self.definition.most is not None:
+            corrupted = self._sifted(repairs, truth, corrupted, folders, boxes_of(assets.values()))
+            repairs = [case for case in repairs if case.case_id in corrupted]
+            cases = [case for case in cases if isinstance(case, TextCase) or case.case_id in corrupted]
+            if not cases:
+                return
         views = {case.case_id: list(case.views) for case in repairs}
         with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
             known = boxes_of(assets.values())
@@ -158,6 +210,8 @@ class _Builder:
             exported = exports.scene(folders, truth, corrupted, views, told, Path(scratch), self.progress)
             for case in cases:
                 if isinstance(case, RepairCase):
+                    if not self._taken(case, truth, corrupted[case.case_id], exported):
+                        continue
                     self._repair(case, scene, truth, corrupted[case.case_id], assets, exported)
                 else:
                     self._text(case, scene, truth, assets, exported)
@@ -166,26 +220,81 @@ class _Builder:
         self, scene: SourceScene, authored: Level, repairs: list[RepairCase], assets: dict[str, Asset]
     ) -> tuple[Level, dict[str, Level]]:
         """The original as people would have left it, and the corrupted level of each case; all of it veiled."""
-        chance = self.veil.chance(scene.scene_id)
+        authored, chance = rounded(authored), self.veil.chance(scene.scene_id)
         boxes = boxes_of(assets.values())
         packs = [self.packs_root / pack_id for pack_id in scene.packs]
         plans = plans_of([operation for case in repairs for operation in case.operations], authored)
         original = settled(authored, lived_in(authored, boxes, chance, plans), packs)
-        damaged = [original]
+        damaged, usable = [original], list[RepairCase]()
         for case in repairs:
             operations = rebased(case.operations, authored, original, chance)
             put = [operation.stable_id for operation in operations if isinstance(operation, SpawnActor)]
             package = self.veil.start_map(case.case_id)
             corrupted = lived_in(apply(original, operations, package), boxes, chance, only=put)
             operations = settled_spawns(operations, corrupted)
-            check_repair(case, operations, original, corrupted)
+            try:
+                check_repair(case, operations, original, corrupted)
+            except BadInput as error:
+                if self.definition.most is None:
+                    raise
+                self.refused.append(Refusal(case.case_id, error.what))
+                continue
             damaged.append(corrupted)
+            usable.append(case)
             self.operations[case.case_id] = operations
         truth, *veiled = self.veil.scene(scene.scene_id, damaged)
-        for case, level in zip(repairs, veiled, strict=True):
+        for case, level, plain in zip(usable, veiled, damaged[1:], strict=True):
+            known = {
+                self.veil.id_of(scene.scene_id, id_of(one) or one.name): one.name
+                for one in (*original.actors, *plain.actors)
+            }
+            self.names[case.case_id] = {
+                one.name: known.get(id_of(one) or "", one.name) for one in (*truth.actors, *level.actors)
+            }
             told = self.veil.operations(scene.scene_id, self.operations[case.case_id], level)
             self.operations[case.case_id] = told
-        return truth, {case.case_id: level for case, level in zip(repairs, veiled, strict=True)}
+        return truth, {case.case_id: level for case, level in zip(usable, veiled, strict=True)}
+
+    def _sifted(
+        self,
+        repairs: Sequence[RepairCase],
+        truth: Level,
+        corrupted: dict[str, Level],
+        folders: list[Path],
+        boxes: Boxes,
+    ) -> dict[str, Level]:
+        """The corrupted levels of the first good cases, as many as are wanted."""
+        settings = {case.case_id: case.setting for case in repairs}
+        with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
+            levels = {"": truth, **corrupted}
+            with closing(exports.snapshots(folders, levels, Path(scratch))) as exported:
+                original = next(exported)[1]
+                candidates = (
+                    MadeCase(case_id, settings[case_id], corrupted[case_id], snapshot, original)
+                    for case_id, snapshot in exported
+                )
+                most = math.ceil(SPARE * (self.definition.most or len(repairs)))
+                good, refused = sifted(candidates, boxes, PackStore(folders), most, self.progress)
+        self.refused += refused
+        return {case_id: corrupted[case_id] for case_id in good}
+
+    def _taken(self, case: RepairCase, truth: Level, corrupted: Level, exported: exports.Exported) -> bool:
+        """Whether a repair is written; how well its changes can be seen, and why it cannot be used, is noted."""
+        most = self.definition.most
+        if most is not None and self.taken[case.scene_id] == most:
+            return False
+        pairs = zip(case.views, exported.views[case.case_id], exported.start_views[case.case_id], strict=True)
+        looks = [looked_at(view.name, original, start) for view, original, start in pairs]
+        operations = self.operations[case.case_id]
+        names = self.names[case.case_id]
+        snapshots = read_json(exported.truth), read_json(exported.inputs[case.case_id])
+        against = refusals(case, operations, truth, corrupted, *snapshots, looks, names)
+        self.refused += against
+        if against and most is not None:
+            return False
+        self.sightings[case.case_id] = sightings(operations, truth, corrupted, looks, names)
+        self.taken[case.scene_id] += 1
+        return True
 
     def _pack(self, pack_id: str) -> Pack:
         if pack_id not in self.packs:
@@ -236,6 +345,7 @@ class _Builder:
             operation_group=case.group,
             difficulty=case.difficulty,
             visibility=case.visibility,
+            author=self.definition.authors.get(case.case_id),
         ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")
@@ -248,6 +358,7 @@ class _Builder:
             ground_truth_map=truth.package,
             input_map=corrupted.package,
             operations=self.operations[case.case_id],
+            entries=case.entries,
         ).write(withheld / "recipe.json")
         write_json(withheld / "cameras.json", cameras_record(case))
         write_json(withheld / "target-cameras.json", targets_record(case.case_id, exported.targets[case.case_id]))
@@ -281,6 +392,7 @@ class _Builder:
             minimum_actors=case.minimum_actors,
             difficulty=case.difficulty,
             visibility=case.visibility,
+            author=self.definition.authors.get(case.case_id),
         ).write(withheld / "case.json")
         truth.write(withheld / "truth.level.json")
         _copy(exported.truth, withheld / "truth.snapshot.json")

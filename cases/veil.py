@@ -15,7 +15,8 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
 from c4s.records.level import Level, LevelActor, Vector
-from cases.corruption import SOURCE_TAG, STABLE_ID_TAG, Operation, SpawnActor, id_of, meshes
+from cases.corruption import SOURCE_TAG, STABLE_ID_TAG, id_of, meshes
+from cases.recipe import Expected, Operation, SpawnActor
 
 SPARE = 1.6
 """Numbers of one name are drawn from this many times as many as there are actors of it, so that gaps mean nothing."""
@@ -79,12 +80,12 @@ class Veil:
         for operation in operations:
             if isinstance(operation, SpawnActor):
                 shown = self.id_of(scene_id, operation.stable_id)
-                like = operation.expect.get("like")
+                like = operation.like
                 changes = {
                     "stable_id": shown,
                     "object_name": named[shown],
                     "label": named[shown],
-                    "expect": {**operation.expect, "like": self.id_of(scene_id, like)} if like else operation.expect,
+                    "expect": Expected(like=self.id_of(scene_id, like)) if like else operation.expect,
                 }
             else:
                 changes = {"target": self.id_of(scene_id, operation.target)}

@@ -154,18 +154,18 @@ class _Writer:
         )
 
 
-def build_pack(spec: PackSpec, root: Path, *, replace: bool = False) -> Pack:
-    """Write a pack to ``root/<pack id>`` and return its manifest.
+def build_pack(spec: PackSpec, root: Path, *, replace: bool = False, previews: bool = True) -> Pack:
+    """Write a pack to ``root/<pack id>`` and return its manifest; without ``previews`` its assets have no pictures.
 
     Raises ``BadInput`` when the specification is wrong, or where another pack lies there and ``replace`` is not given.
     """
     with beside(root / spec.pack_id) as scratch:
-        pack = _written(spec, scratch / spec.pack_id)
+        pack = _written(spec, scratch / spec.pack_id, previews=previews)
         settle(scratch / spec.pack_id, root / spec.pack_id, replace=replace)
     return pack
 
 
-def _written(spec: PackSpec, folder: Path) -> Pack:
+def _written(spec: PackSpec, folder: Path, *, previews: bool) -> Pack:
     writer = _Writer(spec, folder)
     materials = [writer.material(material) for material in spec.materials]
     assets = [writer.asset(asset) for asset in spec.assets]
@@ -185,7 +185,7 @@ def _written(spec: PackSpec, folder: Path) -> Pack:
         category_descriptions=spec.category_descriptions,
     )
     pack.write(folder / MANIFEST)
-    return write_previews(folder)
+    return write_previews(folder, drawn=previews)
 
 
 def sources_digest() -> str:

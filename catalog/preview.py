@@ -6,10 +6,11 @@
 from __future__ import annotations
 
 import functools
-import io
 import math
 import sys
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,12 +21,14 @@ from c4s.files import digest, digest_file, write_bytes
 from c4s.geometry.transform import affine, look_at, rotation_matrix
 from c4s.home import cache_root
 from c4s.packs.meshes import Mesh
-from c4s.packs.pictures import open_picture
+from c4s.packs.pictures import open_picture, png_bytes
 from c4s.packs.store import PackStore
 from c4s.records.pack import MANIFEST, STAMP, Asset, Material, Pack
 from c4s.render import Camera, Instance, Lights, Renderer, Sky, Sun, SurfaceMaterial
 from c4s.trees import read_listing
 
+Part: TypeAlias = tuple[Mesh, NDArray[np.float64], tuple[SurfaceMaterial, ...]]
+"""A mesh, where it stands (4 x 4), and its materials."""
 SIZE = 320
 """Pixels a side of a preview."""
 _SAMPLES = 2
@@ -104,17 +107,24 @@ def _framed(points: NDArray[np.float64]) -> Camera:
 
 def preview(surfaces: PreviewSurfaces, asset: Asset) -> NDArray[np.uint8]:
     """(SIZE, SIZE, 3) picture of one asset from the front, right and above, on a grey ground."""
-    store = surfaces.store
+    parts = [
+        (surfaces.store.mesh(piece.path), matrix, tuple(surfaces.of(slot.material) for slot in piece.slots))
+        for piece, matrix in _pieces(surfaces.store, asset)
+    ]
+    return drawn(surfaces.store, parts, np.array(asset.bounds_min_cm), np.array(asset.bounds_max_cm))
+
+
+def drawn(store: PackStore, parts: Sequence[Part], low: NDArray[Any], high: NDArray[Any]) -> NDArray[np.uint8]:
+    """(SIZE, SIZE, 3) picture of parts between two corners (cm), framed and lit as every preview."""
     meshes: list[Mesh] = [store.mesh("/Engine/BasicShapes/Plane.Plane")]
-    low, high = np.array(asset.bounds_min_cm), np.array(asset.bounds_max_cm)
     reach = float(np.linalg.norm(high - low))
     middle = (low + high) / 2
     ground = affine((middle[0], middle[1], low[2] - 0.001 * reach), (0, 0, 0), (reach, reach, 1))
     instances, points = [Instance(0, ground, (_GROUND,), 0)], []
-    for piece, matrix in _pieces(store, asset):
-        instances.append(Instance(len(meshes), matrix, tuple(surfaces.of(s.material) for s in piece.slots), 1))
-        meshes.append(store.mesh(piece.path))
-        points.append(meshes[-1].vertices.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
+    for mesh, matrix, materials in parts:
+        instances.append(Instance(len(meshes), matrix, materials, 1))
+        meshes.append(mesh)
+        points.append(mesh.vertices.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
     lights = Lights(_SUN, sky=_SKY, ambient_occlusion_cm=max(1.0, reach / 3))
     renderer = Renderer(meshes, instances, lights)
     picture = renderer.render(_framed(np.concatenate(points)), samples=_SAMPLES)
@@ -146,10 +156,11 @@ def _key(store: PackStore, asset: Asset) -> str:
     return digest([_painter(), asset.bounds_min_cm, asset.bounds_max_cm, pieces])
 
 
-def write_previews(folder: Path) -> Pack:
+def write_previews(folder: Path, *, drawn: bool = True) -> Pack:
     """Draw ``previews/<id>.png`` of every asset of the pack in ``folder``; name them in its manifest, and freeze it.
 
-    The manifest then holds the digest of every file of the folder: this is the last step of a build.
+    The manifest then holds the digest of every file of the folder: this is the last step of a build. Unless they are
+    ``drawn`` there are no pictures.
 
     Pictures are kept in the cache under ``C4S_HOME`` by the digest of meshes, materials and the renderer's sources.
     """
@@ -157,9 +168,12 @@ def write_previews(folder: Path) -> Pack:
     pack, surfaces = store.packs[folder], PreviewSurfaces(store)
     named = []
     for asset in pack.assets:
+        if not drawn:
+            named.append(asset)
+            continue
         kept = cache_root() / "previews" / f"{_key(store, asset)}.png"
         if not kept.is_file():
-            write_bytes(kept, _png(preview(surfaces, asset)))
+            write_bytes(kept, png_bytes(Image.fromarray(preview(surfaces, asset))))
         name = f"previews/{asset.id}.png"
         write_bytes(folder / name, kept.read_bytes())
         named.append(asset.model_copy(update={"preview": name}))
@@ -167,12 +181,6 @@ def write_previews(folder: Path) -> Pack:
     pack = pack.model_copy(update={"assets": named, "files": dict(sorted(files.items()))})
     pack.write(folder / MANIFEST)
     return pack
-
-
-def _png(picture: NDArray[np.uint8]) -> bytes:
-    out = io.BytesIO()
-    Image.fromarray(picture).save(out, format="PNG", compress_level=6)
-    return out.getvalue()
 
 
 def contact_sheet(folder: Path, out: Path, names: list[str], columns: int = 8) -> int:

@@ -12,13 +12,12 @@ from c4s.engine import DEFAULT_ENGINE, engine_kinds
 from c4s.home import runs_root, site_root, warehouse_root
 from c4s.judge.names import DEFAULT_JUDGE
 from c4s.names import place_in
-from c4s.protocol.baselines import BASELINES
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.bounds import MOST_FAULTS, MOST_REPEATS, MOST_SLOTS, MOST_TOKENS, amount, count, moment
-from c4s.run.choices import check_judge, check_ready
+from c4s.run.choices import check_judge, check_ready, default_agents
 from c4s.run.configurations import configuration
 from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all
 from c4s.run.guards import MOST_IN_A_ROW
@@ -52,7 +51,7 @@ else:
 @flow(name="evaluate", flow_run_name="{suite} on {workers}", validate_parameters=False)
 async def evaluate(
     suite: str = "starter",
-    agents: Sequence[str] = BASELINES,
+    agents: Sequence[str] = (),
     run_id: str | None = None,
     cases: Sequence[str] = (),
     repeats: Annotated[int, Field(ge=1, le=MOST_REPEATS)] = 1,
@@ -76,7 +75,8 @@ async def evaluate(
 
     Args:
         suite: id of a built suite.
-        agents: configuration names, or files on the machine that runs this flow.
+        agents: configuration names, or files on the machine that runs this flow (default: the baselines that can work
+            on the suite).
         run_id: folder name of the run (default: the suite's id).
         cases: only these cases (default: all).
         repeats: repeats of each case.
@@ -108,15 +108,19 @@ async def evaluate(
         count(slots, MOST_SLOTS, "slots")
     bounds.check()
     folder, run = share_suite(suite), place_in(runs_root(), run_id or suite, "run")
+    names, left_out = (agents, []) if agents else default_agents(SuiteFolder(folder), cases)
+    for row in left_out:
+        print_line(f"without {row.agent}: {row.reason}")
     plan = make_plan(
         SuiteFolder(folder),
-        [configuration(name) for name in agents],
+        [configuration(name) for name in names],
         run_id=run.name,
         policy=policy,
         judge=judge,
         engine=engine,
         repeats=repeats,
         cases=cases,
+        left_out=left_out,
     )
     warehouse, store = warehouse_root(), open_store()
     check_place(site_root())

@@ -69,7 +69,7 @@ def scatter(dots: Sequence[Dot], x_title: str, y_title: str) -> Scatter | None:
     xs = [math.log10(dot.x) for dot in shown]
     least_x, most_x = _wide(min(xs), max(xs), 0.06)
     ends = [end for dot in shown for end in (dot.y, dot.low, dot.high) if end is not None]
-    least_y, most_y = _wide(min(ends), max(ends), 0.02)
+    least_y, most_y = _wide(min(ends), max(ends), max(0.02, 0.05 * (max(ends) - min(ends))))
 
     def across(value: float) -> float:
         return LEFT + (math.log10(value) - least_x) / (most_x - least_x) * (WIDTH - LEFT - RIGHT)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 from datetime import datetime
+from typing import Final
 
 from c4s.numbers import half_up
 
@@ -29,10 +30,30 @@ def signed(value: float | None, digits: int = 2) -> str:
     return "–" if value is None else f"{value:+.{digits}f}".replace("-", "−")
 
 
+def headed(title: str) -> str:
+    """The title of a column with a capital; one of a letter or with signs, as ``p`` or ``pass@k``, stays."""
+    word = title.partition(" ")[0].rstrip(",;:")
+    return title[0].upper() + title[1:] if len(word) > 1 and word.isalpha() else title
+
+
+def p_value(value: float | None) -> str:
+    """A p-value with four decimals; one that these do not tell from zero is said to be less."""
+    return "< 0.0001" if value is not None and value < 0.00005 else number(value, 4)
+
+
+MOST_SLUG: Final = 150
+"""Characters of a name that a file name keeps: with a suite's id and digests it stays below 255, a folder's most."""
+
+
 def slug(name: str) -> str:
     """A file name for any name; different names never share one."""
-    plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")
+    plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")[:MOST_SLUG]
     return plain if plain == name else f"{plain}-{hashlib.sha256(name.encode()).hexdigest()[:6]}"
+
+
+def counted(number: int, one: str, many: str = "") -> str:
+    """A number with its noun: ``1 case``, ``16 cases``."""
+    return f"{number:,} {one if number == 1 else many or one + 's'}"
 
 
 def span(seconds: float | None) -> str:
@@ -46,8 +67,10 @@ def span(seconds: float | None) -> str:
 
 
 def moment(seconds: float | None) -> str:
-    """A time since a start, with a decimal where whole seconds would tell little: ``0.4 s``, ``45 s``, ``12 min``."""
-    return f"{seconds:.1f} s" if seconds is not None and seconds < 20 else span(seconds)
+    """A time since a start, with decimals where whole seconds would tell little: ``0.04 s``, ``4.2 s``, ``45 s``."""
+    if seconds is None or seconds >= 20:
+        return span(seconds)
+    return f"{seconds:.2f} s" if seconds < 2 else f"{seconds:.1f} s"
 
 
 def clock(time: float) -> str:

@@ -7,10 +7,12 @@ from typing import Annotated, Literal
 
 import typer
 
+from c4s.cli.hulls import Hulls, HullsOf, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars
 from c4s.errors import BadInput, unknown
+from c4s.folders import check_out
 from c4s.home import packs_root
 from c4s.names import checked_id, place_in
 from c4s.records.pack import MANIFEST, Pack
@@ -31,6 +33,7 @@ def list_packs(json_output: Annotated[bool, typer.Option("--json")] = False) -> 
                     "title": pack.title,
                     "assets": len(pack.assets),
                     "license": pack.license,
+                    "ai_use": pack.ai_use,
                     "sha256": pack.sha256(),
                 }
                 for pack in found
@@ -38,8 +41,8 @@ def list_packs(json_output: Annotated[bool, typer.Option("--json")] = False) -> 
         )
     else:
         print_table(
-            ["pack", "title", "assets", "licence"],
-            [[pack.pack_id, pack.title, len(pack.assets), pack.license] for pack in found],
+            ["pack", "title", "assets", "licence", "AI use"],
+            [[pack.pack_id, pack.title, len(pack.assets), pack.license, pack.ai_use] for pack in found],
         )
     refuse_left_out(left_out)
 
@@ -62,6 +65,28 @@ def show(
         ],
         title=pack.title,
     )
+
+
+@app.command("collision")
+def draw_collision(
+    pack_id: Annotated[str, typer.Argument(help="id of a pack")],
+    out: Annotated[Path, typer.Option(help="PNG to write")],
+    name: Annotated[list[str] | None, typer.Option(help="part of an asset's id, repeatable; all when left out")] = None,
+    replace: Annotated[bool, typer.Option("--replace", help="replace the file")] = False,
+    json_output: Annotated[bool, typer.Option("--json")] = False,
+) -> None:
+    """Draw what is to be seen of assets beside their collision bodies, each body in its own colour."""
+    from catalog.collision_sheet import collision_sheet
+
+    folder = _manifest(pack_id).parent
+    if out.suffix.lower() != ".png":
+        raise BadInput("a sheet is a PNG file", where=f"--out {out}")
+    check_out(out, replace=replace, magic=b"\x89PNG")
+    count = collision_sheet(folder, out, name or ())
+    if json_output:
+        print_json({"pack": pack_id, "assets": count, "file": str(out)})
+    else:
+        say(f"{count} assets drawn in {out}")
 
 
 @app.command()
@@ -116,18 +141,16 @@ def build(
     folder: Annotated[Path, typer.Argument(help="folder of glTF, GLB, OBJ and DAE files")],
     pack_id: Annotated[str, typer.Option("--id", help="id of the pack to write")],
     scale: Annotated[float, typer.Option(help="metres per unit of the files")] = 1.0,
+    scale_of: Annotated[
+        list[str] | None, typer.Option(help="another scale for some files, once for each: 'chair*=0.01'")
+    ] = None,
     title: Annotated[str | None, typer.Option(help="title of the pack; the folder's name when left out")] = None,
     up: Annotated[Literal["y", "z"], typer.Option(help="axis that points up in OBJ files")] = "y",
-    hulls: Annotated[
-        Literal["asset", "node", "piece", "decompose", "none"],
-        typer.Option(
-            help="collision where a file brings none: one convex hull an asset, a node of its file or a connected "
-            "piece, or convex parts (coacd; slow once)"
-        ),
-    ] = "asset",
-    hulls_of: Annotated[
-        list[str] | None, typer.Option(help="another choice for some files, once for each: 'bench*=decompose'")
-    ] = None,
+    hulls: Hulls = "auto",
+    hulls_of: HullsOf = None,
+    recentre: Annotated[
+        bool, typer.Option("--recentre", help="move pivots that lie outside their mesh to the middle of its bottom")
+    ] = False,
     replace: Annotated[
         bool, typer.Option("--replace", help="replace a pack of this id that is another, or was changed")
     ] = False,
@@ -148,10 +171,12 @@ def build(
             pack_id,
             packs_root(),
             scale=scale,
+            scale_of=scale_of or (),
             title=title,
             up=up,
             hulls=hulls,
             hulls_of=hulls_of or (),
+            recentre=recentre,
             replace=replace,
             progress=step,
         )
@@ -161,12 +186,14 @@ def build(
         return
     say(
         f"{report['pack']}: {report['assets']} assets of {report['files']} files, {report['materials']} materials, "
-        f"licence {report['license']}, in {report['folder']}{' (unchanged)' if report['cached'] else ''}"
+        f"licence {report['license']} (AI use {report['ai_use']}), in {report['folder']}"
+        f"{' (unchanged)' if report['cached'] else ''}"
     )
     for word, rows, key in (("skipped", report["skipped"], "reason"), ("note", report["notes"], "note")):
         for text, names in grouped(rows, key, "file").items():
             more = f" and {len(names) - NAMES_SHOWN} more (see --json)" if len(names) > NAMES_SHOWN else ""
             say(f"{word}: {text}" + (f": {', '.join(names[:NAMES_SHOWN])}{more}" if names[0] else ""))
+    say_excess(report["collision_excess"])
     units = report["units"]
     if units["proposed_scale"]:
         say(f"sizes look wrong: {units['reason']}. An estimate: --scale {units['proposed_scale']}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 
 from c4s.cli.run_view import drawn
@@ -16,9 +16,9 @@ from c4s.judge.names import DEFAULT_JUDGE
 from c4s.names import place_in
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.folder import RunFolder
-from c4s.records.plan import Plan
+from c4s.records.plan import LeftOut, Plan
 from c4s.records.suite import SuiteFolder
-from c4s.run.choices import baselines_of, check_judge, check_ready
+from c4s.run.choices import check_judge, check_ready, default_agents
 from c4s.run.configurations import configuration
 from c4s.run.drive import Pending, refuse_pending, run_trials, settle_all, stage_functions
 from c4s.run.headroom import print_line
@@ -31,6 +31,7 @@ from c4s.run.pool import Pool
 from c4s.run.progress import Progress
 from c4s.run.signals import ending_in_order
 from c4s.run.store import open_store, send_suite
+from c4s.stderr import tell
 from reports.site import build_site, check_place
 from reports.status import REFRESH_S, write_status
 from warehouse.database import is_current, rebuild
@@ -48,6 +49,8 @@ class Evaluation:
     reused: dict[str, int]
     """How many of the trials were done, by the run that holds them."""
     seconds: float
+    left_out: list[LeftOut] = field(default_factory=list)
+    """Default agents that cannot work on its cases, and why."""
 
     def line(self) -> str:
         """It, for people."""
@@ -86,16 +89,20 @@ def evaluate_here(
     bounds.check()
     folder, warehouse, store = built_suite(suite), warehouse_root(), open_store()
     run = place_in(runs_root(), run_id or suite, "run")
+    names, left_out = (agents, []) if agents else default_agents(SuiteFolder(folder), cases)
     plan = make_plan(
         SuiteFolder(folder),
-        [configuration(name) for name in agents or baselines_of(SuiteFolder(folder), cases)],
+        [configuration(name) for name in names],
         run_id=run.name,
         policy=policy,
         judge=judge,
         engine=engine,
         repeats=repeats,
         cases=cases,
+        left_out=left_out,
     )
+    for row in left_out:
+        tell(f"c4s: without {row.agent}: {row.reason}")
     scheduled = list(trials(run, folder, plan))
     for trial in {trial.case.case_id: trial for trial in scheduled}.values():
         inputs(trial)
@@ -129,7 +136,7 @@ def evaluate_here(
                 refuse_pending(refused, len(scheduled))
         refuse_pending(refused, len(scheduled))
     ran, seconds = len(found.missing), time.perf_counter() - started
-    return Evaluation(page.as_uri(), run.name, ran, dict(found.holders), seconds)
+    return Evaluation(page.as_uri(), run.name, ran, dict(found.holders), seconds, left_out)
 
 
 async def _run(ready: Sequence[Trial], plan: Plan, pool: Pool, held: Held, overseer: Overseer) -> list[Pending]:

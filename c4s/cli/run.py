@@ -23,8 +23,8 @@ def run(
         typer.Option(
             "--agent",
             "-a",
-            help="configuration name or YAML file; repeatable (default: the six baselines; "
-            "without the oracle where a case has no original)",
+            help="configuration name or YAML file; repeatable (default: the six baselines, "
+            "without those that cannot work on the suite)",
         ),
     ] = None,
     case: Annotated[list[str] | None, typer.Option("--case", "-c", help="only this case; repeatable")] = None,
@@ -109,6 +109,7 @@ def run(
                 "page": made.page,
                 "ran": made.ran,
                 "reused": made.reused,
+                "left_out": [row.plain() for row in made.left_out],
                 "seconds": round(made.seconds, 2),
                 "leaderboard": leaderboard(suite),
             }

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated
+from types import MappingProxyType
+from typing import Annotated, Any
 
 import typer
 
-from c4s.cli import requirements
+from c4s.cli import asking, requirements, workshop
+from c4s.cli.hulls import Hulls, HullsOf, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
@@ -18,13 +21,20 @@ from c4s.names import checked_id, checked_name, place_in
 from c4s.numbers import half_up
 from c4s.packs.suite_check import suite_changes
 from c4s.protocol.settings import is_construction
-from c4s.records.suite import Suite, SuiteFolder
+from c4s.records.suite import SUITE_FILE, Suite, SuiteFolder
 from c4s.trees import refuse
 
 app = typer.Typer(help="Suites: build, list, show, check, import.", no_args_is_help=True)
 importing = typer.Typer(help="Bring other layouts in as a suite.", no_args_is_help=True)
 app.add_typer(importing, name="import")
 app.add_typer(requirements.app, name="requirements")
+app.command("new")(workshop.new)
+app.command("preview")(workshop.preview)
+app.command("review")(asking.review)
+app.command("freeze")(workshop.freeze)
+app.command("diff")(workshop.diff)
+app.command("stats")(workshop.stats)
+app.command("export")(workshop.export)
 Replace = Annotated[
     bool, typer.Option("--replace", help="replace what lies under this name and is another, or was changed")
 ]
@@ -48,13 +58,17 @@ def build_starter_visibly(*, replace: bool = False) -> Suite:
 
 @app.command()
 def build(
-    name: Annotated[str, typer.Argument(help="`starter`")],
+    name: Annotated[str, typer.Argument(metavar="FILE", help="`starter`, a suite.yaml, or the folder of one")],
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Build a shipped suite with its asset packs."""
+    """Build a suite: the one that ships with its packs, or that of a suite file."""
+    if _is_file(name):
+        suite = workshop.build_file(Path(name), replace=replace, json_output=json_output)
+        _tell(suite, suites_root() / suite.suite_id, json_output)
+        return
     if name != "starter":
-        raise unknown("shipped suite", name, ["starter"])
+        raise unknown("shipped suite", name, ["starter"], todo="or give a suite.yaml")
     _tell(build_starter_visibly(replace=replace), suites_root() / name, json_output)
 
 
@@ -89,10 +103,16 @@ def show(
 
 @app.command()
 def check(
-    name: Annotated[str, typer.Argument(help="id of a built suite")],
+    name: Annotated[str, typer.Argument(metavar="SUITE", help="id of a built suite, or a suite.yaml")],
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Read every byte of a suite and of its packs, and compare it with what was frozen. Exit 2 where one differs."""
+    """Read every byte of a suite and of its packs, and compare it with what was frozen. Exit 2 where one differs.
+
+    Of a suite file: whether what it names is there and fits together.
+    """
+    if _is_file(name):
+        workshop.check_file(Path(name), json_output=json_output)
+        return
     folder = SuiteFolder(built_suite(name))
     read = 0
     with bars() as progress:
@@ -106,12 +126,25 @@ def check(
         found = suite_changes(folder, told)
         progress.update(task, total=read, completed=read, description=f"{f'{read} files read':51}")
     rows = [{"file": str(change.file), "problem": change.told()} for change in found]
+    from cases.suite import losses_of_build
+
+    losses = losses_of_build(folder.root)
     if json_output:
-        print_json({"suite": name, "sha256": folder.suite().sha256(), "files": read, "problems": rows})
+        print_json(
+            {
+                "suite": name,
+                "sha256": folder.suite().sha256(),
+                "files": read,
+                "problems": rows,
+                "physics_of_truth": losses,
+            }
+        )
     elif rows:
         print_table(["file", "problem"], [[row["file"], row["problem"]] for row in rows])
     else:
         say(f"{name}: {read} files are as they were frozen ({folder.suite().sha256()[:12]})")
+    if not json_output:
+        _say_losses(losses)
     refuse(found, todo="restore the files, or build again with --replace")
 
 
@@ -151,10 +184,17 @@ def audit_suite(
 def code4scene(
     folder: Annotated[Path, typer.Argument(help="folder with the published task layout")],
     suite_id: Annotated[str | None, typer.Option("--id", help="id of the suite to write")] = None,
+    content: Annotated[
+        Path | None,
+        typer.Option(help="CSV of content given for image tasks: published, pack, asset (docs/published-tasks.md)"),
+    ] = None,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes."""
+    """Import published tasks. Text-to-scene becomes runnable with proxy assets of the palette's sizes.
+
+    Of image-to-scene it tells which packs, levels and assets would be needed; the levels are not published.
+    """
     from cases.code4scene.importer import import_code4scene
 
     name = checked_id("code4scene" if suite_id is None else suite_id, "suite")
@@ -164,7 +204,9 @@ def code4scene(
         def step(message: str) -> None:
             progress.update(task, description=f"importing {message:41.41}")
 
-        report = import_code4scene(folder, place_in(suites_root(), name, "suite"), packs_root(), step, replace=replace)
+        report = import_code4scene(
+            folder, place_in(suites_root(), name, "suite"), packs_root(), step, content=content, replace=replace
+        )
     if json_output:
         print_json(report)
         return
@@ -172,12 +214,41 @@ def code4scene(
         ["case", "setting", "assets", "runnable", "note"],
         [[row["case_id"], row["setting"], row["assets"], row["runnable"], row["note"]] for row in report["cases"]],
     )
+    _tell_needs(report["needs"], report["content_pack"])
     say(f"{report['runnable']} of {len(report['cases'])} cases are runnable here: c4s run {name} --agent planner")
+
+
+def _tell_needs(needs: dict[str, Any], content_pack: str | None) -> None:
+    """What image tasks would need, for people."""
+    if not needs["packs"]:
+        return
+    print_table(
+        ["pack", "tasks", "title", "where"],
+        [[row["folder"], row["tasks"], row.get("title"), row.get("url")] for row in needs["packs"]],
+        title="Content that the image tasks need",
+    )
+    print_table(
+        ["asset", "tasks", "given"],
+        [[path, count, needs["given"].get(path)] for path, count in needs["assets"].items()],
+        title="Assets that they name",
+    )
+    say(f"{len(needs['given'])} of {len(needs['assets'])} assets are given; {len(needs['levels'])} levels are needed:")
+    say(needs["levels_note"])
+    for path in needs["not_needed"]:
+        say(f"given and not needed: {path}")
+    if content_pack is not None:
+        say(f"given meshes under their published paths: pack {content_pack}")
 
 
 @app.command("import-scene")
 def import_scene_file(
-    file: Annotated[Path, typer.Argument(help="SDF world, glTF/GLB/DAE node tree, or placement table (CSV)")],
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            help="SDF world (several join), glTF/GLB/DAE node tree, Blender file, or placement table (CSV)",
+            metavar="FILE...",
+        ),
+    ],
     scene_id: Annotated[str, typer.Option("--id", help="id of the scene: its pack and its folder under the suites")],
     scale: Annotated[float, typer.Option(help="metres per unit (SDF is metres)")] = 1.0,
     without: Annotated[list[str] | None, typer.Option(help="pattern of actors to leave out; repeatable")] = None,
@@ -185,6 +256,12 @@ def import_scene_file(
         list[str] | None,
         typer.Option(help="NAME=FILE#PART: read a mesh that an SDF world names from another file; repeatable"),
     ] = None,
+    resources: Annotated[
+        list[Path] | None, typer.Option(help="further folder with models of an SDF world; repeatable")
+    ] = None,
+    ground: Annotated[bool, typer.Option("--ground", help="lay a flat ground under a scene that has none")] = False,
+    hulls: Hulls = "auto",
+    hulls_of: HullsOf = None,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
@@ -199,13 +276,17 @@ def import_scene_file(
             progress.update(task, description=f"reading {message:43.43}")
 
         report = import_scene(
-            file,
+            files,
             scene_id,
             suites=suites_root(),
             packs=packs_root(),
             scale=scale,
             without=without or [],
             meshes=mesh or [],
+            resources=resources or [],
+            ground=ground,
+            hulls=hulls,
+            hulls_of=hulls_of or (),
             replace=replace,
             progress=step,
         )
@@ -217,8 +298,9 @@ def import_scene_file(
         f"{report['actors']} actors, {report['lights']} lights, {report['assets']} assets (pack {report['pack']}, "
         f"licence {report['license']}): {report['level']}"
     )
-    for reason, names in grouped(report["skipped"], "reason", "name").items():
-        say(f"skipped {len(names)}: {reason}: {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}")
+    if report["skipped"]:
+        kinds = ", ".join(f"{kind} ({count})" for kind, count in report["skipped_kinds"].items())
+        say(f"skipped {len(report['skipped'])}: {kinds}; each by name in {suites_root() / scene_id / 'import.json'}")
     if any("mesh" in row["reason"] and row["reason"].endswith("is missing") for row in report["skipped"]):
         say(
             "a missing mesh can be read from a part of another file: see --mesh; "
@@ -226,6 +308,7 @@ def import_scene_file(
         )
     for text, names in grouped(report["notes"], "note", "name").items():
         say(f"note: {text}" + (f": {', '.join(names[:3])}{' ...' if len(names) > 3 else ''}" if names[0] else ""))
+    say_excess(report["collision_excess"])
     if report["proposed_scale"]:
         say(f"sizes look wrong. An estimate: --scale {report['proposed_scale']}")
 
@@ -237,18 +320,23 @@ def make_cases(
         str | None, typer.Option("--id", help="id of the suite to write; else the scene's with `-cases`")
     ] = None,
     count: Annotated[int, typer.Option(min=1, max=200, help="number of cases")] = 3,
-    changes: Annotated[int, typer.Option(min=1, max=8, help="most changes of a case")] = 3,
+    changes: Annotated[int, typer.Option(min=1, max=5, help="most changes of a case")] = 3,
     seed: Annotated[int, typer.Option(help="another seed, other cases")] = 0,
     outdoor: Annotated[bool, typer.Option(help="cases of the outdoor setting")] = False,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original."""
+    """Make repair cases of an imported scene: changes by chance, of things that stand and fit in the original.
+
+    A case whose own truth loses points, or that can be repaired without a look at a picture, is refused with the number
+    and another takes its place.
+    """
     import dataclasses
 
     from cases.generate import generated, sound_things
     from cases.importers.scene import imported_scene
-    from cases.suite import build_suite
+    from cases.sifting import summed
+    from cases.suite import build_suite, refused_cases
 
     if suite_id is not None and checked_id(suite_id, "suite") == checked_name(scene, "scene"):
         raise BadInput("the suite cannot have the scene's own id", where=f"--id {scene}")
@@ -276,12 +364,27 @@ def make_cases(
         suite = build_suite(
             definition, place_in(suites_root(), definition.suite_id, "suite"), packs_root(), step, replace=replace
         )
-    _tell(suite, suites_root() / suite.suite_id, json_output)
-
-
-def _tell(suite: Suite, root: Path, json_output: bool) -> None:
+    refused = refused_cases(suites_root() / suite.suite_id)
+    _tell(suite, suites_root() / suite.suite_id, json_output, {"refused": [one.plain() for one in refused]})
     if json_output:
-        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root)})
+        return
+    if refused:
+        say(f"refused {len(refused)} others: {summed(refused)}; for one, {refused[0].case_id}: {refused[0].reason}")
+    if len(suite.cases) < count:
+        say(f"{len(suite.cases)} of the {count} cases that were asked for: give another --seed or fewer --changes")
+
+
+def _is_file(name: str) -> bool:
+    """Whether a name means a suite file: it ends like one, or is a folder with one."""
+    return name.endswith((".yaml", ".yml")) or (Path(name) / SUITE_FILE).is_file()
+
+
+def _tell(suite: Suite, root: Path, json_output: bool, more: Mapping[str, object] = MappingProxyType({})) -> None:
+    from cases.suite import losses_of_build
+
+    losses = losses_of_build(root)
+    if json_output:
+        print_json({**suite.plain(), "sha256": suite.sha256(), "folder": str(root), "physics_of_truth": losses, **more})
         return
     folder = SuiteFolder(root)
     print_table(
@@ -293,3 +396,11 @@ def _tell(suite: Suite, root: Path, json_output: bool) -> None:
         ],
         title=f"{suite.title} ({suite.suite_id}, {suite.sha256()[:12]})",
     )
+    _say_losses(losses)
+
+
+def _say_losses(losses: dict[str, Any] | None) -> None:
+    from cases.losses import told
+
+    for line in told(losses) if losses else []:
+        say(line)

@@ -23,6 +23,8 @@ class SceneBodies:
 
     bodies: list[Body] = field(default_factory=list)
     owners: list[int] = field(default_factory=list)
+    components: list[int] = field(default_factory=list)
+    """Which component of its owner a body belongs to."""
     unresolved: dict[int, str] = field(default_factory=dict)
     """Actor index to the reason why its bodies are not (all) known."""
 
@@ -31,6 +33,7 @@ class _Placed(NamedTuple):
     """A shape of an actor (an index) and the pose of its component."""
 
     owner: int
+    component: int
     shape: Shape
     location: Triple
     quaternion: tuple[float, float, float, float]
@@ -55,12 +58,13 @@ def scene_bodies(snapshot: Mapping[str, Any]) -> SceneBodies:
             if not (isinstance(collision, Mapping) and collision.get("collision_enabled") is False):
                 unresolved[index] = "the snapshot holds no collision bodies of this actor"
             continue
-        for component in components:
+        for part, component in enumerate(components):
             try:
-                placed += [_Placed(index, *part) for part in library.place(component)]
+                placed += [_Placed(index, part, *shape) for shape in library.place(component)]
             except ValueError as error:
                 unresolved.setdefault(index, str(error))
-    return SceneBodies(_place(placed), [part.owner for part in placed], unresolved)
+    owners, of = [part.owner for part in placed], [part.component for part in placed]
+    return SceneBodies(_place(placed), owners, of, unresolved)
 
 
 class _Meshes:

@@ -15,7 +15,7 @@ import coal
 import fcl
 import numpy as np
 
-from c4s.collision.hulls import FLAT, Hull, convex_hull
+from c4s.collision.hulls import FLAT, Hull, Triangles, convex_hull
 from c4s.collision.mesh_body import Array as Array
 from c4s.collision.mesh_body import MeshBody
 from c4s.geometry.transform import rotation_matrix
@@ -37,6 +37,8 @@ class Shape:
     """Vertices of a hull around ``offset``; None: the box ``half``, widened by ``radius`` all around, is the shape."""
     half: Array = field(default_factory=lambda: np.zeros(3))
     radius: float = 0.0
+    triangles: Triangles | None = None
+    """Faces of a hull by corner, looking outward."""
 
     @property
     def is_box(self) -> bool:
@@ -112,7 +114,9 @@ def scaled_shape(body: MeshBody, scale: Array, hull: Hull | None = None) -> Shap
 
 
 def _hull_shape(hull: Hull | None) -> Shape | None:
-    return None if hull is None else Shape(*hull.geometries(), np.eye(3), hull.centre, hull.corners)
+    if hull is None:
+        return None
+    return Shape(*hull.geometries(), np.eye(3), hull.centre, hull.corners, triangles=hull.faces.triangles)
 
 
 def _box(centre: Array, edges: Array) -> Shape:

@@ -42,6 +42,18 @@ class _Open(BaseModel):
     model_config = ConfigDict(extra="ignore", strict=True)
 
 
+class _BuiltMesh(_Closed):
+    settled: bool
+    reason: Text
+    kept: dict[str, Number]
+    refused: Texts
+
+
+class _Walk(_Closed):
+    trace: list[Triple]
+    left: list[Number]
+
+
 class _Box(_Closed):
     origin_cm: Triple
     half_extent_cm: Triple
@@ -159,6 +171,12 @@ SHAPES: Final[Mapping[str, TypeAdapter[Any]]] = {
     "dependencies.export_dependencies": TypeAdapter(_Dependencies),
     "capture.plan_views": TypeAdapter(list[_View]),
     "capture.capture_views": TypeAdapter(list[_View]),
+    "navigation.build_mesh": TypeAdapter(_BuiltMesh),
+    "navigation.lattice": TypeAdapter(list[Number]),
+    "navigation.components": TypeAdapter(list[int]),
+    "navigation.distances": TypeAdapter(list[Number]),
+    "navigation.route": TypeAdapter(list[Triple]),
+    "navigation.walk": TypeAdapter(_Walk),
     "capture.probe_views": TypeAdapter(list[_Glimpse] | None),
 }
 M = TypeVar("M", bound=BaseModel)

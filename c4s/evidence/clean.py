@@ -20,8 +20,10 @@ from c4s.evidence.folder import replace_captures, replace_exported
 from c4s.evidence.masks import Tracer, with_masks
 from c4s.evidence.pictures import TIMEOUT_S, plain, take_pictures
 from c4s.evidence.shots import Camera, Cameras, Glimpse, Shots, Snapshot
+from c4s.evidence.walk import OWN_MESH, probe_navigation
 from c4s.files import read_json, write_json
 from c4s.records.captures import Captures, View
+from c4s.records.evidence_digests import WALKED, note_digests
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
 
@@ -66,6 +68,17 @@ class CleanEngine:
             write_json(made.dependencies, told)
             replace_exported(made, EvidenceFolder(out))
         return snapshot
+
+    def walk(self, out: Path) -> None:
+        """Measure how a body can use the level into ``out``, where this engine has a navigation mesh of its own."""
+        folder = EvidenceFolder(out)
+        if self._engine.kind not in OWN_MESH or folder.digests(WALKED).is_file():
+            return
+        snapshot: Snapshot = read_json(folder.snapshot, what="snapshot")
+        _same_engine(self._engine, snapshot)
+        with _refusals("cannot_be_exported", "the level cannot be walked", self._package):
+            probe_navigation(self._engine, snapshot).write(folder.navigation)
+        note_digests(folder, WALKED, [folder.navigation])
 
     def look(self, out: Path, cameras: Cameras, *, keep_pictures: bool = False) -> None:
         """Take pictures into ``out/captures``, beside the snapshot that was exported; earlier ones are replaced.

@@ -56,6 +56,7 @@ def look(
     with open_clean(
         engine=engine, packs=packs, submission_content=submission_content, package=package, offered=offered
     ) as clean:
+        clean.walk(out)
         clean.look(out, cameras, keep_pictures=keep_pictures)
 
 
@@ -72,6 +73,7 @@ def export_and_look(
     """Both stages in one engine. Without a camera the index of captures has no view."""
     with open_clean(engine=engine, packs=packs, submission_content=submission_content, package=package) as clean:
         clean.export(out)
+        clean.walk(out)
         clean.look(out, cameras, keep_pictures=keep_pictures)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import BinaryIO
 
@@ -23,3 +24,10 @@ def open_picture(source: Path | BinaryIO, *, where: str) -> Image.Image:
         raise BadInput(f"{limit.what} has more than {limit.told()}", where=where) from None
     BOUNDS["picture_pixels"].hold(picture.width * picture.height, where=where)
     return picture
+
+
+def png_bytes(picture: Image.Image) -> bytes:
+    """A picture as a PNG file; the same picture, the same bytes."""
+    out = io.BytesIO()
+    picture.save(out, format="PNG", compress_level=6)
+    return out.getvalue()

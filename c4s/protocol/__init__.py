@@ -9,6 +9,7 @@ __all__ = [
     "detailed",
     "families",
     "graph",
+    "navigation",
     "numbers",
     "overview",
     "paired",

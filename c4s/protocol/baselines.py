@@ -8,7 +8,8 @@ ORACLE: Final = "oracle"
 """Reads the truth; the only client that is given the withheld folder."""
 BLIND: Final = "blind"
 """Repairs without looking at a picture: what it reaches, a suite gives away."""
-BASELINES: Final = ("noop", "random", "planner", "vandal", BLIND, ORACLE)
+NOOP: Final = "noop"
+BASELINES: Final = (NOOP, "random", "planner", "vandal", BLIND, ORACLE)
 CHEATS: Final = (
     *("once", "dust", "pile", "ghost", "copies", "instances", "hidden", "parade", "heap", "buried", "lifted"),
 )

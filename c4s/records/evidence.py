@@ -23,6 +23,7 @@ EvidenceName = Literal[
     "captures",
     "contacts",
     "support",
+    "navigation",
     "input_snapshot",
     "truth_snapshot",
     "requirements",

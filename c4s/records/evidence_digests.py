@@ -9,10 +9,11 @@ from typing import Final, Literal
 from c4s.files import digest_file, write_json
 from c4s.records.folder import EvidenceFolder
 
-Maker = Literal["export", "look", "measure"]
+Maker = Literal["export", "look", "measure", "walk"]
 EXPORTED: Final = "export"
 SEEN: Final = "look"
 MEASURED: Final = "measure"
+WALKED: Final = "walk"
 
 
 def note_digests(folder: EvidenceFolder, maker: Maker, files: Iterable[Path]) -> None:

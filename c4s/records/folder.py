@@ -44,6 +44,11 @@ class EvidenceFolder:
         return self.root / "support.json"
 
     @property
+    def navigation(self) -> Path:
+        """Where a body can walk, which targets it reaches, and how it walked."""
+        return self.root / "navigation.json"
+
+    @property
     def captures(self) -> Path:
         """Folder of the pictures and actor masks."""
         return self.root / "captures"

@@ -55,6 +55,10 @@ MANIFEST, STAMP = "pack.json", "build.json"
 CollisionBody = Annotated[BoxBody | SphereBody | CapsuleBody | HullBody, Field(discriminator="kind")]
 
 
+AIUse = Literal["allowed", "forbidden", "unknown"]
+"""Whether content may be used with systems that learn (paper, benchmark suite: packs marked as allowed for AI use)."""
+
+
 class Material(Record):
     """A material asset. Colours are linear RGB in [0, 1]."""
 
@@ -144,6 +148,9 @@ class Pack(Record):
     content_folder: Name
     title: str
     license: str
+    """SPDX id, several joined by ``AND``; ``unknown`` where none is told."""
+    ai_use: AIUse = Field(default="unknown", exclude_if=lambda value: value == "unknown")
+    """Whether its licence, or words of its authors, let the content be used by AI."""
     description: str = ""
     assets: list[Asset]
     materials: list[Material] = Field(default_factory=list)

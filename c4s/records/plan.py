@@ -48,6 +48,13 @@ class Configuration(Record):
         )
 
 
+class LeftOut(Record):
+    """A default agent that cannot work on the cases of a run, and why."""
+
+    agent: Name
+    reason: str
+
+
 class PlannedCase(Record):
     """A scheduled case with the digests that identify its content."""
 
@@ -85,6 +92,8 @@ class Plan(Sealed):
     suite_id: Name
     suite_digest: str
     configurations: list[Configuration]
+    left_out: list[LeftOut] = Field(default_factory=list)
+    """Default agents that the run does without; none where its agents were named."""
     cases: list[PlannedCase]
     repeats: int = 1
     policy: str

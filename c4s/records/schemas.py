@@ -17,6 +17,7 @@ from c4s.records.backup import Backup
 from c4s.records.base import SEAL, Sealed
 from c4s.records.binding import Binding, ReviewedBindings
 from c4s.records.captures import Captures
+from c4s.records.frozen import Frozen
 from c4s.records.guards import Guards, Instruction
 from c4s.records.handover import Handover
 from c4s.records.human import (
@@ -33,6 +34,7 @@ from c4s.records.judge import JudgeConfiguration
 from c4s.records.judgement import Judgements
 from c4s.records.lease import Lease
 from c4s.records.level import Level
+from c4s.records.navigation import NavigationEvidence
 from c4s.records.pack import Pack
 from c4s.records.plan import Configuration, Plan
 from c4s.records.policy import ScorePolicy
@@ -50,6 +52,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "pack": Pack,
     "unreal-content": UnrealContent,
     "suite": Suite,
+    "frozen": Frozen,
     "agent-case": AgentCase,
     "withheld-case": WithheldCase,
     "binding": Binding,
@@ -58,6 +61,7 @@ FORMATS: dict[str, type[BaseModel]] = {
     "configuration": Configuration,
     "attempt-outcome": AttemptOutcome,
     "captures": Captures,
+    "navigation": NavigationEvidence,
     "judge": JudgeConfiguration,
     "judgements": Judgements,
     "repeatability": Repeatability,

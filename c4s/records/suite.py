@@ -37,6 +37,10 @@ from c4s.trees import listing_digest, read_listing
 
 SUITE, DIGESTS = "suite.json", "digests.json"
 """The frozen list of cases, and the note of every file."""
+SIGHTINGS, FROZEN = "sightings.json", "frozen.json"
+"""Beside them: how well each change of each repair can be seen, and what a suite was frozen on."""
+SUITE_FILE = "suite.yaml"
+"""What an author writes of a suite (``cases.workshop``)."""
 IMPORTED_SCENE = "scene.level.json"
 """A scene that no cases were made of yet lies in the folder of its suite."""
 
@@ -101,6 +105,8 @@ class WithheldCase(Record):
     proxy_assets: bool = False
     """The catalog's assets stand in for content that is not here."""
     visibility: Visibility = "public"
+    author: Name | None = None
+    """Who made the case: nobody reviews their own."""
 
 
 class SuiteCase(Record):
@@ -196,6 +202,16 @@ class SuiteFolder:
         if not (self.root / SUITE).is_file():
             raise BadInput("no such suite", where=str(self.root), todo="build it with `c4s suite build`")
         return Suite.read(self.root / SUITE)
+
+    @property
+    def sightings(self) -> Path:
+        """How well each change of each repair can be seen: rows by case id."""
+        return self.root / SIGHTINGS
+
+    @property
+    def frozen(self) -> Path:
+        """What the suite was frozen on (``Frozen``); there is none before that."""
+        return self.root / FROZEN
 
     def case(self, case_id: str) -> SuiteCase:
         """The line of a case; ``BadInput`` when the suite has none of this id."""

@@ -1,117 +1,18 @@
-"""Compiling the kernels once: where the machine code is kept, and what happens when nothing can be written.
-
-The kept code belongs to exactly these sources (the folder's name carries their digest), so a changed helper never
-leaves a stale kernel. Folders are tried in order: ``NUMBA_CACHE_DIR``, this package's ``__pycache__``, the cache under
-``C4S_HOME``. A folder that holds the code but is read-only is copied to a temporary one; with nowhere to write, the
-process compiles for itself.
-"""
+"""The renderer's kernels (``c4s.compiled``)."""
 
 from __future__ import annotations
 
-import atexit
-import functools
-import hashlib
-import os
-import shutil
-import tempfile
-import time
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar, cast
 
-import numba
+from c4s.compiled import Kernels, inner
 
-from c4s.folders import remove_tree
-from c4s.home import cache_root
+__all__ = ["callback", "code_folder", "inner", "kernel"]
 
-_Kernel = TypeVar("_Kernel", bound=Callable[..., Any])
-_STALE_S = 86400.0
-
-
-@functools.cache
-def sources_digest() -> str:
-    """Digest of this package's Python files and of the compiler's version."""
-    digest = hashlib.sha256(numba.__version__.encode())
-    for path in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(path.read_bytes())
-    return digest.hexdigest()[:16]
+_KERNELS = Kernels(Path(__file__).parent)
+kernel = _KERNELS.kernel
+callback = _KERNELS.callback
 
 
-def _writable(folder: Path) -> bool:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=folder):
-            return True
-    except OSError:
-        return False
-
-
-def _prune(chosen: Path) -> None:
-    """Delete what earlier sources left in this package's own cache a day ago or longer."""
-    if chosen.parent != Path(__file__).parent / "__pycache__":
-        return
-    for folder in chosen.parent.glob("kernels-*"):
-        if folder != chosen and folder.stat().st_mtime < time.time() - _STALE_S:
-            remove_tree(folder, inside=chosen.parent, at_best=True)
-
-
-@functools.cache
 def code_folder() -> Path | None:
-    """A writable folder for compiled code, with the code in it if any candidate has it; ``None`` when there is none."""
-    named = os.environ.get("NUMBA_CACHE_DIR")
-    roots = [*([Path(named)] if named else []), Path(__file__).parent / "__pycache__", cache_root()]
-    folders = [root / f"kernels-{sources_digest()}" for root in roots]
-    holders = [folder for folder in folders if next(folder.glob("*/*.nbi"), None)]
-    for folder in [*holders[:1], *([] if holders else folders)]:
-        if _writable(folder):
-            if not holders:
-                _prune(folder)
-            return folder
-    try:
-        scratch = Path(tempfile.mkdtemp(prefix="c4s-kernels-"))
-    except OSError:
-        return None
-    atexit.register(remove_tree, scratch, inside=scratch.parent, at_best=True)
-    if holders:
-        shutil.copytree(holders[0], scratch, dirs_exist_ok=True)
-    return scratch
-
-
-def kernel(function: _Kernel) -> _Kernel:
-    """Compile a function with numba at its first call, without the interpreter lock, and keep the machine code."""
-    compile_: Any = numba.njit
-    config: Any = numba.config
-    folder = code_folder()
-    if folder is None:
-        return cast(_Kernel, compile_(nogil=True, error_model="numpy")(function))
-    before = config.CACHE_DIR
-    config.CACHE_DIR = str(folder)
-    try:
-        return cast(_Kernel, compile_(nogil=True, cache=True, error_model="numpy")(function))
-    finally:
-        config.CACHE_DIR = before
-
-
-def inner(function: _Kernel) -> _Kernel:
-    """Compile a function that only kernels call.
-
-    It counts no references (several times faster here), as its arrays belong to the caller, and therefore cannot
-    allocate; a ``kernel`` must stand between it and Python.
-    """
-    compile_: Any = numba.njit
-    return cast(_Kernel, compile_(nogil=True, _nrt=False, error_model="numpy", forceinline=True)(function))
-
-
-def callback(signature: Any, function: Callable[..., Any]) -> Any:
-    """Compile a function that a C library calls, and keep the machine code; the library gets its ``address``."""
-    compile_: Any = numba.cfunc
-    config: Any = numba.config
-    folder = code_folder()
-    if folder is None:
-        return compile_(signature, error_model="numpy")(function)
-    before = config.CACHE_DIR
-    config.CACHE_DIR = str(folder)
-    try:
-        return compile_(signature, cache=True, error_model="numpy")(function)
-    finally:
-        config.CACHE_DIR = before
+    """The folder of the renderer's compiled code."""
+    return _KERNELS.code_folder

@@ -15,7 +15,7 @@ from c4s.meter.spending import UNPRICED
 from c4s.protocol.baselines import BASELINES, CHEATS, ORACLE
 from c4s.protocol.settings import SETTING_ALIASES, SETTINGS
 from c4s.records.folder import RunFolder
-from c4s.records.plan import Configuration, Plan
+from c4s.records.plan import Configuration, LeftOut, Plan
 from c4s.records.suite import SuiteCase, SuiteFolder, WithheldFolder
 from c4s.score.policies import POLICIES
 
@@ -64,12 +64,18 @@ def check_substitutes(configurations: Sequence[Configuration], cases: Collection
                 raise unknown("case or setting", key, [*SETTINGS, *cases], where=f"per_case of {chosen.name}, {where}")
 
 
-def baselines_of(suite: SuiteFolder, cases: Collection[str]) -> tuple[str, ...]:
-    """The baselines that can work on the named cases of a suite (all where none is named): the oracle needs an original
-    of every case, and text tasks by others have none."""
-    chosen = (case for case in suite.suite().cases if not cases or case.case_id in cases)
-    complete = all(_has_original(suite, case) for case in chosen)
-    return BASELINES if complete else tuple(name for name in BASELINES if name != ORACLE)
+def default_agents(suite: SuiteFolder, cases: Collection[str]) -> tuple[tuple[str, ...], list[LeftOut]]:
+    """The baselines that can work on the named cases of a suite (all where none is named), and those that cannot.
+
+    The oracle needs an original of every case, and tasks that came from others may have none.
+    """
+    chosen = [case for case in suite.suite().cases if not cases or case.case_id in cases]
+    bare = [case.case_id for case in chosen if not _has_original(suite, case)]
+    if not bare:
+        return BASELINES, []
+    without = f"{bare[0]!r}" if len(bare) == 1 else f"{len(bare)} of {len(chosen)} cases, such as {bare[0]!r},"
+    reason = f"{without} came without an original scene, so it has nothing to save"
+    return tuple(name for name in BASELINES if name != ORACLE), [LeftOut(agent=ORACLE, reason=reason)]
 
 
 def check_originals(configurations: Sequence[Configuration], suite: SuiteFolder, cases: Sequence[SuiteCase]) -> None:

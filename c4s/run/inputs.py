@@ -64,6 +64,7 @@ def evidence_in(
         "captures": exported.captures_index,
         "contacts": exported.contacts,
         "support": exported.support,
+        "navigation": exported.navigation,
     }
     return Evidence(
         setting=given.case.setting,

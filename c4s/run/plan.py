@@ -12,7 +12,7 @@ from c4s.files import digest
 from c4s.judge.names import judge_configuration
 from c4s.packs.suite_check import check_case
 from c4s.records.folder import RunFolder, TrialFolder
-from c4s.records.plan import Configuration, Plan, PlannedCase
+from c4s.records.plan import Configuration, LeftOut, Plan, PlannedCase
 from c4s.records.suite import SuiteFolder, WithheldFolder
 from c4s.run.choices import check_configurations, check_labels, check_originals, check_substitutes
 from c4s.run.grounds import check_grounds
@@ -95,11 +95,13 @@ def make_plan(
     engine: str,
     repeats: int = 1,
     cases: Sequence[str] = (),
+    left_out: Sequence[LeftOut] = (),
 ) -> Plan:
     """A plan over the suite's cases (all, or those named).
 
-    ``judge`` is a name or the YAML file of one. Raises ``BadInput`` for an unknown case, for a case or pack that is
-    not as it was frozen, and for an engine, judge, policy or configuration that cannot be obeyed (``c4s.run.choices``).
+    ``judge`` is a name or the YAML file of one; ``left_out`` are default agents that it does without.
+    Raises ``BadInput`` for an unknown case, for a case or pack that is not as it was frozen, and for an engine, judge,
+    policy or configuration that cannot be obeyed (``c4s.run.choices``).
     """
     from c4s.judge.registry import judge_version
     from c4s.run.host import this_host
@@ -138,6 +140,7 @@ def make_plan(
         suite_id=record.suite_id,
         suite_digest=record.sha256(),
         configurations=list(configurations),
+        left_out=list(left_out),
         cases=planned,
         repeats=repeats,
         policy=policy,
@@ -196,9 +199,11 @@ def _grown(frozen: Plan, asked: Plan, where: str) -> Plan:
                 todo="give the agent another name, or choose another --run-id",
             )
     cases = {case.case_id: case for case in (*frozen.cases, *asked.cases)}
+    without = {row.agent: row for row in (*frozen.left_out, *asked.left_out) if row.agent not in configurations}
     grown = frozen.model_copy(
         update={
             "configurations": list(configurations.values()),
+            "left_out": list(without.values()),
             "cases": list(cases.values()),
             "repeats": max(frozen.repeats, asked.repeats),
         }

@@ -17,7 +17,7 @@ from c4s.protocol.baselines import ORACLE
 from c4s.protocol.rules import DEFAULT_POLICY, GATE, NO_SUBMISSION
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.evidence import Evidence, ManifestDigests
-from c4s.records.evidence_digests import EXPORTED, MEASURED, SEEN, note_digests
+from c4s.records.evidence_digests import EXPORTED, SEEN, note_digests
 from c4s.records.folder import AttemptFolder, RunFolder
 from c4s.records.judgement import Judgements
 from c4s.records.pack import Pack
@@ -30,7 +30,7 @@ from c4s.run.faults import of_machinery
 from c4s.run.inputs import TrialInputs, evidence_in, inputs, offered
 from c4s.run.limits import Stage
 from c4s.run.plan import Trial
-from c4s.verify.registry import make_verdict, measure, verifiers_of
+from c4s.verify.registry import make_verdict, measure, verifier_named, verifiers_of
 
 ATTEMPTS = 2
 
@@ -112,6 +112,7 @@ def integrity(trial: Trial, plan: Plan, number: int) -> bool:
             verdict.write(folder.integrity)
         if verdict.status == "valid":
             with timed(trial, "look"):
+                clean.walk(trial.folder.evidence.root)
                 clean.look(trial.folder.evidence.root, cameras_for(given))
     return verdict.status == "valid"
 
@@ -202,7 +203,9 @@ def verify(trial: Trial, plan: Plan, name: str) -> Verdict:
         for measured, record in made.items():
             write_json(exported.path(measured), record, indent=None)
         if made:
-            note_digests(trial.folder.evidence, MEASURED, [exported.path(measured) for measured in made])
+            note_digests(
+                trial.folder.evidence, verifier_named(name).maker, [exported.path(measured) for measured in made]
+            )
             exported = evidence(trial, plan, given)
         verdict = make_verdict(name, exported)
         verdict.write(path)

@@ -69,7 +69,7 @@ def utility(approachable: float, arrived: int, walks: int) -> float:
     """A scene's utility: shares of things that can be approached and of walks that arrived. ``ValueError``: no walk."""
     if walks < 1:
         raise ValueError("without a walk the utility is withheld")
-    return approachable * arrived / walks
+    return approachable * (arrived / walks)
 
 
 def utility_mean(values: Floats) -> UtilityMean:

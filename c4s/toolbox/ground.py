@@ -28,7 +28,8 @@ GENERIC = NEITHER | frozenset(stems_of("floor flooring terrain landscape"))
 NO_GROUND = frozenset(
     stems_of(
         "rug mat doormat blanket towel ceiling roof wall partition door window pond pool puddle lake river sea water "
-        "canal lamp light panel table bed bench sign picture poster board screen mirror stage bridge ramp stairs"
+        "canal lamp light panel table bed bench sign picture poster board screen mirror stage bridge ramp stairs "
+        "border curb kerb trim corner angle bump hatch manhole newspaper"
     )
 )
 """What is called by one of these is no ground, whatever else it is called."""

@@ -14,6 +14,7 @@ from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.verdict import Verdict
 from c4s.records.version import code_version
 from c4s.verify.integrity.verifier import INTEGRITY
+from c4s.verify.navigation.verifier import NAVIGATION
 from c4s.verify.paired.verifier import PAIRED
 from c4s.verify.physics.verifier import PHYSICS
 from c4s.verify.repair.verifier import REPAIR
@@ -21,10 +22,10 @@ from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
 from c4s.verify.verifier import Verifier
 
 VERIFIERS: Final[dict[str, Verifier]] = {
-    verifier.name: verifier for verifier in (INTEGRITY, REPAIR, DETAILED, OVERVIEW, PHYSICS, PAIRED)
+    verifier.name: verifier for verifier in (INTEGRITY, REPAIR, DETAILED, OVERVIEW, PHYSICS, PAIRED, NAVIGATION)
 }
 """By name, in the order in which tables and pages show them."""
-DECIDE: Final = ("verify", "semantics", "protocol", "collision", "geometry", "records")
+DECIDE: Final = ("verify", "semantics", "protocol", "navigation", "collision", "geometry", "records")
 """Folders of ``c4s`` whose sources decide what a verdict says."""
 
 

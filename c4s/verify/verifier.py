@@ -9,6 +9,7 @@ from typing import Any
 from c4s.protocol.numbers import unit_number
 from c4s.protocol.settings import Setting
 from c4s.records.evidence import Evidence, EvidenceName
+from c4s.records.evidence_digests import MEASURED, Maker
 from c4s.records.policy import ScorePolicy
 from c4s.records.verdict import Verdict
 
@@ -58,6 +59,8 @@ class Verifier:
     verify: Callable[[Evidence], Verdict]
     measure: Callable[[Evidence], dict[EvidenceName, Mapping[str, Any]]] | None = None
     """Makes those of the files that it needs which are measured in the scene and are not there yet."""
+    maker: Maker = MEASURED
+    """Under which name the digests of what it measures are kept."""
     gate: bool = False
     """Whether its verdict decides that the others are made at all."""
     weighed_as: str = ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from collections import Counter
 from collections.abc import Callable
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from c4s.protocol.settings import is_construction
 from c4s.records.level import Level
 from c4s.records.suite import SUITE, AgentCase, PackRef, SuiteFolder, WithheldCase, WithheldFolder
 from cases.binding import freeze_binding, reviewed_beside
+from cases.code4scene.needs import TaskNeeds, content_pack, listings, needs_of, read_table, told
 from cases.code4scene.tasks import Task, find_tasks, palette, read_task
 from cases.settle import to_build
 from cases.veil import Veil
@@ -28,12 +30,21 @@ MINIMUM_ACTORS = 1
 
 
 def import_code4scene(
-    folder: Path, out: Path, packs_root: Path, progress: Callable[[str], None], *, replace: bool = False
+    folder: Path,
+    out: Path,
+    packs_root: Path,
+    progress: Callable[[str], None],
+    *,
+    content: Path | None = None,
+    replace: bool = False,
 ) -> dict[str, Any]:
     """Import every task at or below ``folder`` as the suite ``out``; returns a report, one row a task.
 
-    Raises ``BadInput`` for a malformed task or requirement bundle, two tasks of one id, or where no task can be run;
-    without ``replace`` also where another suite of this name, or another pack of a task, is there or was changed.
+    The report's ``needs`` says what the image tasks would need together. ``content`` is a table of content given for
+    it (``cases.code4scene.needs``): its meshes become the pack ``content-<suite>`` under their published paths.
+    Raises ``BadInput`` for a malformed task, recipe, table or requirement bundle, two tasks of one id, or where no task
+    can be run; without ``replace`` also where another suite of this name, or another pack of a task, is there or was
+    changed.
     """
     check_written(folder)
     tasks = [read_task(path) for path in find_tasks(folder)]
@@ -41,20 +52,25 @@ def import_code4scene(
         if times > 1:
             raise BadInput(f"task id {name!r} occurs twice, letter case aside", where=str(folder))
     notes = {task.case_id: _checked_bundle(task) for task in tasks}
+    needs = {task.case_id: needs_of(task) for task in tasks if not is_construction(task.setting)}
+    given = read_table(content, packs_root) if content is not None else None
+    named = sorted({path for one in needs.values() for path in one.assets})
     with beside(out) as made, beside(packs_root / out.name) as made_packs:
         fresh = SuiteFolder(made / out.name)
-        rows, packs = _cases(tasks, notes, fresh, made_packs, progress)
+        rows, packs = _cases(tasks, notes, needs, fresh, made_packs, progress)
         if not packs:
+            lacking = sorted({pack for one in needs.values() for pack in one.packs})
             raise BadInput(
-                "none of these tasks can be run without its content",
+                f"none of these tasks can be run without its content: the packs {', '.join(lacking) or '-'}",
                 where=str(folder),
                 todo="image-to-scene tasks need their Unreal levels",
             )
+        stand_in = content_pack(given, named, packs_root, made_packs, f"content-{out.name}") if given else None
         suite = fresh.freeze(out.name, f"Imported from {folder.name}", "Published tasks with proxy assets", packs)
         same = not replace and (out / SUITE).is_file() and SuiteFolder(out).suite() == suite
         wanted = to_build(out, same=same, replace=replace)
-        for pack in packs:
-            settle(made_packs / pack.pack_id, packs_root / pack.pack_id, replace=replace)
+        for pack_id in [pack.pack_id for pack in packs] + ([stand_in.pack_id] if stand_in else []):
+            settle(made_packs / pack_id, packs_root / pack_id, replace=replace)
         if wanted:
             put_folder(fresh.root, out, marker=SUITE)
     return {
@@ -63,6 +79,8 @@ def import_code4scene(
         "folder": str(out),
         "runnable": len(packs),
         "cases": rows,
+        "needs": told(list(needs.values()), given, listings(folder)),
+        "content_pack": stand_in.pack_id if stand_in else None,
     }
 
 
@@ -81,7 +99,12 @@ def _checked_bundle(task: Task) -> str:
 
 
 def _cases(
-    tasks: list[Task], notes: dict[str, str], suite: SuiteFolder, packs_root: Path, progress: Callable[[str], None]
+    tasks: list[Task],
+    notes: dict[str, str],
+    needs: dict[str, TaskNeeds],
+    suite: SuiteFolder,
+    packs_root: Path,
+    progress: Callable[[str], None],
 ) -> tuple[list[dict[str, Any]], list[PackRef]]:
     """Write the cases that can be run, and their packs under ``packs_root``; a report row a task."""
     veil = Veil(digest([task.case_id for task in tasks]))
@@ -107,7 +130,8 @@ def _cases(
                     "setting": task.setting,
                     "assets": None,
                     "runnable": False,
-                    "note": f"needs the levels and content of {', '.join(task.packs) or 'its packs'}",
+                    "note": f"needs the levels and content of {', '.join(needs[task.case_id].packs) or 'its packs'}",
+                    "needs": asdict(needs[task.case_id]),
                 }
             )
     return rows, packs

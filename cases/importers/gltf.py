@@ -46,6 +46,7 @@ class _Gltf:
         self.axes = np.asarray(TO_UNREAL["y"], dtype=float)
         self.tree = GltfTree(GltfFile(path, path.parent))
         self.scene = ImportedScene()
+        self.light_factor = _light_factor(self.tree.file.tree)
 
     def read(self) -> ImportedScene:
         for placed in self.tree.placed():
@@ -83,7 +84,7 @@ class _Gltf:
         kind = kinds.get(str(record.get("type")))
         try:
             color = color_of(record.get("color", (1, 1, 1)))
-            intensity = float(record.get("intensity", 1))
+            intensity = float(record.get("intensity", 1)) / self.light_factor
             reach = float(record.get("range", 0)) * 100 * self.scale or ENDLESS_CM
             cone = record.get("spot", {})
             angles = (
@@ -129,6 +130,14 @@ class _Gltf:
         forward, up = -axes[:, 1], axes[:, 2]
         turned[:3, :3] = np.column_stack([forward, np.cross(up, forward), up])
         return turned
+
+
+def _light_factor(tree: dict[str, Any]) -> float:
+    """What a file of ``c4s engine export`` says that its lights were multiplied by; 1 for any other file."""
+    asset = tree.get("asset")
+    extras = asset.get("extras") if isinstance(asset, dict) else None
+    factor = extras.get("light_factor") if isinstance(extras, dict) else None
+    return float(factor) if isinstance(factor, int | float) and math.isfinite(factor) and factor > 0 else 1.0
 
 
 def _read_collada(path: Path, scale: float) -> ImportedScene:

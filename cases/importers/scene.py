@@ -22,26 +22,41 @@ from c4s.packs.check import check_pack
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform
 from c4s.records.pack import CollisionBody
 from c4s.records.suite import IMPORTED_SCENE
+from c4s.render.textures import srgb_bytes
 from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
+from cases.importers.collision import scene_collision
+from cases.importers.wild import wild
+from catalog.ingest.collision import AssetCollision, HullChoice
 from catalog.ingest.colours import colours_of
-from catalog.ingest.hulls import bodies
+from catalog.ingest.excess import excess_row, worst
+from catalog.ingest.hulls import hull
 from catalog.ingest.licence import licence
-from catalog.ingest.surface import SourcePart
-from catalog.ingest.units import check_units, words
+from catalog.ingest.surface import SourcePart, Surface
+from catalog.ingest.units import check_units, odd_sizes, words
 from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.ingest.writer import PackWriter, identifier
 
 Matrix = NDArray[np.float64]
 REPORT = "import.json"
+PLACE_DIGITS = 7
+"""Of angles (degrees) and scale factors: a corner 100 m from its pivot stays within a thousandth of a millimetre."""
+GROUND, GROUND_BEYOND_CM, GROUND_CM, GROUND_COLOR = "c4s|ground", 400.0, 4.0, (0.23, 0.24, 0.2)
+GROUND_GAP_CM = 0.2
+"""What stands on a ground that was laid stands so far above it: what sinks by a rounding error counts as floating."""
+AUTOMATIC = HullChoice()
 
 
 @dataclass
 class SceneAsset:
-    """A mesh that actors share: parts in cm and Unreal's axes about its pivot."""
+    """A mesh that actors share: parts in cm and Unreal's axes about its pivot.
+
+    ``ground``: its bodies are slabs under its surface, which nothing is to be seen of.
+    """
 
     name: str
     parts: list[SourcePart]
     collision: list[CollisionBody] = field(default_factory=list)
+    ground: bool = False
 
 
 @dataclass
@@ -98,15 +113,23 @@ class ImportedScene:
     skipped: list[dict[str, str]] = field(default_factory=list)
     notes: list[dict[str, str]] = field(default_factory=list)
 
-    def skip(self, name: str, reason: str) -> None:
-        """Record that something of the source is left out."""
-        self.skipped.append({"name": name, "reason": reason})
+    def skip(self, name: str, reason: str, kind: str = "") -> None:
+        """Record that something of the source is left out; what has one ``kind`` is told together.
+
+        Without one it is the reason, its quoted names left out.
+        """
+        self.skipped.append({"name": name, "reason": reason, "kind": _kind(kind or reason)})
 
     def note(self, name: str, text: str) -> None:
         """Record something about what was read, once."""
         row = {"name": name, "note": text}
         if row not in self.notes:
             self.notes.append(row)
+
+
+def _kind(reason: str) -> str:
+    """A reason without what it says of one thing alone: quoted names, what stands in brackets or behind a colon."""
+    return " ".join(re.sub(r"'[^']*'|\([^)]*\)|: .*", " ", reason).split()) or reason
 
 
 def place(matrix: Matrix) -> tuple[Transform, bool]:
@@ -120,8 +143,28 @@ def place(matrix: Matrix) -> tuple[Transform, bool]:
     sheared = bool(np.abs(axes.T @ axes - np.eye(3)).max() > 1e-3)
     u, _, v = np.linalg.svd(axes)
     rotation = rotator_from_quat(Rotation.from_matrix(u @ v).as_quat().tolist())
-    place = [tuple(round(float(value), 4) + 0.0 for value in values) for values in (matrix[:3, 3], rotation, scale)]
+    place = [
+        tuple(round(float(value), digits) + 0.0 for value in values)
+        for values, digits in ((matrix[:3, 3], 4), (rotation, PLACE_DIGITS), (scale, PLACE_DIGITS))
+    ]
     return Transform(location_cm=place[0], rotation_deg=place[1], scale=place[2]), sheared
+
+
+def under(scene: ImportedScene, kept: Sequence[SceneActor]) -> tuple[SceneAsset, SceneActor]:
+    """A flat ground under all actors and a little beyond, its pivot in its upper face."""
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    for actor in kept:
+        for part in scene.assets[actor.asset].parts:
+            points = part.vertices @ actor.matrix[:3, :3].T + actor.matrix[:3, 3]
+            low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
+    middle, half = (low + high) / 2, (high - low) / 2 + GROUND_BEYOND_CM
+    corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) * half
+    up, faces = np.tile([0.0, 0.0, 1.0], (4, 1)), np.array([[0, 1, 2], [0, 2, 3]])
+    part = SourcePart("ground", Surface("ground", GROUND_COLOR, roughness=1.0), corners, faces, up, np.zeros((4, 2)))
+    place = np.eye(4)
+    place[:3, 3] = (*middle[:2], low[2] - GROUND_GAP_CM)
+    body = hull(np.concatenate([corners, corners - [0, 0, GROUND_CM]]))
+    return SceneAsset("ground", [part], [body], ground=True), SceneActor("Ground", GROUND, place)
 
 
 def short_names(names: Iterable[str]) -> dict[str, str]:
@@ -148,42 +191,55 @@ def write_scene(
     packs: Path,
     without: Sequence[str] = (),
     scale: float = 1.0,
+    ground: bool = False,
+    hulls: HullChoice = AUTOMATIC,
     replace: bool = False,
 ) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
     ``without`` are patterns of actors' paths that are left out (a roof, say); ``scale`` is the factor that was applied,
-    in units of which another is proposed. The report is written beside the level
-    as ``import.json``. Raises ``BadInput`` when no actor is left; without ``replace`` also where another scene or pack
-    of this name is there.
+    in units of which another is proposed; ``ground`` lays a plate under all of it. The report is written beside the
+    level as ``import.json``. Raises ``BadInput`` when no actor is left; without ``replace`` also where another scene or
+    pack of this name is there.
     """
     kept = [actor for actor in scene.actors if not any(fnmatch(actor.path, pattern) for pattern in without)]
     if not kept:
         reason = f"; {scene.skipped[0]['name']}: {scene.skipped[0]['reason']}" if scene.skipped else ""
         raise BadInput(f"no actor of this scene can be placed{reason}", where=str(source))
+    if ground:
+        scene.assets[GROUND], actor = under(scene, kept)
+        kept.append(actor)
+    for path, text in wild([(actor.path, actor.matrix) for actor in kept]).items():
+        scene.note(path, text)
     count = Counter(actor.asset for actor in kept)
-    licence_id, text = licence(license_folder)
-    if licence_id == "unknown":
-        scene.note("", "no file of the scene tells the licence")
+    told = licence(license_folder)
+    for text in told.notes:
+        scene.note("", text)
     with PackWriter(suite_id, packs, replace=replace) as writer:
+        held: list[dict[str, Any]] = []
         paths, shown = {}, short_names(scene.assets[key].name for key in count)
         for key in sorted(count, key=lambda key: (scene.assets[key].name, key)):
             asset = scene.assets[key]
-            solid = asset.collision or list(
-                bodies([(part.node, part.vertices, part.faces) for part in asset.parts], "piece")
+            own = (
+                AssetCollision(asset.parts, asset.collision, "authored")
+                if asset.ground and asset.collision
+                else scene_collision(asset.parts, asset.collision, hulls.how(asset.name))
             )
+            for text in own.notes:
+                scene.note(asset.name, text)
             name = shown[asset.name]
             record = writer.add(
                 name,
                 asset.parts,
-                solid,
+                own.bodies,
                 category=kind_of(name) or (words(name) or ["props"])[-1],
                 readable=readable(name),
                 tags=search_words(name),
-                source="authored" if asset.collision else "hull",
+                source=own.source,
                 description=f"{readable(name)}; {', '.join(colours_of(asset.parts))}; {count[key]} in the scene",
             )
             paths[key] = record.path
+            held.append(excess_row(asset.name, own.shown, own.bodies))
         sizes = [(asset.name, max(asset.size_m)) for asset in writer.assets]
         level = with_identities(
             Level(
@@ -197,12 +253,15 @@ def write_scene(
             _refuse_other(folder / IMPORTED_SCENE, level)
         pack = writer.finish(
             title=f"Meshes of {source.stem}",
-            license_id=licence_id,
-            license_text=text,
+            license_id=told.id,
+            license_text=told.text,
+            ai_use=told.ai_use,
             description=f"Imported from {source.name}",
         )
     level.write(folder / IMPORTED_SCENE)
     units = check_units(sizes).proposed
+    for index, odd in odd_sizes([(name, side * (units or 1.0)) for name, side in sizes]).items():
+        scene.note(sizes[index][0], f"its size is unlike the others': {odd.reason}")
     proposed = None if scene.metric or units is None else float(f"{units * scale:.2g}")
     report = {
         "suite": suite_id,
@@ -210,14 +269,18 @@ def write_scene(
         "package": level.package,
         "pack": pack.pack_id,
         "license": pack.license,
+        "ai_use": pack.ai_use,
+        "ai_use_reason": told.ai_reason,
         "actors": len(kept),
         "lights": len(scene.lights),
         "cameras": len(scene.cameras),
         "assets": len(pack.assets),
         "left_out": len(scene.actors) - len(kept),
         "skipped": scene.skipped,
+        "skipped_kinds": dict(Counter(row["kind"] for row in scene.skipped).most_common()),
         "notes": scene.notes,
         "proposed_scale": proposed,
+        "collision_excess": worst(held),
         "sha256": level.sha256(),
         "pack_sha256": pack.sha256(),
     }
@@ -316,10 +379,7 @@ def _lights(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
     actors = []
     for light in lights:
         kind = {"point": "PointLight", "spot": "SpotLight", "directional": "DirectionalLight"}[light.kind]
-        properties: dict[str, Any] = {
-            "intensity": light.intensity,
-            "light_color": [*(round(255 * c) for c in light.color), 255],
-        }
+        properties: dict[str, Any] = {"intensity": light.intensity, "light_color": [*_srgb_bytes(light.color), 255]}
         if light.kind != "directional":
             properties["attenuation_radius"] = light.radius_cm
         if light.units is not None:
@@ -329,6 +389,11 @@ def _lights(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
         name = _unique(identifier(f"Light_{light.path.removeprefix('Light')}"), names)
         actors.append(_light(name, kind, place(light.matrix)[0], properties, suite_id))
     return [*actors, _light("Light_Sky", "SkyLight", Transform(), {"intensity": 1.0}, suite_id)]
+
+
+def _srgb_bytes(color: tuple[float, float, float]) -> list[int]:
+    """Linear colour as the engine keeps that of a light."""
+    return [int(value) for value in srgb_bytes(np.asarray(color, dtype=np.float32))]
 
 
 def _light(name: str, kind: str, transform: Transform, properties: dict[str, Any], suite_id: str) -> LevelActor:

@@ -1,46 +1,41 @@
-"""An SDF world (Gazebo) as a scene.
+"""SDF worlds (Gazebo) as a scene.
 
-An actor is an included model, a model written out that holds no other, or one link of a model that does (a group: it
-names the folder of its actors in the outliner). A model that wraps a single include is that include under its own name.
-Visuals of an actor are one mesh about the pivot of its model or link; its collision elements are its bodies.
+An actor is an included model, a model written out that holds no other, a road, or one link of a model that holds others
+(a group: it names the folder of its actors in the outliner). A model that wraps a single include is that include under
+its own name; what a merged include holds is its parent's. Visuals of an actor are one mesh about the pivot of its model
+or link; its collision elements are its bodies. Several worlds join into one scene.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
-from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
-from c4s.files import digest, read_plain
-from cases.importers.scene import ImportedScene, SceneActor, SceneAsset, SceneLight
-from cases.importers.sdf_frames import Frames, Matrix, name_of, numbers, pose
+from c4s.files import digest
+from cases.importers.scene import ImportedScene, SceneActor, SceneAsset
+from cases.importers.sdf_frames import Frames, Matrix, merged, numbers, pose
+from cases.importers.sdf_library import PLACEABLE, SdfFiles, SdfLibrary, read_tree, uri_of
+from cases.importers.sdf_lights import light_of
 from cases.importers.sdf_shapes import SdfShapes, to_unreal
 
 MAX_DEPTH = 32
 """Models that include each other end here."""
-SUN_INTENSITY = 4.0
-POINT_INTENSITY = 8000.0
-"""What a full white SDF light becomes; SDF's lights have no physical unit."""
-KINDS: dict[str, Literal["point", "spot", "directional"]] = {
-    "point": "point",
-    "spot": "spot",
-    "directional": "directional",
-}
 PLAIN_LINKS = {"link", "base", "body", "base_link", "root"}
 """Names of links that say nothing: the model's is taken."""
 LEFT_OUT = {
-    "actor": "animated people are not part of a still scene",
-    "population": "a population is placed by chance when it is simulated",
-    "road": "roads drawn by a simulator are not supported",
+    "actor": ("animated person", "animated people are not part of a still scene"),
+    "population": ("population", "a population is placed by chance when it is simulated"),
+    "plugin": ("plugin", "a plugin is a program of the simulator"),
+    "sensor": ("sensor", "a sensor is nothing to see"),
 }
+"""What is never part of a scene: its kind, and why."""
 
 
 def scene_root(world: Path) -> Path:
@@ -52,7 +47,7 @@ def scene_root(world: Path) -> Path:
 
 
 @dataclass(frozen=True)
-class Scope:
+class SdfScope:
     """What a nested model inherits: its path, its matrix in the world, its frames, its depth, whether it is fixed."""
 
     prefix: str
@@ -61,129 +56,190 @@ class Scope:
     depth: int
     static: bool
 
-    def within(self, element: Element, link: Element) -> Matrix:
+
+@dataclass(frozen=True)
+class SdfLink:
+    """A link of a model: its element, its matrix in the model, the frames among which its poses are written."""
+
+    element: Element
+    matrix: Matrix
+    frames: Frames
+
+    def within(self, child: Element) -> Matrix:
         """What to multiply a visual's or collision's own pose with, in its link: nothing, unless it names a frame."""
-        found = element.find("pose")
+        found = child.find("pose")
         named = (found.get("relative_to") or "").strip() if found is not None else ""
         if not named:
             return np.eye(4)
-        return np.linalg.inv(self.frames.of(link)) @ self.frames.resolve(named)
+        return np.linalg.inv(self.frames.of(self.element)) @ self.frames.resolve(named)
+
+
+@dataclass(frozen=True)
+class ModelContent:
+    """What a model holds, with what its merged includes hold: links, and models with the frames that they stand in."""
+
+    links: list[SdfLink]
+    nested: list[tuple[Element, Frames, Matrix]]
 
 
 def read_sdf(
-    world: Path, progress: Callable[[str], None] | None = None, replace: Mapping[str, str] | None = None
+    worlds: Sequence[Path],
+    progress: Callable[[str], None] | None = None,
+    replace: Mapping[str, str] | None = None,
+    resources: Sequence[Path] = (),
 ) -> ImportedScene:
-    """Read an SDF world.
+    """Read SDF worlds into one scene.
 
     Args:
-        world: the file.
+        worlds: the files; one that holds models and no world is a world of these.
         progress: told the name of each model.
-        replace: mesh addresses of the world that are read from another file (``a/door.obj#Frame``: a part of it).
+        replace: mesh addresses of the worlds that are read from another file (``a/door.obj#Frame``: a part of it).
+        resources: further folders in which models and their files are looked for.
 
     Raises:
-        BadInput: the file is no SDF world. What cannot be used is named in ``skipped``.
+        BadInput: a file is no SDF. What cannot be used is named in ``skipped``.
     """
-    return _Reader(world, progress or (lambda name: None), replace or {}).read()
-
-
-def _tree(path: Path) -> Element:
-    data = read_plain(path, bound=BOUNDS["markup_bytes"])
-    if b"<!DOCTYPE" in data or b"<!ENTITY" in data:
-        raise BadInput("an SDF file has no document type and no entities", where=str(path))
-    try:
-        return ElementTree.fromstring(data.strip())
-    except (ElementTree.ParseError, LookupError, ValueError) as error:
-        raise BadInput(f"this is not valid XML: {error}", where=str(path)) from None
+    folders = list(dict.fromkeys([*(scene_root(world) for world in worlds), *resources]))
+    return _Reader(worlds, folders, progress or (lambda name: None), replace or {}).read()
 
 
 class _Reader:
-    def __init__(self, world: Path, progress: Callable[[str], None], replace: Mapping[str, str]) -> None:
-        self.world, self.root, self.progress = world, scene_root(world), progress
+    def __init__(
+        self,
+        worlds: Sequence[Path],
+        folders: Sequence[Path],
+        progress: Callable[[str], None],
+        replace: Mapping[str, str],
+    ) -> None:
+        self.worlds, self.progress = worlds, progress
         self.scene = ImportedScene(metric=True)
-        self.shapes = SdfShapes(world, self.root, replace)
-        self.models: dict[str, Element] = {}
+        files = SdfFiles(worlds[0], folders)
+        self.shapes, self.library = SdfShapes(files, replace), SdfLibrary(files)
         self.state: dict[str, Element] = {}
 
     def read(self) -> ImportedScene:
-        tree = _tree(self.world)
-        world = tree.find("world")
-        if tree.tag != "sdf" or world is None:
-            raise BadInput("this is no SDF world", where=str(self.world))
-        self.state = {
-            model.get("name", ""): model for model in world.iterfind("state/model") if model.find("pose") is not None
-        }
-        scope = Scope("", np.eye(4), Frames(world, self.library), 0, False)
-        for element in world:
-            if element.tag in ("model", "include"):
-                self._guarded(element, scope)
-            elif element.tag == "light":
-                self._light(element, "", scope.frames.of(element))
-            elif element.tag in LEFT_OUT:
-                self.scene.skip(element.get("name", element.tag), LEFT_OUT[element.tag])
+        for path in self.worlds:
+            tree = read_tree(path)
+            worlds = tree.findall("world") or ([tree] if any(tree.find(tag) is not None for tag in PLACEABLE) else [])
+            if tree.tag != "sdf" or not worlds:
+                raise BadInput("this is no SDF world", where=str(path))
+            for world in worlds:
+                self._world(world, SdfScope("", np.eye(4), Frames(world, self.library), 0, False))
+        for name in sorted(self.library.own):
+            self.scene.note(name, "no file of this model is there: Gazebo's own is taken")
         return self.scene
 
-    def _guarded(self, element: Element, scope: Scope) -> None:
-        """Place one model or include; what is wrong with it does not end the import."""
-        name = scope.prefix + (name_of(element) or element.findtext("uri") or "").strip()
+    def _world(self, world: Element, scope: SdfScope) -> None:
+        self.state = {
+            scope.prefix + model.get("name", ""): model
+            for model in world.iterfind("state/model")
+            if model.find("pose") is not None
+        }
+        for element in world:
+            if element.tag in ("model", "include", "light", "road"):
+                self._guarded(element, scope)
+        self._leave_out(world, scope.prefix)
+
+    def _guarded(self, element: Element, scope: SdfScope) -> None:
+        """Place a model, an include, a light or a road; what is wrong with it does not end the import."""
+        name = scope.prefix + self._name(element)
         self.progress(name)
         try:
             if scope.depth > MAX_DEPTH:
                 raise BadInput("models include each other without an end")
-            self._model(element, scope)
+            if element.tag == "light":
+                self._light(element, name, scope.frame @ scope.frames.of(element))
+            elif element.tag == "road":
+                self._road(element, name, scope)
+            else:
+                self._placed(element, scope)
         except BadInput as error:
-            self.scene.skip(name, error.line())
+            self.scene.skip(name, error.line(), error.what)
 
-    def library(self, include: Element) -> Element:
-        """The model that an include stands for; ``BadInput`` when it is not among the files."""
-        uri = (include.findtext("uri") or "").strip()
-        if uri not in self.models:
-            file = self.shapes.files.locate(f"{uri}/model.sdf")
-            folder = uri.rstrip("/").rsplit("/", 1)[-1]
-            if file is None or file.parent.name.lower() != folder.lower():
-                raise BadInput(f"model {uri!r} is missing")
-            model = _tree(file).find("model")
-            if model is None:
-                raise BadInput("this file holds no model", where=str(file))
-            self.models[uri] = model
-        return self.models[uri]
+    def _name(self, element: Element) -> str:
+        name = self.library.name(element) if element.tag == "include" else element.get("name") or ""
+        return name.strip() or element.tag
 
-    def _model(self, element: Element, scope: Scope, as_name: str = "") -> None:
-        """An include or a model: an actor when nothing but links is in it, else a group of them."""
-        model = self.library(element) if element.tag == "include" else element
-        name = scope.prefix + (as_name or name_of(element) or model.get("name") or "model").strip()
+    def _placed(self, element: Element, scope: SdfScope) -> None:
+        """An include of whatever it stands for, or a model."""
+        target = self.library(element) if element.tag == "include" else element
+        name, here = scope.prefix + self._name(element), scope.frame @ scope.frames.of(element)
+        if target.tag == "light":
+            self._light(target, name, here)
+        elif target.tag == "actor":
+            self.scene.skip(name, LEFT_OUT["actor"][1], LEFT_OUT["actor"][0])
+        elif target.tag == "world":
+            given = (element.findtext("name") or "").strip()
+            prefix = f"{scope.prefix}{given}/" if given else scope.prefix
+            state = self.state
+            self._world(target, SdfScope(prefix, here, Frames(target, self.library), scope.depth + 1, scope.static))
+            self.state = state
+        else:
+            self._model(element, target, scope, name)
+
+    def _model(self, element: Element, model: Element, scope: SdfScope, name: str) -> None:
+        """A model: an actor when nothing but links is in it, else a group of them."""
         static = scope.static or _true(element.findtext("static") or model.findtext("static"))
         here = self._saved(name, scope.frame @ scope.frames.of(element))
-        inner = Scope(f"{name}/", here, Frames(model, self.library), scope.depth + 1, static)
-        links, nested = model.findall("link"), [child for child in model if child.tag in ("model", "include")]
-        for link in links:
-            for light in link.findall("light"):
-                self._light(light, inner.prefix, here @ inner.frames.of(link) @ pose(light))
-        if len(nested) == 1 and nested[0].tag == "include" and not links and element.tag == "model":
-            self._model(
-                nested[0],
-                Scope(scope.prefix, here, inner.frames, scope.depth + 1, static),
-                name.removeprefix(scope.prefix),
-            )
-        elif nested:
-            self._group(model, inner)
+        inner = SdfScope(f"{name}/", here, Frames(model, self.library), scope.depth + 1, static)
+        content = self._content(model, inner.frames, np.eye(4), inner)
+        self._leave_out(model, inner.prefix)
+        lights = 0
+        for link in content.links:
+            for light in link.element.findall("light"):
+                self._guarded_light(light, inner.prefix, here @ link.matrix @ pose(light))
+                lights += 1
+        if len(content.nested) == 1 and not content.links and element.tag == "model" and _includes_model(content):
+            child, frames, base = content.nested[0]
+            wrapped = SdfScope(scope.prefix, here @ base, frames, scope.depth + 1, static)
+            target = self.library(child)
+            if target.tag == "model":
+                self._model(child, target, wrapped, name)
+                return
+        if content.nested:
+            self._group(content, inner)
+        elif lights and not any(link.element.find("visual") is not None for link in content.links):
+            return
         else:
-            uri = (element.findtext("uri") or "").strip() if element.tag == "include" else ""
-            self._actor(name, uri, uri.rstrip("/").rsplit("/", 1)[-1] or _stem(model, links), here, links, inner)
+            uri = uri_of(element) if element.tag == "include" else ""
+            title = (model.get("name") or "") if uri.lower().endswith(".sdf") else uri.rstrip("/").rsplit("/", 1)[-1]
+            stem = title or _stem(model, [link.element for link in content.links])
+            self._actor(name, uri, stem, here, content.links, static)
 
-    def _group(self, model: Element, inner: Scope) -> None:
+    def _content(self, model: Element, frames: Frames, base: Matrix, scope: SdfScope, depth: int = 0) -> ModelContent:
+        """Links and models of a model; ``base``: where a merged one stands in its parent."""
+        if depth > MAX_DEPTH:
+            raise BadInput("models include each other without an end")
+        found = ModelContent([], [])
         for child in model:
-            if child.tag in ("model", "include"):
-                self._guarded(child, inner)
-        for link in model.findall("link"):
-            if link.find("visual") is None:
-                continue
-            path = f"{inner.prefix}{link.get('name', 'link')}"
             try:
-                name = _stem(link, [link])
-                name = inner.prefix.rstrip("/").rpartition("/")[2] if name.lower() in PLAIN_LINKS else name
-                self._actor(path, "", name, inner.frame @ inner.frames.of(link), [link], inner, alone=True)
+                if child.tag == "link":
+                    found.links.append(SdfLink(child, base @ frames.of(child), frames))
+                elif merged(child) and (target := self.library(child)).tag == "model":
+                    inside = Frames(target, self.library)
+                    more = self._content(target, inside, base @ frames.of(child), scope, depth + 1)
+                    found.links.extend(more.links)
+                    found.nested.extend(more.nested)
+                elif child.tag in ("model", "include"):
+                    found.nested.append((child, frames, base))
             except BadInput as error:
-                self.scene.skip(path, error.line())
+                self.scene.skip(scope.prefix + self._name(child), error.line(), error.what)
+        return found
+
+    def _group(self, content: ModelContent, inner: SdfScope) -> None:
+        for child, frames, base in content.nested:
+            self._guarded(child, SdfScope(inner.prefix, inner.frame @ base, frames, inner.depth, inner.static))
+        for link in content.links:
+            if link.element.find("visual") is None:
+                continue
+            path = f"{inner.prefix}{link.element.get('name', 'link')}"
+            try:
+                name = _stem(link.element, [link.element])
+                name = inner.prefix.rstrip("/").rpartition("/")[2] if name.lower() in PLAIN_LINKS else name
+                alone = SdfLink(link.element, np.eye(4), link.frames)
+                self._actor(path, "", name, inner.frame @ link.matrix, [alone], inner.static)
+            except BadInput as error:
+                self.scene.skip(path, error.line(), error.what)
 
     def _saved(self, name: str, matrix: Matrix) -> Matrix:
         """Where the world's saved state has a model, if it has it: a simulator starts from there."""
@@ -194,86 +250,74 @@ class _Reader:
         return pose(saved) @ np.diag([*numbers(saved.findtext("scale"), 3, 1.0), 1.0])
 
     def _actor(
-        self,
-        path: str,
-        key: str,
-        asset_name: str,
-        matrix: Matrix,
-        links: list[Element],
-        scope: Scope,
-        alone: bool = False,
+        self, path: str, key: str, asset_name: str, matrix: Matrix, links: Sequence[SdfLink], static: bool
     ) -> None:
-        """One actor; ``alone``: its matrix holds the pose of its only link already."""
-        frames = [np.eye(4) if alone else scope.frames.of(link) for link in links]
-        key = key or digest(
-            [[_plain(link), np.round(frame, 6).tolist()] for link, frame in zip(links, frames, strict=True)]
-        )
+        """One actor of links whose matrices are about its own pivot."""
+        key = key or digest([[_plain(link.element), np.round(link.matrix, 6).tolist()] for link in links])
         if key not in self.scene.assets:
-            self.scene.assets[key] = self._asset(path, asset_name, links, frames, scope)
-        self.scene.actors.append(SceneActor(path, key, to_unreal(matrix), not scope.static))
+            self.scene.assets[key] = self._asset(path, asset_name, links)
+        self.scene.actors.append(SceneActor(path, key, to_unreal(matrix), not static))
 
-    def _asset(self, path: str, name: str, links: list[Element], frames: list[Matrix], scope: Scope) -> SceneAsset:
-        asset, lost = SceneAsset(name, []), list[str]()
-        for link, frame in zip(links, frames, strict=True):
-            for visual in link.findall("visual"):
+    def _asset(self, path: str, name: str, links: Sequence[SdfLink]) -> SceneAsset:
+        ground = any(link.element.find("visual/geometry/heightmap") is not None for link in links)
+        asset, lost = SceneAsset(name, [], ground=ground), Counter[str]()
+        for link in links:
+            for visual in link.element.findall("visual"):
                 try:
-                    parts, notes = self.shapes.visual(visual, frame @ scope.within(visual, link))
+                    parts, notes = self.shapes.visual(visual, link.matrix @ link.within(visual))
                 except BadInput as error:
-                    lost.append(f"visual {visual.get('name')} is left out: {error.line()}")
+                    lost[f"left out of what is seen: {error.line()}"] += 1
                     continue
                 asset.parts += parts
                 for text in notes:
                     self.scene.note(name, text)
-            for collision in link.findall("collision"):
+            for collision in link.element.findall("collision"):
                 try:
-                    asset.collision += self.shapes.collision(collision, frame @ scope.within(collision, link))
+                    asset.collision += self.shapes.collision(collision, link.matrix @ link.within(collision))
                 except BadInput as error:
-                    lost.append(f"collision {collision.get('name')} is left out: {error.line()}")
+                    lost[f"left out of what can be touched: {error.line()}"] += 1
         if not asset.parts:
-            raise BadInput(lost[0].partition(": ")[2] if lost else "it has nothing to see")
-        for text in lost:
-            self.scene.note(path, text)
+            raise BadInput(next(iter(lost)).partition(": ")[2] if lost else "it has nothing to see")
+        for text, count in lost.items():
+            self.scene.note(path, f"{count} {text}")
         return asset
 
-    def _light(self, element: Element, prefix: str, frame: Matrix) -> None:
-        name, kind = prefix + element.get("name", "light"), element.get("type", "")
-        if kind not in KINDS:
-            self.scene.skip(name, f"a light of type {kind!r} is not supported")
-            return
+    def _road(self, element: Element, name: str, scope: SdfScope) -> None:
+        notes = list[str]()
+        middle, part, slabs = self.shapes.road(element, notes)
+        place = np.eye(4)
+        place[:3, 3] = middle
+        self.scene.assets[f"road|{name}"] = SceneAsset(_bare(name) or "road", [part], slabs, ground=True)
+        self.scene.actors.append(SceneActor(name, f"road|{name}", to_unreal(scope.frame @ place)))
+        for text in notes:
+            self.scene.note(name, text)
+
+    def _light(self, element: Element, name: str, frame: Matrix) -> None:
+        self.scene.lights.append(light_of(element, name, frame))
+
+    def _guarded_light(self, element: Element, prefix: str, frame: Matrix) -> None:
+        name = prefix + element.get("name", "light")
         try:
-            r, g, b = (min(1.0, max(0.0, value)) for value in numbers(element.findtext("diffuse"), 3, 1.0))
-            strong, matrix = max(r, g, b, 1e-6), to_unreal(frame)
-            level = strong * numbers(element.findtext("intensity"), 1, 1.0)[0]
-            direction = np.asarray(numbers(element.findtext("direction") or "0 0 -1", 3)) * [1, -1, 1]
-            cone = [
-                round(float(np.degrees(numbers(element.findtext(f"spot/{part}_angle"), 1, angle)[0])) / 2, 4)
-                for part, angle in (("inner", 0.6), ("outer", 1.0))
-            ]
-            reach = min(100 * numbers(element.findtext("attenuation/range"), 1, 10.0)[0], 100_000.0)
+            self._light(element, name, frame)
         except BadInput as error:
-            self.scene.skip(name, error.line())
-            return
-        if kind != "point":
-            matrix[:3, :3] = _along(matrix[:3, :3] @ direction)
-        self.scene.lights.append(
-            SceneLight(
-                name,
-                KINDS[kind],
-                matrix,
-                (r / strong, g / strong, b / strong),
-                level * (SUN_INTENSITY if kind == "directional" else POINT_INTENSITY),
-                reach,
-                cone_deg=(cone[0], cone[1]) if kind == "spot" else None,
-            )
-        )
+            self.scene.skip(name, error.line(), error.what)
+
+    def _leave_out(self, element: Element, prefix: str) -> None:
+        """Notes what of a world or model, its links and joints included, is never part of a scene."""
+        for part in [element, *element.findall("link"), *element.findall("joint")]:
+            for child in part:
+                if child.tag in LEFT_OUT:
+                    kind, why = LEFT_OUT[child.tag]
+                    self.scene.skip(prefix + child.get("name", child.tag), why, kind)
 
 
-def _along(direction: Matrix) -> Matrix:
-    """A rotation whose X axis points along a direction."""
-    x = direction / max(float(np.linalg.norm(direction)), 1e-12)
-    side = np.cross([0.0, 0.0, 1.0] if abs(x[2]) < 0.99 else [1.0, 0.0, 0.0], x)
-    side /= np.linalg.norm(side)
-    return np.stack([x, side, np.cross(x, side)], axis=1)
+def _includes_model(content: ModelContent) -> bool:
+    return content.nested[0][0].tag == "include"
+
+
+def _bare(name: str) -> str:
+    """A name without its path and without the number at its end."""
+    return re.sub(r"[-_.0-9]+$", "", name.rpartition("/")[2])
 
 
 def _stem(element: Element, links: list[Element]) -> str:
@@ -281,7 +325,7 @@ def _stem(element: Element, links: list[Element]) -> str:
     files = {uri.text.strip() for link in links for uri in link.iterfind("visual/geometry/mesh/uri") if uri.text}
     if len(files) == 1:
         return Path(files.pop()).stem
-    return re.sub(r"[-_.0-9]+$", "", element.get("name", "")) or element.get("name", "model")
+    return _bare(element.get("name", "")) or element.get("name", "model")
 
 
 def _plain(element: Element) -> list[object]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from c4s.errors import BadInput
+from cases.importers.sdf_library import SdfLibrary
 
 Matrix = NDArray[np.float64]
 ROOTS = ("", "__model__", "world", "__root__")
@@ -56,9 +56,9 @@ def pose(element: Element) -> Matrix:
     return rigid([x, y, z], [float(np.radians(angle)) for angle in angles] if degrees else angles)
 
 
-def name_of(element: Element) -> str:
-    """The name of an element; of an include, the one that it gives."""
-    return (element.findtext("name") if element.tag == "include" else element.get("name") or "") or ""
+def merged(element: Element) -> bool:
+    """Whether an include puts what it stands for into its parent (``merge="true"``) and is no model of its own."""
+    return element.tag == "include" and element.get("merge", "false").strip().lower() in ("true", "1")
 
 
 class Frames:
@@ -66,19 +66,18 @@ class Frames:
 
     Args:
         scope: the ``world`` or ``model`` element.
-        library: the model element that an ``include`` stands for.
+        library: what an ``include`` stands for.
     """
 
-    def __init__(self, scope: Element, library: Callable[[Element], Element]) -> None:
+    def __init__(self, scope: Element, library: SdfLibrary) -> None:
         self.scope, self.library = scope, library
         self._named: dict[str, Element] = {}
+        self._merged: list[Element] = []
         for child in scope:
-            if child.tag in NAMED:
-                name = name_of(child) or (
-                    library(child).get("name", "")
-                    if child.tag == "include" and len(child.findall("name")) == 0 and not child.get("name")
-                    else ""
-                )
+            if merged(child):
+                self._merged.append(child)
+            elif child.tag in NAMED:
+                name = library.name(child) if child.tag == "include" else child.get("name") or ""
                 self._named.setdefault(name, child)
         self._resolving: list[str] = []
 
@@ -98,18 +97,29 @@ class Frames:
             return np.eye(4)
         first, _, rest = name.partition("::")
         element = self._named.get(first)
-        if element is None:
-            raise BadInput(f"frame {name!r} does not exist")
         if first in self._resolving:
             raise BadInput(f"frame {first!r} hangs on itself")
         self._resolving.append(first)
         try:
-            matrix = self.of(element)
+            matrix = self._of_merged(first) if element is None else self.of(element)
         finally:
             self._resolving.pop()
-        if rest:
+        if rest and element is not None:
             matrix = matrix @ Frames(self._written(element)[1], self.library).resolve(rest)
         return matrix
+
+    def has(self, name: str) -> bool:
+        """Whether a frame of this name is the scope's own."""
+        return name in self._named
+
+    def _of_merged(self, name: str) -> Matrix:
+        """A frame that comes with a merged include."""
+        for include in self._merged:
+            inner = Frames(self.library(include), self.library)
+            if inner.has(name):
+                matrix: Matrix = self.of(include) @ inner.resolve(name)
+                return matrix
+        raise BadInput(f"frame {name!r} does not exist")
 
     def _written(self, element: Element) -> tuple[Element, Element]:
         """The element whose pose counts, and the model that it stands for."""

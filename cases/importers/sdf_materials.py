@@ -8,12 +8,14 @@ from dataclasses import replace
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
+import numpy as np
 from PIL import UnidentifiedImageError
 
-from c4s.errors import BadInput
+from c4s.bounds import BOUNDS
+from c4s.files import read_plain
 from c4s.packs.pictures import open_picture
 from cases.importers.sdf_frames import numbers
-from catalog.ingest.resolver import FolderResolver
+from cases.importers.sdf_library import SdfFiles
 from catalog.ingest.surface import Colour, Surface, color_of, linear, texture_png
 
 GAZEBO_COLOURS: dict[str, Colour] = {
@@ -39,19 +41,33 @@ GAZEBO_COLOURS: dict[str, Colour] = {
     "Bricks": (0.55, 0.27, 0.2),
     "Grass": (0.2, 0.4, 0.12),
     "Road": (0.25, 0.25, 0.25),
+    "Residential": (0.25, 0.25, 0.25),
+    "Motorway": (0.25, 0.25, 0.25),
+    "Primary": (0.25, 0.25, 0.25),
+    "Lanes_6": (0.25, 0.25, 0.25),
+    "Trunk": (0.25, 0.25, 0.25),
+    "Lanes_2": (0.25, 0.25, 0.25),
+    "Pedestrian": (0.62, 0.6, 0.56),
+    "WoodPallet": (0.6, 0.45, 0.28),
+    "CeilingTiled": (0.82, 0.82, 0.8),
+    "PaintedWall": (0.8, 0.78, 0.72),
 }
 """Display (sRGB) colours for the scripts that every Gazebo brings along; a plain colour stands for a picture."""
 
+SCRIPT = re.compile(
+    r"^\s*material\s+(?P<name>\S+)(?:\s*:\s*(?P<parent>\S+))?(?P<body>.*?)(?=^\s*material\s|\Z)",
+    re.MULTILINE | re.DOTALL,
+)
+
 
 class SdfMaterials:
-    """Reads the material of a visual; scripts and pictures are looked for under ``root`` alone."""
+    """Reads the material of a visual; scripts and pictures are looked for in the scene's folders alone."""
 
-    def __init__(self, files: FolderResolver, root: Path) -> None:
+    def __init__(self, files: SdfFiles) -> None:
         self.files = files
-        self._scripts: dict[str, tuple[Surface, float]] = {}
-        for path in sorted(root.rglob("*.material")):
-            if path.is_file() and Path(os.path.realpath(path)).is_relative_to(Path(os.path.realpath(root))):
-                self._read_script(path)
+        self._scripts: dict[str, tuple[str, str]] | None = None
+        """Names and bodies of the scripts' materials, by name; ``None`` until one is asked for."""
+        self._read: dict[str, tuple[Surface, float, list[str]]] = {}
 
     def read(self, visual: Element, notes: list[str]) -> tuple[Surface | None, float]:
         """The surface that a visual asks for (``None``: its mesh's own) and the repeats of its texture."""
@@ -65,8 +81,9 @@ class SdfMaterials:
         if material is None:
             return None, 1.0
         name = (material.findtext("script/name") or "").strip()
-        if name in self._scripts:
-            return self._scripts[name]
+        scripted = self._script(name, notes) if name else None
+        if scripted is not None:
+            return scripted
         diffuse = material.findtext("diffuse")
         color = diffuse or material.findtext("ambient")
         metal = material.find("pbr/metal")
@@ -100,30 +117,76 @@ class SdfMaterials:
             texture=data,
         )
 
+    def texture(self, name: str, size_notes: list[str]) -> Surface | None:
+        """The surface of a picture alone, ``None`` where there is none."""
+        data = self._picture(name, size_notes) if name else None
+        return None if data is None else Surface(Path(name).stem, (1.0, 1.0, 1.0), roughness=1.0, texture=data)
+
     def _picture(self, name: str, notes: list[str]) -> bytes | None:
         file = self.files.locate(name)
         if file is None:
             notes.append(f"file {name!r} is missing: the plain colour is used")
             return None
-        return _png(file)
+        try:
+            return texture_png(open_picture(file, where=str(file)))
+        except (UnidentifiedImageError, OSError, ValueError, SyntaxError) as error:
+            notes.append(f"texture {name!r} cannot be read and is left out: {error}")
+            return None
 
-    def _read_script(self, path: Path) -> None:
-        text = path.read_text(encoding="utf-8", errors="replace")
-        for match in re.finditer(r"^\s*material\s+(\S+)(.*?)(?=^\s*material\s|\Z)", text, re.MULTILINE | re.DOTALL):
-            name, body = match.groups()
-            picture = re.search(r"\btexture\s+(\S+)", body)
-            scale = re.search(r"\bscale\s+([0-9.eE+-]+)", body)
-            diffuse = re.search(r"\bdiffuse\s+([0-9.]+)\s+([0-9.]+)\s+([0-9.]+)", body)
-            color = [linear(min(1.0, float(value))) for value in diffuse.groups()] if diffuse else [1.0] * 3
-            file = self.files.locate(picture.group(1)) if picture else None
-            self._scripts[name] = (
-                Surface(name.rsplit("/", 1)[-1], color_of(color), texture=_png(file) if file is not None else None),
-                1 / float(scale.group(1)) if scale and float(scale.group(1)) else 1.0,
-            )
+    def _script(self, name: str, notes: list[str]) -> tuple[Surface, float] | None:
+        """The surface and the repeats of a material of the scene's scripts, ``None`` for a name that none has."""
+        if self._scripts is None:
+            self._scripts = self._all_scripts()
+        if name not in self._scripts:
+            return None
+        if name not in self._read:
+            told = list[str]()
+            self._read[name] = (*self._scripted(name, told), told)
+        surface, repeat, told = self._read[name]
+        notes += told
+        return surface, repeat
+
+    def _all_scripts(self) -> dict[str, tuple[str, str]]:
+        found: dict[str, tuple[str, str]] = {}
+        for root in self.files.folders:
+            for path in sorted(root.rglob("*.material")):
+                if not (path.is_file() and Path(os.path.realpath(path)).is_relative_to(root)):
+                    continue
+                text = re.sub(
+                    r"//[^\n]*", "", read_plain(path, bound=BOUNDS["markup_bytes"]).decode("utf-8", "replace")
+                )
+                for match in SCRIPT.finditer(text):
+                    found[match["name"]] = (match["parent"] or "", match["body"])
+        return found
+
+    def _scripted(self, name: str, notes: list[str]) -> tuple[Surface, float]:
+        body, above, seen = "", name, set[str]()
+        while self._scripts is not None and above in self._scripts and above not in seen:
+            seen.add(above)
+            above, own = self._scripts[above]
+            body += own
+        picture = re.search(r"\btexture\s+(\S+)", body)
+        values = {key: _first(rf"\b{key}\s+([^\n}}]*)", body) for key in ("diffuse", "ambient", "emissive", "scale")}
+        color = [linear(min(1.0, max(0.0, value))) for value in values["diffuse"][:3] or values["ambient"][:3]]
+        glow = [linear(min(1.0, max(0.0, value))) for value in values["emissive"][:3]]
+        opacity = values["diffuse"][3] if "alpha_blend" in body and len(values["diffuse"]) > 3 else 1.0
+        surface = Surface(
+            name.rsplit("/", 1)[-1],
+            color_of(color if len(color) == 3 else [1.0] * 3),
+            emissive=color_of(glow if len(glow) == 3 else [0.0] * 3),
+            opacity=round(min(1.0, max(0.0, opacity)), 4),
+            texture=self._picture(picture.group(1), notes) if picture else None,
+        )
+        repeat = values["scale"][0] if values["scale"] else 1.0
+        return surface, 1 / repeat if abs(repeat) > 1e-6 else 1.0
 
 
-def _png(file: Path) -> bytes:
-    try:
-        return texture_png(open_picture(file, where=str(file)))
-    except (UnidentifiedImageError, OSError) as error:
-        raise BadInput(f"this texture cannot be read: {error}", where=str(file)) from None
+def _first(pattern: str, text: str) -> list[float]:
+    """The numbers that follow a word of a script, as far as they are numbers."""
+    found, values = re.search(pattern, text), list[float]()
+    for word in found.group(1).split() if found else []:
+        try:
+            values.append(float(word))
+        except ValueError:
+            break
+    return values if np.isfinite(values).all() else []

@@ -1,4 +1,4 @@
-"""Geometry of SDF visuals and collisions: meshes and primitives. SDF is metres, right-handed, Z up."""
+"""Geometry of SDF visuals and collisions: meshes, primitives and ground. SDF is metres, right-handed, Z up."""
 
 from __future__ import annotations
 
@@ -14,13 +14,17 @@ from c4s.errors import BadInput
 from c4s.geometry.transform import rotator_from_quat
 from c4s.records.pack import CapsuleBody, CollisionBody, SphereBody
 from cases.importers.sdf_frames import Matrix, numbers, pose
+from cases.importers.sdf_ground import heights, road, terrain, terrain_slabs
+from cases.importers.sdf_library import SdfFiles
 from cases.importers.sdf_materials import SdfMaterials
 from cases.importers.sdf_solids import solid
-from catalog.ingest.hulls import bodies, hull
-from catalog.ingest.resolver import FolderResolver
-from catalog.ingest.source import GLTF, read_source
-from catalog.ingest.surface import Source, SourcePart, Surface
+from cases.importers.sdf_submesh import part_names
+from catalog.ingest.collision import made_bodies
+from catalog.ingest.hulls import hull
+from catalog.ingest.source import GLTF, Up, read_source
+from catalog.ingest.surface import Source, SourcePart, Surface, color_of, linear
 
+EARTH = (0.19, 0.14, 0.09)
 FLIP = np.diag([1.0, -1.0, 1.0, 1.0])
 
 
@@ -32,15 +36,14 @@ def to_unreal(matrix: Matrix) -> Matrix:
 
 
 class SdfShapes:
-    """Reads geometry elements; mesh files and material scripts are looked for under ``root`` alone.
+    """Reads geometry elements; mesh files and material scripts are looked for in the scene's folders alone.
 
     ``replace``: the file to read in place of one that is named (``model://a/b.obj`` as ``a/c.obj#part,part``).
     """
 
-    def __init__(self, world: Path, root: Path, replace: Mapping[str, str]) -> None:
-        self.root, self.replace = root, replace
-        self.files = FolderResolver(world, root)
-        self.materials = SdfMaterials(self.files, root)
+    def __init__(self, files: SdfFiles, replace: Mapping[str, str]) -> None:
+        self.files, self.replace = files, replace
+        self.materials = SdfMaterials(files)
         self.meshes: dict[Path, Source] = {}
 
     def visual(self, element: Element, frame: Matrix) -> tuple[list[SourcePart], list[str]]:
@@ -57,13 +60,16 @@ class SdfShapes:
             parts, factors, said = self._mesh(geometry[0])
             matrix = matrix @ np.diag([*factors, 1.0])
             notes += said
+        elif kind == "heightmap":
+            parts = [self._terrain(geometry[0], surface, notes)]
+            surface = None
         else:
             parts = [solid(geometry[0])]
             surface = surface or Surface("plain", (0.6, 0.6, 0.6))
         return [_moved(part, matrix, surface, repeat) for part in parts], notes
 
     def collision(self, element: Element, frame: Matrix) -> list[CollisionBody]:
-        """Bodies of a collision element placed in ``frame``: hulls, a hull a connected piece of a mesh."""
+        """Bodies of a collision element placed in ``frame``: of a mesh the solid parts and panels that it tells."""
         geometry = element.find("geometry")
         if geometry is None or not len(geometry):
             return []
@@ -78,11 +84,41 @@ class SdfShapes:
             radius, length = (numbers(geometry[0].findtext(name), 1, 1.0)[0] * 100 for name in ("radius", "length"))
             turn = rotator_from_quat(Rotation.from_matrix(matrix[:3, :3]).as_quat().tolist())
             return [CapsuleBody(center=_vector(matrix[:3, 3]), rotation_deg=turn, radius=radius, length=length)]
+        if kind == "heightmap":
+            return list(terrain_slabs(*heights(geometry[0], self._heightmap(geometry[0])), matrix))
         if kind != "mesh":
             return [hull(_moved(solid(geometry[0]), matrix, None, 1.0).vertices)]
         found, factors, _ = self._mesh(geometry[0])
         parts = [_moved(part, matrix @ np.diag([*factors, 1.0]), None, 1.0) for part in found]
-        return list(bodies([(part.node, part.vertices, part.faces) for part in parts], "piece"))
+        return made_bodies(parts, "auto")[0]
+
+    def road(self, element: Element, notes: list[str]) -> tuple[Matrix, SourcePart, list[CollisionBody]]:
+        """Where a road of the world lies (metres, SDF's axes), and its surface and bodies about that place."""
+        surface = self.materials.read(element, notes)[0] if element.find("material") is not None else None
+        middle, part, slabs = road(element, surface or Surface("road", color_of([linear(0.25)] * 3), roughness=1.0))
+        return middle, part, list(slabs)
+
+    def _heightmap(self, element: Element) -> Path:
+        uri = (element.findtext("uri") or element.findtext("filename") or "").strip()
+        path = self.files.locate(uri)
+        if path is None:
+            raise BadInput(f"heightmap {uri!r} is missing")
+        return path
+
+    def _terrain(self, element: Element, surface: Surface | None, notes: list[str]) -> SourcePart:
+        """A heightmap under the texture that most of it shows: blended ones are told apart by height."""
+        levels, size, offset = heights(element, self._heightmap(element))
+        textures, blends = element.findall("texture"), element.findall("blend")
+        usual = float(np.median(levels))
+        above = sum(numbers(blend.findtext("min_height"), 1)[0] <= usual for blend in blends)
+        texture = textures[min(above, len(textures) - 1)] if textures else None
+        repeat_m = 0.0
+        if texture is not None:
+            surface = self.materials.texture((texture.findtext("diffuse") or "").strip(), notes) or surface
+            repeat_m = max(0.0, numbers(texture.findtext("size"), 1, 10.0)[0])
+            if len(textures) > 1:
+                notes.append(f"of {len(textures)} textures that a heightmap blends it shows one")
+        return terrain(levels, size, offset, surface or Surface("earth", EARTH, roughness=1.0), repeat_m)
 
     def _mesh(self, element: Element) -> tuple[list[SourcePart], list[float], list[str]]:
         """Parts of a mesh element (of its submesh, if it names one), its scale factors, and notes."""
@@ -92,7 +128,8 @@ class SdfShapes:
         if path is None:
             raise BadInput(f"mesh {name!r} is missing")
         if path not in self.meshes:
-            self.meshes[path] = read_source(path, self.root, up=None if path.suffix.lower() in GLTF else "z")
+            up: Up | None = None if path.suffix.lower() in GLTF else "z"
+            self.meshes[path] = read_source(path, self.files.folder_of(path), up=up)
         source = self.meshes[path]
         said = [f"mesh {uri!r} is replaced by {self.replace[uri]!r}"] if uri in self.replace else []
         notes = [*source.notes, *said]
@@ -100,7 +137,7 @@ class SdfShapes:
         sub = element.find("submesh")
         if sub is not None:
             wanted = [(sub.findtext("name") or "").strip()]
-        parts = [part for part in source.parts if not wanted or part.node in wanted or part.surface.name in wanted]
+        parts = _chosen(path, source.parts, wanted) if wanted else source.parts
         if not parts:
             there = ", ".join(sorted({part.node for part in source.parts})[:12])
             raise BadInput(f"mesh {name!r} has no part {wanted[0]!r} (it has {there})")
@@ -112,6 +149,13 @@ class SdfShapes:
         if min(map(abs, factors)) < 1e-9:
             raise BadInput(f"mesh {name!r} is scaled to nothing")
         return parts, factors, notes
+
+
+def _chosen(path: Path, parts: list[SourcePart], wanted: list[str]) -> list[SourcePart]:
+    """The parts that are called by one of these names: their nodes or geometries, else their materials."""
+    low = {name.lower() for name in wanted}
+    named = [part for part, names in zip(parts, part_names(path, parts), strict=True) if names & low]
+    return named or [part for part in parts if part.surface.name.lower() in low]
 
 
 def _vector(values: Matrix) -> tuple[float, float, float]:

@@ -9,6 +9,7 @@ import trimesh
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from shapely import Polygon, constrained_delaunay_triangles
+from shapely.geometry.polygon import orient
 
 from c4s.errors import BadInput
 from cases.importers.sdf_frames import Matrix, numbers
@@ -72,17 +73,16 @@ def _box(size: Matrix) -> SourcePart:
                 corner[axis], corner[across], corner[along] = side, a, b
                 corners.append(corner * size / 2)
                 uvs.append(((a + 1) / 2, (1 - b) / 2))
-            start = len(corners) - 4
-            faces += [[start, start + 1, start + 2], [start, start + 2, start + 3]]
+            start, turn = len(corners) - 4, side * (-1 if axis == 1 else 1)
+            faces += [[start, start + 1, start + 2][::turn], [start, start + 2, start + 3][::turn]]
     return _part(np.array(corners), np.array(faces), np.array(uvs))
 
 
 def _part(points: Matrix, faces: NDArray[np.int64], uvs: Matrix | None) -> SourcePart:
-    points = points * [100, -100, 100]
+    """Triangles that are wound outward in SDF's axes, in Unreal's, which mirror, and wound outward there."""
+    points, faces = points * [100, -100, 100], faces[:, ::-1]
     sides = points[faces]
     flat = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0])
-    outward = np.sign(np.einsum("ij,ij->i", flat, sides.mean(axis=1)))
-    flat *= np.where(outward == 0, 1, outward)[:, None]
     normals = np.zeros_like(points)
     normals[faces] = flat[:, None]
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
@@ -102,8 +102,9 @@ def _prism(element: Element) -> trimesh.Trimesh:
     height = numbers(element.findtext("height"), 1, 1.0)[0]
     if not outline.is_valid or outline.area <= 0 or height <= 0:
         raise BadInput("a polyline needs an outline that does not cross itself, and a height")
-    flat = np.array([triangle.exterior.coords[:3] for triangle in constrained_delaunay_triangles(outline).geoms])
-    ring = np.array(outline.exterior.coords)
+    triangles = constrained_delaunay_triangles(outline).geoms
+    flat = np.array([orient(triangle).exterior.coords[:3] for triangle in triangles])
+    ring = np.array(orient(outline).exterior.coords)
 
     def lifted(*corners: tuple[Matrix, float]) -> Matrix:
         return np.stack([np.column_stack([points, np.full(len(points), z)]) for points, z in corners], axis=1)
@@ -111,7 +112,8 @@ def _prism(element: Element) -> trimesh.Trimesh:
     start, end = ring[:-1], ring[1:]
     points = np.concatenate(
         [
-            *(lifted(*((flat[:, corner], z) for corner in range(3))) for z in (0.0, height)),
+            lifted(*((flat[:, corner], 0.0) for corner in (2, 1, 0))),
+            lifted(*((flat[:, corner], height) for corner in (0, 1, 2))),
             lifted((start, 0.0), (end, 0.0), (end, height)),
             lifted((start, 0.0), (end, height), (start, height)),
         ]

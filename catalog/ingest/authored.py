@@ -1,7 +1,8 @@
 """Collision that the author of a file made: nodes named as Unreal imports them, which are never shown.
 
-``UCX_`` is a convex hull (each connected piece of the mesh is one), ``UBX_`` a box, ``USP_`` a sphere and ``UCP_`` a
-capsule. What a box, sphere or capsule node holds is measured; one that is none becomes a hull, with a note.
+``UCX_`` is a mesh of convex parts: each connected piece is one, or several where it is concave. ``UBX_`` is a box,
+``USP_`` a sphere and ``UCP_`` a capsule. What a box, sphere or capsule node holds is measured; one that is none becomes
+a hull, with a note.
 """
 
 from __future__ import annotations
@@ -16,8 +17,10 @@ from scipy.spatial.transform import Rotation
 from c4s.geometry.transform import rotator_from_quat
 from c4s.records.level import Vector
 from c4s.records.pack import BoxBody, CapsuleBody, CollisionBody, SphereBody
-from catalog.ingest.hulls import Points, connected, hull
+from catalog.ingest.automatic import automatic
+from catalog.ingest.hulls import hull, joined
 from catalog.ingest.surface import SourcePart
+from catalog.ingest.surfaces import Points
 
 PREFIX = re.compile(r"(UCX|UBX|USP|UCP)_", re.IGNORECASE)
 ROUND_SHARE = 0.1
@@ -46,21 +49,11 @@ def split_authored(parts: Sequence[SourcePart]) -> tuple[list[SourcePart], list[
             continue
         if kind != "UCX":
             notes.append(f"collision node {name!r} is no {_WORDS[kind]}: its hull is used")
-        bodies += [hull(piece) for piece in _pieces(own)]
+        bodies += [hull(part) for part in automatic(*joined([(name, one.vertices, one.faces) for one in own])).bodies]
     return shown, bodies, notes
 
 
 _WORDS = {"UBX": "box", "USP": "sphere", "UCP": "capsule"}
-
-
-def _pieces(parts: list[SourcePart]) -> list[Points]:
-    """Points of each connected piece of a node."""
-    points = np.concatenate([part.vertices for part in parts])
-    offsets = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
-    faces = np.concatenate([part.faces + offset for part, offset in zip(parts, offsets, strict=True)])
-    _, same = np.unique(np.round(points, 2), axis=0, return_inverse=True)
-    groups = connected(same.reshape(-1)[faces], np.zeros(len(faces), np.int64))
-    return [points[np.unique(faces[rows])] for rows in groups]
 
 
 def _vector(values: Points) -> Vector:

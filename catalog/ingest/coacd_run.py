@@ -8,15 +8,20 @@ from __future__ import annotations
 import io
 import json
 import os
+import resource
 import sys
 
 import numpy as np
+
+CPU_LIMIT = "C4S_COACD_CPU_SECONDS"
 
 
 def main() -> None:
     """Read vertices, faces and parameters from standard input, write the vertices of each part to standard output."""
     import coacd
 
+    seconds = int(os.environ[CPU_LIMIT])
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
     given = np.load(io.BytesIO(sys.stdin.buffer.read()), allow_pickle=False)
     out = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # coacd prints its progress

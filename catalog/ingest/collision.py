@@ -8,18 +8,21 @@ from fnmatch import fnmatch
 from pathlib import Path
 from typing import Literal, get_args
 
-import numpy as np
-
 from c4s.errors import BadInput
 from c4s.records.pack import CollisionBody
 from catalog.ingest.authored import split_authored
+from catalog.ingest.automatic import automatic
 from catalog.ingest.decompose import decompose
-from catalog.ingest.hulls import HullPer, bodies, hull
+from catalog.ingest.hulls import HullPer, bodies, hull, joined
+from catalog.ingest.merging import merged
+from catalog.ingest.panels import panels
 from catalog.ingest.physics_nodes import stated_bodies
 from catalog.ingest.surface import SourcePart
+from catalog.ingest.surfaces import pieces
 
-How = Literal["asset", "node", "piece", "decompose", "none"]
-"""One hull for an asset, one a node, one a connected piece, convex parts, or no collision."""
+How = Literal["auto", "asset", "node", "piece", "panels", "decompose", "none"]
+"""What its surface tells, one hull for an asset, one a node, one a connected piece, thin panels, convex parts, or no
+collision."""
 Source = Literal["authored", "hull", "decomposition", "none"]
 
 
@@ -30,7 +33,7 @@ class HullChoice:
     ``of`` are (pattern, how) pairs: the last whose pattern fits a file's path under the folder, or its name, wins.
     """
 
-    default: How = "asset"
+    default: How = "auto"
     of: tuple[tuple[str, How], ...] = ()
 
     @classmethod
@@ -82,15 +85,23 @@ def collision_of(path: Path, root: Path, parts: list[SourcePart], how: How, *, s
     notes += more
     if own or stated:
         return AssetCollision(shown, own + stated, "authored", notes)
+    made, source, more = made_bodies(shown, how)
+    return AssetCollision(shown, made, source, notes + more)
+
+
+def made_bodies(parts: list[SourcePart], how: How) -> tuple[list[CollisionBody], Source, list[str]]:
+    """Bodies made of triangles, where they come from, and notes."""
     if how == "none":
-        return AssetCollision(shown, [], "none", notes)
+        return [], "none", []
+    triples = [(part.node, part.vertices, part.faces) for part in parts]
+    if how == "auto":
+        found = automatic(*joined(triples))
+        return [hull(points) for points in found.bodies], "decomposition" if found.parts else "hull", found.notes
+    if how == "panels":
+        thin = [panel for piece in pieces(*joined(triples)) for panel in panels(piece)]
+        return [hull(points) for points in merged(thin or [joined(triples)[0]])], "decomposition", []
     if how == "decompose":
-        offsets = np.cumsum([0] + [len(part.vertices) for part in shown[:-1]])
-        cut, more = decompose(
-            np.concatenate([part.vertices for part in shown]),
-            np.concatenate([part.faces + offset for part, offset in zip(shown, offsets, strict=True)]),
-        )
-        return AssetCollision(shown, [hull(points) for points in cut], "decomposition", notes + more)
+        cut, notes = decompose(*joined(triples))
+        return [hull(points) for points in cut], "decomposition", notes
     per: HullPer = how
-    made = bodies([(part.node, part.vertices, part.faces) for part in shown], per)
-    return AssetCollision(shown, list(made), "hull", notes)
+    return list(bodies(triples, per)), "hull", []

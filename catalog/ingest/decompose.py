@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import json
+import os
+import signal
 import subprocess
 import sys
 import time
@@ -14,15 +16,14 @@ from typing import Any
 from zipfile import BadZipFile
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
 from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, write_bytes
 from c4s.home import cache_root
-from catalog.ingest.hulls import Points, connected
+from catalog.ingest.coacd_run import CPU_LIMIT
+from catalog.ingest.surfaces import Faces, Points, SurfacePiece, connected, weld
 
-Faces = NDArray[np.int64]
 PARAMETERS: dict[str, Any] = {
     "threshold": 0.05,
     "max_convex_hull": 32,
@@ -36,10 +37,18 @@ PARAMETERS: dict[str, Any] = {
     "merge": True,
 }
 """coacd's, with fewer search steps than its defaults: a quarter of the time, and about as many parts."""
+FINEST, COARSEST = 0.03, 0.12
+"""Thresholds of coacd that ``cut_piece`` keeps to."""
+MOST_PLAIN = 20_000
+"""A piece of more triangles is made anew by coacd before it is cut."""
+QUICK = {"resolution": 500, "mcts_iterations": 20, "mcts_nodes": 10, "mcts_max_depth": 2}
+"""Of ``cut_piece``: a third of the time again."""
 MOST_SECONDS = 300.0
 """Of cutting a mesh, all its pieces together; what is left whole then keeps one hull a piece."""
 MOST_PIECES = 64
 """A mesh of more pieces is cut as a whole: the many little ones of a decoration are no bodies of their own."""
+PIECE_CPU_SECONDS = 20
+"""Of cutting one piece: processor time, so that a busy machine cuts what an idle one does."""
 BULGE = 0.025
 """A piece is convex when no point lies further outside the plane of a face than this share of its size: about what
 coacd's threshold, which is told in half sizes, lets pass."""
@@ -57,7 +66,7 @@ def decompose(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
     Raises:
         BadInput: coacd is needed and not installed.
     """
-    corners, welded = _weld(vertices, faces)
+    corners, welded = weld(vertices, faces)
     pieces = (
         [_piece(corners, welded[rows]) for rows in connected(welded, np.zeros(len(welded), np.int64))]
         if len(welded)
@@ -73,14 +82,14 @@ def decompose(vertices: Points, faces: Faces, cache_folder: Path | None = None) 
     notes: list[str] = []
     deadline = time.monotonic() + MOST_SECONDS
     for points, triangles in pieces:
-        if any(_holds(other, points) for other in found):
+        if any(holds(other, points) for other in found):
             continue
         if float(np.linalg.norm(np.ptp(points, axis=0))) < little or is_convex(points, triangles):
             found.append(points)
             continue
-        parts, note = _cut(points, triangles, cache_folder or cache_root() / "convex", deadline)
-        found += parts
-        notes += [note] if note else []
+        parts, note = _cut(points, triangles, cache_folder or cache_root() / "convex", deadline, PARAMETERS)
+        found += parts or [points]
+        notes += [f"{note}: one hull"] if note else []
     return found, notes
 
 
@@ -98,21 +107,17 @@ def is_convex(points: Points, faces: Faces) -> bool:
     return True
 
 
-def _weld(vertices: Points, faces: Faces) -> tuple[Points, Faces]:
-    """One corner a place; triangles that have no area are left out."""
-    corners, same = np.unique(np.round(vertices, 2) + 0.0, axis=0, return_inverse=True)
-    welded = same.reshape(-1)[faces].astype(np.int64)
-    across = np.cross(corners[welded[:, 1]] - corners[welded[:, 0]], corners[welded[:, 2]] - corners[welded[:, 0]])
-    return corners, welded[np.linalg.norm(across, axis=1) > 1e-9]
-
-
 def _piece(corners: Points, faces: Faces) -> tuple[Points, Faces]:
     used, renamed = np.unique(faces, return_inverse=True)
     return corners[used], renamed.reshape(faces.shape).astype(np.int64)
 
 
-def _holds(hull: Points, points: Points) -> bool:
-    """Whether the hull of some points holds all of others."""
+def holds(hull: Points, points: Points) -> bool:
+    """Whether the hull of some points holds all of others, within ``HIDDEN_CM``."""
+    if (points.min(axis=0) < hull.min(axis=0) - HIDDEN_CM).any() or (
+        points.max(axis=0) > hull.max(axis=0) + HIDDEN_CM
+    ).any():
+        return False
     try:
         planes = ConvexHull(hull).equations
     except QhullError:
@@ -120,43 +125,67 @@ def _holds(hull: Points, points: Points) -> bool:
     return bool((points @ planes[:, :3].T + planes[:, 3] <= HIDDEN_CM).all())
 
 
-def _cut(points: Points, faces: Faces, folder: Path, deadline: float) -> tuple[list[Points], str]:
-    """The parts that coacd makes of a piece, from the cache when it was cut before; one part and why when it fails."""
+def cut_piece(
+    piece: SurfacePiece, gap_cm: float, deadline: float, folder: Path | None = None
+) -> tuple[list[Points], str]:
+    """Parts (corners in cm) of a solid piece, concave by about ``gap_cm`` at most; none and why where it cannot be.
+
+    ``deadline``: of ``time.monotonic``. A piece that is no plain closed surface is made anew by coacd first.
+    """
+    half = float(np.ptp(piece.points, axis=0).max()) / 2
+    threshold = float(np.clip(gap_cm / half, FINEST, COARSEST).round(3))
+    plain = len(piece.faces) <= MOST_PLAIN
+    parameters = {**PARAMETERS, **QUICK, "threshold": threshold, "preprocess_mode": "off" if plain else "on"}
+    return _cut(piece.points, piece.faces, folder or cache_root() / "convex", deadline, parameters)
+
+
+def _cut(
+    points: Points, faces: Faces, folder: Path, deadline: float, parameters: dict[str, Any]
+) -> tuple[list[Points], str]:
+    """The parts that coacd makes of a piece, from the cache when it was tried before; none and why when it fails."""
     centre = points.mean(axis=0).round(2)
     centred = (points - centre).round(3) + 0.0
-    key = digest([digest_bytes(centred.tobytes()), digest_bytes(faces.astype("<i8").tobytes()), PARAMETERS, _version()])
+    key = digest([digest_bytes(centred.tobytes()), digest_bytes(faces.astype("<i8").tobytes()), parameters, _version()])
     file = folder / f"{key}.npz"
     data = file.read_bytes() if file.is_file() else None
     parts = _read(data) if data is not None else None
     if parts is None:
-        data, problem = _run(centred, faces, deadline)
+        failed = file.with_suffix(".failed")
+        known = failed.is_file()
+        data, problem, own = (None, failed.read_text(), True) if known else _run(centred, faces, deadline, parameters)
         parts = _read(data) if data is not None else None
         if data is None or parts is None:
-            return [points], f"a piece of {len(faces)} triangles could not be cut ({problem}): one hull"
+            if own and not known:
+                write_bytes(failed, problem.encode())
+            return [], f"a piece of {len(faces)} triangles could not be cut ({problem})"
         write_bytes(file, data)
     return [part + centre for part in parts], ""
 
 
-def _run(points: Points, faces: Faces, deadline: float) -> tuple[bytes | None, str]:
+def _run(points: Points, faces: Faces, deadline: float, parameters: dict[str, Any]) -> tuple[bytes | None, str, bool]:
+    """What coacd wrote, or why it wrote nothing, and whether that is the piece's own doing and would be so again."""
     late = f"coacd took more than {MOST_SECONDS:g} s for the mesh"
     if time.monotonic() >= deadline:
-        return None, late
+        return None, late, False
     sent = io.BytesIO()
-    np.savez(sent, vertices=points, faces=faces.astype(np.int32), parameters=np.array(json.dumps(PARAMETERS)))
+    np.savez(sent, vertices=points, faces=faces.astype(np.int32), parameters=np.array(json.dumps(parameters)))
     try:
         done = subprocess.run(
             [sys.executable, "-m", "catalog.ingest.coacd_run"],
+            env={**os.environ, "OMP_NUM_THREADS": "1", CPU_LIMIT: f"{PIECE_CPU_SECONDS}"},
             input=sent.getvalue(),
             capture_output=True,
             timeout=max(0.0, deadline - time.monotonic()),
             check=False,
         )
     except subprocess.TimeoutExpired:
-        return None, late
+        return None, late, False
+    if done.returncode == -signal.SIGXCPU:
+        return None, f"coacd took more than {PIECE_CPU_SECONDS} s of processor time", True
     if done.returncode:
         lines = done.stderr.decode(errors="replace").strip().splitlines()
-        return None, f"coacd ended with {done.returncode}{': ' + lines[-1] if lines else ''}"
-    return done.stdout, "coacd gave no parts"
+        return None, f"coacd ended with {done.returncode}{': ' + lines[-1] if lines else ''}", done.returncode < 0
+    return done.stdout, "coacd gave no parts", True
 
 
 def _read(data: bytes) -> list[Points] | None:

@@ -177,7 +177,7 @@ class GltfFile:
             if "sparse" in record:
                 values = self._sparse(record["sparse"], values, kind, width, index)
             self._accessors[index] = (
-                _scaled(values)
+                scaled(values)
                 if record.get("normalized")
                 else (values.astype(np.float64) if values.dtype.kind == "f" else values)
             )
@@ -210,7 +210,8 @@ class GltfFile:
         return values
 
 
-def _scaled(values: NDArray[Any]) -> NDArray[np.float64]:
+def scaled(values: NDArray[Any]) -> NDArray[np.float64]:
+    """Integers as shares of the largest value of their type (glTF 2.0, 3.6.2.2); floats as they are."""
     if values.dtype.kind == "f":
         return values.astype(np.float64)
     return np.maximum(values.astype(np.float64) / np.iinfo(values.dtype).max, -1.0)

@@ -10,11 +10,15 @@ from numpy.typing import NDArray
 
 from c4s.errors import BadInput
 from c4s.packs.gltf_bounds import hold_draco
-from catalog.ingest.gltf_file import GltfFile
+from catalog.ingest.gltf_file import GltfFile, scaled
 from catalog.ingest.gltf_material import GltfMaterials, tinted
 from catalog.ingest.surface import Surface
 
 DRACO = "KHR_draco_mesh_compression"
+INTEGERS = {1: np.int8, 2: np.uint8, 3: np.int16, 4: np.uint16, 5: np.int32, 6: np.uint32}
+"""Draco's numbers of integer types; its decoder hands wider ones over."""
+SHARES = ("COLOR_", "WEIGHTS_")
+"""Attributes whose integers are shares of their type's largest value, whether or not an accessor says so."""
 Floats = NDArray[np.float64]
 
 
@@ -68,7 +72,10 @@ class GltfMeshes:
         def values(key: str) -> NDArray[Any] | None:
             if key in decoded:
                 return decoded[key]
-            return self.file.array(attributes[key]) if key in attributes else None
+            if key not in attributes:
+                return None
+            found = self.file.array(attributes[key])
+            return scaled(found) if key.startswith(SHARES) else found
 
         points = np.asarray(values("POSITION"), float)
         if points.shape[1:] != (3,):
@@ -150,8 +157,9 @@ class GltfMeshes:
                     if name in record.get("attributes", {})
                     else {}
                 )
-                whole = described.get("normalized") and data.dtype.kind in "ui"
-                found[name] = data / np.iinfo(data.dtype).max if whole else data
+                whole = described.get("normalized") or name.startswith(SHARES)
+                own = INTEGERS.get(attribute.get("data_type"), data.dtype)
+                found[name] = scaled(data.astype(own)) if whole and data.dtype.kind in "ui" else data
         if getattr(mesh, "faces", None) is not None:
             found["faces"] = np.asarray(mesh.faces)
         return found

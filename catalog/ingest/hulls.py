@@ -5,20 +5,15 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
 from c4s.records.pack import HullBody
+from catalog.ingest.merging import HARD_LIMIT, merged
+from catalog.ingest.surfaces import Faces, Points, pieces
 
-Points = NDArray[np.float64]
 HullPer = Literal["asset", "node", "piece"]
 """One hull for all of an asset, one a node of its file, or one a connected piece of its surface."""
 MAX_VERTICES = 128
-MAX_PIECES = 1024
-HOLLOW_CM3 = 1_000_000.0
-"""Smaller things keep one hull."""
 THIN_CM = 0.05
 """Flat things get this half thickness."""
 
@@ -54,70 +49,21 @@ def _directions() -> Points:
     return np.concatenate([np.eye(3), -np.eye(3), even])
 
 
-def pieces(vertices: Points, faces: NDArray[np.int64]) -> list[Points]:
-    """Points of each connected piece of a surface; corners at one place are one corner. Hollow pieces fall apart.
-
-    A piece is hollow when its hull holds more than ``HOLLOW_CM3`` and the piece fills less than half of it, as a room
-    or a shelf does, whose hull would fill what it is there to hold. It is replaced by its flat sides: each a
-    convex flat, or triangle by triangle where a side has a notch or a door.
-    The ``MAX_PIECES`` largest alone are told apart when there are more; the rest is one piece.
-    """
-    _, same = np.unique(np.round(vertices, 2), axis=0, return_inverse=True)
-    welded = same.reshape(-1)[faces]
-    found = []
-    for part in connected(welded, np.zeros(len(faces), np.int64)):
-        points = vertices[np.unique(faces[part])]
-        found += _sides(vertices, faces[part], welded[part]) if _hollow(vertices[faces[part]], points) else [points]
-    found.sort(key=lambda points: -float(np.linalg.norm(np.ptp(points, axis=0))))
-    return found if len(found) <= MAX_PIECES else [*found[: MAX_PIECES - 1], np.concatenate(found[MAX_PIECES - 1 :])]
-
-
-def connected(welded: NDArray[np.int64], group: NDArray[np.int64]) -> list[NDArray[np.int64]]:
-    """Indices of the faces of each set that hangs together by corners of the same group."""
-    keys = welded.astype(np.int64) * (int(group.max()) + 1) + group[:, None]
-    _, corner = np.unique(keys, return_inverse=True)
-    corner = corner.reshape(keys.shape)
-    edges = np.concatenate([corner[:, [0, 1]], corner[:, [1, 2]]])
-    count = int(corner.max()) + 1
-    joins = coo_array((np.ones(len(edges), np.int8), (edges[:, 0], edges[:, 1])), shape=(count, count))
-    label = connected_components(joins, directed=False)[1][corner[:, 0]]
-    return [np.flatnonzero(label == number) for number in np.unique(label)]
-
-
-def _hollow(triangles: Points, points: Points) -> bool:
-    try:
-        volume = float(ConvexHull(points).volume)
-    except QhullError:
-        return False
-    centred = triangles - points.mean(axis=0)
-    solid = float(np.einsum("ij,ij->i", centred[:, 0], np.cross(centred[:, 1], centred[:, 2])).sum()) / 6
-    return volume > HOLLOW_CM3 and solid < volume / 2
-
-
-def _sides(vertices: Points, faces: NDArray[np.int64], welded: NDArray[np.int64]) -> list[Points]:
-    triangles = vertices[faces]
-    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    areas = np.linalg.norm(normals, axis=1) / 2
-    keep = areas > 1e-3
-    triangles, normals, areas, welded = (values[keep] for values in (triangles, normals, areas, welded))
-    normals = normals / (2 * areas[:, None])
-    planes = np.column_stack([np.round(normals, 2), np.round(np.einsum("ij,ij->i", normals, triangles[:, 0]), 0)])
-    found: list[Points] = []
-    for side in connected(welded, np.unique(planes + 0.0, axis=0, return_inverse=True)[1].reshape(-1)):
-        corners = np.unique(triangles[side].reshape(-1, 3), axis=0)
-        axes = np.linalg.svd(normals[side[:1]])[2][1:]
-        outline = float(ConvexHull(corners @ axes.T, qhull_options="QJ Pp").volume)
-        found += [corners] if areas[side].sum() > 0.95 * outline else list(triangles[side])
-    return found
-
-
-def bodies(parts: list[tuple[str, Points, NDArray[np.int64]]], per: HullPer) -> list[HullBody]:
-    """Collision bodies of parts (node, vertices in cm, triangles)."""
+def bodies(parts: list[tuple[str, Points, Faces]], per: HullPer) -> list[HullBody]:
+    """Collision bodies of parts (node, vertices in cm, triangles). Beyond ``HARD_LIMIT`` neighbours are merged."""
     if per == "asset":
         return [hull(np.concatenate([points for _, points, _ in parts]))]
     if per == "node":
         nodes = sorted({node for node, _, _ in parts})
-        return [hull(np.concatenate([points for name, points, _ in parts if name == node])) for node in nodes]
+        sets = [np.concatenate([points for name, points, _ in parts if name == node]) for node in nodes]
+    else:
+        vertices, faces = joined(parts)
+        sets = [piece.points for piece in pieces(vertices, faces)] or [vertices]
+    return [hull(points) for points in (merged(sets, most=HARD_LIMIT) if len(sets) > HARD_LIMIT else sets)]
+
+
+def joined(parts: list[tuple[str, Points, Faces]]) -> tuple[Points, Faces]:
+    """Vertices and triangles of parts (node, vertices, triangles) as one mesh."""
     offsets = np.cumsum([0] + [len(points) for _, points, _ in parts[:-1]])
-    faces = np.concatenate([triangles + offset for (_, _, triangles), offset in zip(parts, offsets, strict=True)])
-    return [hull(points) for points in pieces(np.concatenate([points for _, points, _ in parts]), faces)]
+    faces = [triangles + offset for (_, _, triangles), offset in zip(parts, offsets, strict=True)]
+    return np.concatenate([points for _, points, _ in parts]), np.concatenate(faces)

@@ -1,37 +1,114 @@
-"""What a folder says about its licence."""
+"""What a folder says about its licence: files beside the meshes, in the folders above and below."""
 
 from __future__ import annotations
 
 import os
 import re
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from c4s.files import read_plain
+from catalog.ingest.licence_words import UNKNOWN, AiUse, ai_use, licences_in
 
-FILES = re.compile(r"(licen[cs]e|copying|source|notice)[^/]*(\.(txt|md))?", re.IGNORECASE)
-KNOWN = (
-    ("CC0-1.0", r"CC0|creative commons zero|public domain"),
-    ("CC-BY-4.0", r"CC[- ]BY[- ]4\.0|attribution 4\.0"),
-    ("CC-BY-3.0", r"CC[- ]BY[- ]3\.0"),
-    ("Apache-2.0", r"Apache License|Apache-2\.0"),
-    ("MIT-0", r"MIT-0|MIT No Attribution"),
-    ("MIT", r"\bMIT\b|above copyright notice and this permission notice"),
-    ("MIT-0", r"Permission is hereby granted, free of charge"),
-    ("BSD-3-Clause", r"Redistribution and use in"),
+FILES = re.compile(
+    r"[^/]*(licen[cs]e|copying|copyright|notice|credits|attribution)[^/]*\.?(txt|md|html?|rst)?|source[^/]*(\.(txt|md))?",
+    re.IGNORECASE,
 )
-UNKNOWN = "unknown"
+TEXTS = ("", ".txt", ".md", ".rst", ".html", ".htm")
+LAST = re.compile(r"readme[^/]*|package\.json|(package|model)\.(xml|config)", re.IGNORECASE)
+"""Files that are asked when no other tells the licence."""
+MOST_ABOVE = 3
+"""How many folders above are asked."""
+MOST_TEXT = 100_000
 
 
-def licence(folder: Path) -> tuple[str, str]:
-    """Short name of the licence (``unknown`` where none is told) and the text of the files that tell it."""
-    files = [path for path in sorted(folder.iterdir()) if FILES.fullmatch(path.name) and _is_own(path, folder)]
-    files.sort(key=lambda path: path.name.lower().startswith("source"))
-    texts = [read_plain(path)[:100_000].decode("utf-8", errors="replace") for path in files]
-    for text in texts:
-        for name, pattern in KNOWN:
-            if re.search(pattern, text, re.IGNORECASE):
-                return name, "\n\n".join(texts)
-    return UNKNOWN, "\n\n".join(texts)
+@dataclass(frozen=True)
+class Licence:
+    """What was found: SPDX id (several joined by ``AND``), the text of the files that tell it, and notes."""
+
+    id: str
+    text: str
+    ai_use: AiUse
+    ai_reason: str
+    notes: tuple[str, ...] = ()
+
+
+def licence(folder: Path, files: Sequence[Path] = (), stated: Sequence[str] = ()) -> Licence:
+    """The licence of a folder.
+
+    Its own files decide; where they tell none, what tables and sidecar files state, then the folders of single meshes,
+    then up to ``MOST_ABOVE`` folders above, as far as the one that holds a ``.git``.
+
+    Args:
+        folder: the folder.
+        files: its mesh files; their own folders may name licences of single things.
+        stated: what sidecar files say of single things.
+    """
+    names, text, notes = _told(folder)
+    below: dict[str, str] = {}
+    for place in dict.fromkeys(path.parent for path in files):
+        while place != folder and place.is_relative_to(folder):
+            own, words, _ = _told(place)
+            if own:
+                below.setdefault(own[0], words)
+                break
+            place = place.parent
+    for words in stated:
+        for name in licences_in(words)[:1]:
+            below.setdefault(name, words)
+    if names:
+        others = sorted(set(below) - set(names[:1]))
+        if others:
+            notes.append(f"some things have a licence of their own: {', '.join(others)}")
+        names = [*names[:1], *others]
+        text = "\n\n".join([text, *(below[name] for name in others)])
+    elif below:
+        names, text = sorted(below), "\n\n".join(below[name] for name in sorted(below))
+    else:
+        names, words, notes = _above(folder)
+        text = "\n\n".join(one for one in (text, words) if one)
+    name = " AND ".join(dict.fromkeys(names)) or UNKNOWN
+    use, reason = ai_use(name, text)
+    if name == UNKNOWN:
+        notes.append("no file here tells the licence")
+    return Licence(name, text[: 4 * MOST_TEXT], use, reason, tuple(notes))
+
+
+def _above(folder: Path) -> tuple[list[str], str, list[str]]:
+    place = Path(os.path.realpath(folder))
+    for _ in range(MOST_ABOVE):
+        if (place / ".git").exists() or place.parent == place:
+            break
+        place = place.parent
+        names, text, _ = _told(place)
+        if names:
+            return names[:1], text, [f"the licence is told by the folder {place.name!r} above"]
+    return [], "", []
+
+
+def _told(folder: Path) -> tuple[list[str], str, list[str]]:
+    """The licence that a folder's own files name first, their text, and a note of others that they name."""
+    try:
+        here = sorted(path for path in folder.iterdir() if path.suffix.lower() in (*TEXTS, ".json", ".xml", ".config"))
+    except OSError:
+        return [], "", []
+    files = [
+        path for path in here if FILES.fullmatch(path.name) and path.suffix.lower() in TEXTS and _is_own(path, folder)
+    ]
+    files.sort(key=lambda path: (path.name.lower().startswith(("source", "credits")), "licen" not in path.name.lower()))
+    texts = [read_plain(path)[:MOST_TEXT].decode("utf-8", errors="replace") for path in files]
+    named = [name for text in texts for name in licences_in(text)[:1]]
+    if named:
+        return named[:1], "\n\n".join(texts), []
+    for path in here:
+        if LAST.fullmatch(path.name) and _is_own(path, folder):
+            text = read_plain(path)[:MOST_TEXT].decode("utf-8", errors="replace")
+            said = re.search(r"(?is)licen[cs]e.{0,400}", text)
+            names = licences_in(said.group()) if said else []
+            if names:
+                return names[:1], "\n\n".join([*texts, said.group() if said else ""]), []
+    return [], "\n\n".join(texts), []
 
 
 def _is_own(path: Path, folder: Path) -> bool:

@@ -54,7 +54,7 @@ BETTER = (".glb", ".gltf", ".dae", ".obj")
 FORMAT_WORD = re.compile(r"(?i)\b(glb|gltf2?|obj|dae|collada|fbx|usd|usdz|blend|stl|format|models?|meshes)\b|[\W_]+")
 
 
-TOLD = ("name", "category", "description", "tags")
+TOLD = ("name", "category", "description", "tags", "license")
 SAME_THING = "the same thing in another format is read"
 
 
@@ -151,12 +151,24 @@ class ListingRow:
     category: str = ""
     description: str = ""
     tags: tuple[str, ...] = ()
+    licence: str = ""
+
+    def over(self, other: ListingRow) -> ListingRow:
+        """What this says, and where it says nothing what the other one says; the tags of both."""
+        return ListingRow(
+            self.name or other.name,
+            self.category or other.category,
+            self.description or other.description,
+            tuple(dict.fromkeys([*self.tags, *other.tags])),
+            self.licence or other.licence,
+        )
 
 
 def table(folder: Path) -> tuple[dict[str, ListingRow], list[dict[str, str]]]:
     """Rows of CSV tables in the folder that have a column ``file``, by the file's path or name; and notes.
 
-    Columns that are read: ``name``, ``category``, ``description``, ``tags`` (split at ``;``, ``,`` or ``|``).
+    Columns that are read: ``name``, ``category``, ``description``, ``tags`` (split at ``;``, ``,`` or ``|``) and
+    ``license``.
     """
     rows: dict[str, ListingRow] = {}
     notes = []
@@ -170,6 +182,7 @@ def table(folder: Path) -> tuple[dict[str, ListingRow], list[dict[str, str]]]:
                         said["category"],
                         said["description"],
                         tuple(tag.strip() for tag in re.split(r"[;,|]", said["tags"]) if tag.strip()),
+                        said["license"],
                     )
         except (BadInput, csv.Error) as error:
             why = error.what if isinstance(error, BadInput) else error

@@ -6,7 +6,7 @@ under a scale that it does not survive becomes a hull.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,10 +16,12 @@ from numpy.typing import NDArray
 from c4s.errors import BadInput
 from c4s.records.pack import CapsuleBody, CollisionBody, SphereBody
 from catalog.ingest.authored import framed_box, rotator
+from catalog.ingest.automatic import automatic
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.gltf_tree import GltfTree
-from catalog.ingest.hulls import Points, hull
+from catalog.ingest.hulls import hull, joined
 from catalog.ingest.source import GLTF, TO_UNREAL
+from catalog.ingest.surfaces import Points
 
 BODY_EXTENSIONS = ("KHR_physics_rigid_bodies", "OMI_physics_body")
 SHAPE_EXTENSIONS = ("KHR_implicit_shapes", "OMI_physics_shape")
@@ -43,7 +45,7 @@ def stated_bodies(path: Path, root: Path, *, scale: float = 1.0) -> tuple[list[C
     for index, names in tree.paths.items():
         for collider in _colliders(file.item("nodes", index)):
             try:
-                bodies.append(_body(file, tree, collider, axes @ tree.worlds[index]))
+                bodies.extend(_bodies(file, tree, collider, axes @ tree.worlds[index]))
             except (KeyError, TypeError, ValueError, IndexError, BadInput) as error:
                 reason = error.what if isinstance(error, BadInput) else f"{type(error).__name__}: {error}"
                 notes.append(f"the collider of node {names[-1]!r} cannot be used ({reason})")
@@ -63,10 +65,17 @@ def _shapes(file: GltfFile) -> list[dict[str, Any]]:
     ]
 
 
-def _body(file: GltfFile, tree: GltfTree, collider: dict[str, Any], matrix: _Matrix) -> CollisionBody:
+def _bodies(file: GltfFile, tree: GltfTree, collider: dict[str, Any], matrix: _Matrix) -> Sequence[CollisionBody]:
     if "shape" not in collider:
-        return _mesh(tree, collider.get("mesh"), matrix)
+        return _mesh(tree, collider.get("mesh"), matrix, convex=collider.get("convexHull", True) is not False)
     shape = _shapes(file)[collider["shape"]]
+    if shape["type"] in ("convex", "trimesh"):
+        mesh = shape.get(shape["type"], {}).get("mesh", shape.get("mesh"))
+        return _mesh(tree, mesh, matrix, convex=shape["type"] == "convex")
+    return [_body(shape, matrix)]
+
+
+def _body(shape: dict[str, Any], matrix: _Matrix) -> CollisionBody:
     kind = shape["type"]
     numbers = shape.get(kind, {})
     if kind == "box":
@@ -88,13 +97,16 @@ def _body(file: GltfFile, tree: GltfTree, collider: dict[str, Any], matrix: _Mat
         return made or hull(
             _moved(matrix, _rings(height, bottom, top) if kind == "capsule" else _ends(height, bottom, top))
         )
-    if kind in ("convex", "trimesh"):
-        return _mesh(tree, numbers.get("mesh", shape.get("mesh")), matrix)
     raise ValueError(f"unknown shape {kind!r}")
 
 
-def _mesh(tree: GltfTree, mesh: Any, matrix: _Matrix) -> CollisionBody:
-    return hull(np.concatenate([_moved(matrix, part.points) for part in tree.meshes.primitives(mesh)]))
+def _mesh(tree: GltfTree, mesh: Any, matrix: _Matrix, *, convex: bool) -> Sequence[CollisionBody]:
+    parts = tree.meshes.primitives(mesh)
+    if convex:
+        return [hull(np.concatenate([_moved(matrix, part.points) for part in parts]))]
+    step = -1 if np.linalg.det(matrix[:3, :3]) < 0 else 1
+    made = automatic(*joined([("", _moved(matrix, part.points), part.faces[:, ::step]) for part in parts]))
+    return [hull(points) for points in made.bodies]
 
 
 def _moved(matrix: _Matrix, points: Points) -> Points:

@@ -13,6 +13,7 @@ from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.gltf_tree import GltfTree, Placed
+from catalog.ingest.obj_file import ObjFile
 from catalog.ingest.surface import Source, SourcePart, Surface
 from catalog.ingest.trimesh_file import TrimeshFile
 
@@ -43,11 +44,9 @@ def read_source(path: Path, root: Path, *, scale: float = 1.0, up: Up | None = N
         BadInput: the file cannot be read, holds no triangles of any size, or numbers that are not finite.
     """
     notes: list[str] = []
-    made = (
-        _of_gltf(path, root, scale, up, notes)
-        if path.suffix.lower() in GLTF
-        else _of_others(path, root, scale, up, notes)
-    )
+    kind = path.suffix.lower()
+    read = _of_gltf if kind in GLTF else _of_obj if kind == ".obj" else _of_others
+    made = read(path, root, scale, up, notes)
     parts, count = [], 0
     try:
         for part in made:
@@ -92,6 +91,27 @@ def _of_gltf(path: Path, root: Path, scale: float, up: Up | None, notes: list[st
     try:
         for placed in tree.placed():
             yield from gltf_parts(tree, placed, axes, scale, path)
+    finally:
+        notes += file.notes
+
+
+def _of_obj(path: Path, root: Path, scale: float, up: Up | None, notes: list[str]) -> Iterator[SourcePart]:
+    file, axes = ObjFile(path, root), np.asarray(TO_UNREAL[up or "y"], dtype=float)
+    try:
+        for one in file.parts():
+            yield part_of(
+                one.piece,
+                one.surface,
+                one.points,
+                one.faces,
+                one.normals,
+                one.uvs,
+                one.colors,
+                np.eye(4),
+                axes,
+                scale,
+                path,
+            )
     finally:
         notes += file.notes
 

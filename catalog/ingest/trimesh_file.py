@@ -1,4 +1,4 @@
-"""OBJ, DAE and STL files, parsed by trimesh: surfaces, units, axes and notes of faults."""
+"""DAE and STL files, parsed by trimesh: surfaces, units, axes and notes of faults."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ from c4s.bounds import BOUNDS
 from c4s.errors import BadInput
 from c4s.files import read_plain
 from c4s.packs.meshes import reader_words
-from catalog.ingest.mtl import ObjResolver, glow_and_opacity
 from catalog.ingest.resolver import FolderResolver
 from catalog.ingest.surface import Surface, color_of, linear, linear_of, texture_png
 
@@ -30,8 +29,7 @@ logging.getLogger("collada").setLevel(logging.CRITICAL)
 class SurfaceReader:
     """Turns trimesh's materials into surfaces; a picture is converted once. Plain colours are display (sRGB) values."""
 
-    def __init__(self, details: dict[str, tuple[tuple[float, float, float], float]]) -> None:
-        self.details = details
+    def __init__(self) -> None:
         self._pictures: dict[int, tuple[Image.Image, bytes | None]] = {}
 
     def read(self, visual: Any, notes: list[str]) -> Surface:
@@ -46,8 +44,7 @@ class SurfaceReader:
         texture = self._texture(material.image, notes)
         diffuse = np.asarray(material.diffuse, dtype=float).ravel()[:3] / 255
         color = (1.0, 1.0, 1.0) if texture else color_of([linear(float(c)) for c in diffuse])
-        emissive, opacity = self.details.get(name, ((0.0, 0.0, 0.0), 1.0))
-        return Surface(name, color, emissive=emissive, opacity=opacity, texture=texture)
+        return Surface(name, color, texture=texture)
 
     def _pbr(self, name: str, material: Any, notes: list[str]) -> Surface:
         factor = material.baseColorFactor
@@ -83,7 +80,7 @@ class TrimeshFile:
     """A parsed file: its scene of trimesh, metres per unit, and the axis that points up.
 
     Args:
-        path: the file; ``.obj``, ``.dae`` or ``.stl``.
+        path: the file; ``.dae`` or ``.stl``.
         root: the only folder whose files may be read.
     """
 
@@ -91,7 +88,7 @@ class TrimeshFile:
         if not path.is_file():
             raise BadInput("no such mesh file", where=str(path))
         kind = path.suffix.lower()
-        resolver = ObjResolver(path, root) if kind == ".obj" else FolderResolver(path, root)
+        resolver = FolderResolver(path, root)
         self.path, self.unit_m, self.up = path, 1.0, "y"
         if kind == ".dae":
             head = read_plain(path, bound=BOUNDS["mesh_bytes"])[:20_000].decode("utf-8", errors="replace")
@@ -99,18 +96,16 @@ class TrimeshFile:
             axis = re.search(r"<up_axis>\s*([XYZ])_UP", head)
             self.unit_m = _unit(unit.group(1), path) if unit else 1.0
             self.up = axis.group(1).lower() if axis else "y"
-        options: dict[str, Any] = {"split_objects": True, "group_material": False} if kind == ".obj" else {}
+        data = io.BytesIO(read_plain(path, bound=BOUNDS["mesh_bytes"]))
         try:
-            self.scene = trimesh.load_scene(
-                _content(path), file_type=kind[1:], resolver=resolver, process=False, **options
-            )
+            self.scene = trimesh.load_scene(data, file_type=kind[1:], resolver=resolver, process=False)
         except BadInput:
             raise
         except Exception as error:  # trimesh's readers raise whatever their format's parser raises
             lost = f"; missing {', '.join(resolver.missing)}" if resolver.missing else ""
             raise BadInput(f"cannot read this mesh: {reader_words(error)}{lost}", where=str(path)) from None
         self.notes = [f"file {name!r} is missing: the plain colour is used" for name in resolver.missing]
-        self.surfaces = SurfaceReader(glow_and_opacity(resolver) if isinstance(resolver, ObjResolver) else {})
+        self.surfaces = SurfaceReader()
 
     def geometries(self) -> Iterator[tuple[str, str, NDArray[np.float64]]]:
         """Node, geometry and matrix of everything placed, in an order that does not hang on the reader's."""
@@ -146,16 +141,6 @@ class TrimeshFile:
             (np.asarray(raw, float) * [1, -1] + [0, 1] if fits else np.zeros((len(points), 2))),
             None,
         )
-
-
-def _content(path: Path) -> io.BytesIO:
-    """A file's bytes; of an OBJ file without byte order mark, its groups as objects if it has none of those."""
-    data = read_plain(path, bound=BOUNDS["mesh_bytes"])
-    if path.suffix.lower() == ".obj":
-        data = data.removeprefix(b"\xef\xbb\xbf")
-        if not re.search(rb"(?m)^o[ \t]", data):
-            data = re.sub(rb"(?m)^g(?=[ \t]+\S)", b"o", data)
-    return io.BytesIO(data)
 
 
 def _number(value: Any, default: float) -> float:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from math import log
 from statistics import median
 
 TYPICAL_M: dict[str, tuple[float, float]] = {
@@ -62,6 +63,11 @@ TYPICAL_M: dict[str, tuple[float, float]] = {
 OTHER_UNITS = (0.01, 0.001, 0.0254, 100.0, 10.0)
 """Centimetre, millimetre, inch, and files that were made a hundred or ten times too small; metres per unit."""
 
+FACTORS = (0.01, 0.001, 0.0254, 100.0, 1000.0, 39.37)
+"""Metres per unit of centimetres, millimetres and inches, and the other way round."""
+UNLIKE = 30.0
+WRONG_UNIT = 10.0
+"""A named thing this many times out of its usual sizes is in another unit; toys and large ones are not."""
 FREE_FACTOR = 1.3
 """A median this far off says nothing yet about the unit."""
 
@@ -115,6 +121,39 @@ def check_units(sizes_m: Iterable[tuple[str, float]]) -> UnitCheck:
             f"the middle of the longest sides is {middle:.4g} m",
         )
     return UnitCheck(len(named), len(wrong), None, "sizes are plausible" if named else "no name tells a size")
+
+
+@dataclass(frozen=True)
+class OddSize:
+    """A file whose unit is another one than that of the rest: its factor to metres by the unit that fits, and why."""
+
+    factor: float
+    reason: str
+
+
+def odd_sizes(sizes_m: Sequence[tuple[str, float]]) -> dict[int, OddSize]:
+    """Which of the named longest sides (m) are in another unit than the others, by their place.
+
+    A name that tells a size decides; else a side that is ``UNLIKE`` times longer or shorter than the middle of the
+    folder. Only one of ``FACTORS`` is proposed, and where nothing fits the side is told alone.
+    """
+    middle = median([side for _, side in sizes_m]) if sizes_m else 1.0
+    found = {}
+    for index, (name, side) in enumerate(sizes_m):
+        known = next((TYPICAL_M[word] for word in words(name) if word in TYPICAL_M), None)
+        low, high = known or (middle / UNLIKE, middle * UNLIKE)
+        if low / WRONG_UNIT <= side <= high * WRONG_UNIT:
+            continue
+        target = (low * high) ** 0.5
+        fitting = [unit for unit in FACTORS if low / FREE_FACTOR <= side * unit <= high * FREE_FACTOR]
+        if not fitting:
+            if not known and not 1 / (UNLIKE * WRONG_UNIT) <= side <= UNLIKE * WRONG_UNIT:
+                found[index] = OddSize(1.0, f"it is {side:.3g} m long, the middle of the folder {middle:.3g} m")
+            continue
+        best = min(fitting, key=lambda unit: abs(log(side * unit / target)))
+        told = f"a real one is {low:g} to {high:g} m" if known else f"the middle of the folder is {middle:.3g} m"
+        found[index] = OddSize(best, f"it is {side:.3g} m long and {told}")
+    return found
 
 
 def _two_digits(value: float) -> float:

@@ -16,6 +16,7 @@ from c4s.names import checked_id
 from c4s.packs.meshes import Mesh
 from c4s.records.pack import MANIFEST, Asset, CollisionBody, Material, MaterialSlot, Pack
 from catalog.build import glb
+from catalog.ingest.licence_words import AiUse
 from catalog.ingest.surface import SourcePart, Surface
 from catalog.preview import write_previews
 from catalog.settle import settle
@@ -40,6 +41,11 @@ def identifier(text: str) -> str:
     if not name or (len(name) < 3 and not text.isascii()):
         name = f"{name}_{digest(text)[:8]}".strip("_") if text.strip() else "Unnamed"
     return name if len(name) <= MAX_NAME else f"{name[: MAX_NAME - 9]}_{digest(text)[:8]}"
+
+
+def _prefixed(prefix: str, name: str) -> str:
+    """An Unreal name with the prefix of its kind, once."""
+    return f"{prefix}{identifier(name.removeprefix(prefix) or name)}"
 
 
 def _colors(parts: list[SourcePart]) -> NDArray[np.float32] | None:
@@ -92,7 +98,7 @@ class PackWriter:
         )
         key = digest([surface.name, record.plain()])
         if key not in self._by_surface:
-            name = self._free(f"M_{identifier(surface.name)}")
+            name = self._free(_prefixed("M_", surface.name))
             path = f"/Game/{self.folder_name}/Materials/{name}.{name}"
             self.materials[path] = record.model_copy(update={"path": path})
             self._by_surface[key] = path
@@ -143,7 +149,7 @@ class PackWriter:
             ),
             colors=_colors(parts),
         )
-        stem = self._free(f"SM_{identifier(name)}")
+        stem = self._free(_prefixed("SM_", name))
         identity = stem[3:].lower()
         colors = {slot.name: self.materials[slot.material].base_color for slot in slots}
         data = glb(mesh, [slot.name for slot in slots], colors)
@@ -168,7 +174,9 @@ class PackWriter:
         self.assets.append(asset)
         return asset
 
-    def finish(self, *, title: str, license_id: str, description: str, license_text: str) -> Pack:
+    def finish(
+        self, *, title: str, license_id: str, description: str, license_text: str, ai_use: AiUse = "unknown"
+    ) -> Pack:
         """Write the manifest and put the folder in its place.
 
         Raises ``BadInput`` where another pack lies there that is not to be replaced.
@@ -179,6 +187,7 @@ class PackWriter:
             content_folder=self.folder_name,
             title=title,
             license=license_id,
+            ai_use=ai_use,
             description=description,
             assets=self.assets,
             materials=list(self.materials.values()),

@@ -5,6 +5,7 @@ Every function returns a ``Patch`` whose origin is the middle of the bottom, so 
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -70,8 +71,9 @@ def hull(points: Sequence[Point3] | Array) -> Patch:
     return flat(triangles)
 
 
+@functools.lru_cache(maxsize=4096)
 def box(size: Point3, bevel: float = 0.0) -> Patch:
-    """A box; ``bevel`` cuts its edges by that many cm."""
+    """A box; ``bevel`` cuts its edges by that many cm. Equal boxes share their arrays."""
     half = np.array(size, dtype=float) / 2
     signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
     cut = min(bevel, *(0.49 * s for s in size))

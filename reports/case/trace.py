@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 from c4s.protocol.rules import GATE
 from c4s.verify.registry import VERIFIERS
+from c4s.verify.repair.verifier import REPAIR
+from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
 from reports.case.asked import CaseRows
+from reports.frame import SitePicture
 from reports.frame.board import Row
-from reports.text import number, span
+from reports.text import moment, number
+
+MOST_PICTURES: Final = 4
 
 
 @dataclass(frozen=True)
@@ -23,14 +28,33 @@ class TraceStep:
     state: str = ""
     """``good``, ``bad`` or nothing."""
     facts: tuple[tuple[str, str], ...] = ()
+    pictures: Sequence[tuple[SitePicture, str]] = ()
+    """Some of its evidence, with what it is."""
+    anchor: str = ""
+    """Of what works its number out, on the same page."""
 
 
-def trace_of(trial: Row, asked: CaseRows) -> list[TraceStep]:
-    """All steps, in their order; those after a gate that refused are left out."""
+def trace_of(
+    trial: Row,
+    asked: CaseRows,
+    evidence: Mapping[str, Sequence[SitePicture]],
+    screenshots: Mapping[int, Sequence[SitePicture]],
+) -> list[TraceStep]:
+    """All steps, in their order; those after a gate that refused are left out.
+
+    Args:
+        trial: its row.
+        asked: rows of the case.
+        evidence: the trial's pictures by role.
+        screenshots: what the agent looked at, by attempt.
+    """
     trial_id = trial["trial_id"]
     documents = asked.documents.get(trial_id, {})
     retained = asked.retained.get(trial_id)
-    steps = [_construction(row, row["attempt"] == retained) for row in asked.attempts.get(trial_id, [])]
+    steps = [
+        _construction(row, row["attempt"] == retained, screenshots.get(row["attempt"], ()))
+        for row in asked.attempts.get(trial_id, [])
+    ]
     gate = documents.get(GATE)
     if gate is not None:
         told = f"{gate['status']}{': ' + gate['reason'] if gate['reason'] else ''}"
@@ -47,23 +71,46 @@ def trace_of(trial: Row, asked: CaseRows) -> list[TraceStep]:
                 score = document.get("score")
                 told = str(document.get("status", "")) if score is None else number(score)
                 weight = "" if row.weighed_as else ", reported and not weighed"
-                steps.append(TraceStep(row.title, f"{told}{weight}", "", _facts(document, "Counted")))
+                seen, anchor = (
+                    _evidence(name, evidence),
+                    f"score-{name}" if row.weighed_as and score is not None else "",
+                )
+                steps.append(TraceStep(row.title, f"{told}{weight}", "", _facts(document, "Counted"), seen, anchor))
     told = number(trial["score"]) if trial["score"] is not None else "pending"
     reason = f" ({trial['reason']})" if trial["reason"] else ""
-    steps.append(TraceStep("Case score", f"{told}{reason}", "", (("Policy", trial["policy"]),)))
+    anchor = "score-case" if trial["status"].startswith("measured") else ""
+    steps.append(TraceStep("Case score", f"{told}{reason}", "", (("Policy", trial["policy"]),), (), anchor))
     return steps
 
 
-def _construction(row: Row, retained: bool) -> TraceStep:
+def _evidence(name: str, pictures: Mapping[str, Sequence[SitePicture]]) -> list[tuple[SitePicture, str]]:
+    """Some of what a verifier went by, or what shows the same."""
+    if name == DETAILED.name:
+        return [(one, one.view) for one in pictures.get("claim", ())[:MOST_PICTURES]]
+    if name == OVERVIEW.name:
+        return [(one, one.view) for one in pictures.get("submission", ())[:MOST_PICTURES]]
+    if name == REPAIR.name:
+        truth = {one.view: one for one in pictures.get("target_truth", ())}
+        return [
+            pair
+            for one in pictures.get("target", ())[: MOST_PICTURES // 2]
+            for pair in ((one, f"{one.view}, submission"), (truth.get(one.view, one), f"{one.view}, truth"))
+        ]
+    return []
+
+
+def _construction(row: Row, retained: bool, screenshots: Sequence[SitePicture]) -> TraceStep:
     ended = row["ended_by"].replace("_", " ")
-    told = f"{row['tool_calls']} calls in {span(row['wall_s'])}, ended: {ended}"
+    told = f"{row['tool_calls']} calls in {moment(row['wall_s'])}, ended: {ended}"
     facts = [("Client", row["client_version"] or row["client"]), ("Engine", row["engine_version"])]
     facts += [("Model", row["model"])] if row["model"] else []
     facts += [("Saved", row["submission"] or "nothing")]
     facts += [("Said", row["message"])] if row["message"] else []
     state = "good" if retained else ("bad" if row["valid"] is False or row["submission"] is None else "")
     kept = "; its submission counts" if retained else ""
-    return TraceStep(f"Attempt {row['attempt']}", told + kept, state, tuple((name, str(fact)) for name, fact in facts))
+    seen = [(one, "what the agent saw") for one in screenshots[-MOST_PICTURES:]]
+    told_facts = tuple((name, str(fact)) for name, fact in facts)
+    return TraceStep(f"Attempt {row['attempt']}", told + kept, state, told_facts, seen, f"attempt-{row['attempt']}")
 
 
 def _judge(claims: list[Row], trial: Row) -> TraceStep:

@@ -17,6 +17,15 @@ def prompt(warehouse: Path, board: Board, case_id: str) -> str:
     return str(found[0]["prompt"])
 
 
+def made_with(warehouse: Path, board: Board, configuration: str) -> list[Row]:
+    """What a configuration's attempts were made with, each combination once: client, model, engine."""
+    return rows(
+        warehouse,
+        "SELECT DISTINCT client, client_version, model, engine_version FROM attempts "
+        f"WHERE configuration = {text(configuration)} AND {of_board(board)} ORDER BY ALL",
+    )
+
+
 def pictures(warehouse: Path, board: Board, case_ids: Sequence[str]) -> list[Row]:
     """Every picture of some cases: those of a trial have its id, those of a case itself none."""
     cases = ", ".join(text(one) for one in case_ids)

@@ -37,6 +37,11 @@ def cases(board: Board) -> str:
     return f"boards/{board.page('cases')}"
 
 
+def diagnostics(board: Board) -> str:
+    """What stands behind the scores of a leaderboard."""
+    return f"boards/{board.page('diagnostics')}"
+
+
 def compare(board: Board) -> str:
     """Two configurations compared; ``#a=<one>&b=<other>`` names them."""
     return f"boards/{board.page('compare')}"

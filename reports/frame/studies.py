@@ -95,6 +95,7 @@ class Cell:
     key: Value
     """What rows are sorted by."""
     number: bool
+    """Whether it is one, or stands for one that is not known."""
     mark: str = ""
     """``best``, ``second`` or nothing."""
     shade: str = ""
@@ -161,14 +162,15 @@ def _is_end(column: Column, known: dict[str, Column]) -> bool:
 
 def _cell(row: Row, column: Column, mark: str, heat: bool) -> Cell:
     value = row.get(column.name)
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    share = float(value) if number and value is not None and column.unit in SHARES else None
+    told = isinstance(value, int | float) and not isinstance(value, bool)
+    share = float(value) if isinstance(value, int | float) and told and column.unit in SHARES else None
     low, high = (_number(row.get(f"{column.name}_{end}")) for end in ("low", "high"))
     shown = "–" if value is None else str(printed(value, column))
     shade = step(share) if heat else ""
     ends = "" if low is None or high is None else f"{printed(low, column)} to {printed(high, column)}"
     if share is not None:
         ends = ends.replace(" to ", "–")
+    number = told or (value is None and bool(column.unit or column.decimals))
     return Cell(shown, value, number, mark, shade, share, low, high, ends)
 
 

@@ -13,7 +13,7 @@ from c4s.names import shown
 from c4s.protocol.settings import SETTING_TITLES, is_construction
 from c4s.verify.registry import VERIFIERS, headlines_of
 from reports.frame import links
-from reports.text import moment, number, percent, signed, slug, span, step
+from reports.text import counted, headed, moment, number, p_value, percent, signed, slug, span, step
 
 STATIC: Final = Path(__file__).parent.parent / "static"
 """Styles and scripts, copied to ``static/`` of the site."""
@@ -35,7 +35,18 @@ def environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    made.filters.update(moment=moment, number=number, percent=percent, signed=signed, slug=slug, span=span, step=step)
+    made.filters.update(
+        counted=counted,
+        headed=headed,
+        moment=moment,
+        number=number,
+        p_value=p_value,
+        percent=percent,
+        signed=signed,
+        slug=slug,
+        span=span,
+        step=step,
+    )
     made.globals.update(
         links=links,
         setting_names=SETTING_TITLES,

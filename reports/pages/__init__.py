@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Final
 
 from reports.frame import SiteContext, SitePage
-from reports.pages import case, compare, configuration, leaderboard, matrix, statements, trial
+from reports.pages import case, compare, configuration, diagnostics, leaderboard, matrix, statements, trial
 
 __all__ = ["KINDS"]
 
@@ -14,6 +14,7 @@ KINDS: Final[tuple[Callable[[SiteContext], Iterator[SitePage]], ...]] = (
     leaderboard.pages,
     matrix.pages,
     compare.pages,
+    diagnostics.pages,
     statements.pages,
     configuration.pages,
     case.pages,

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from c4s.protocol.settings import is_construction
-from reports.case import case_rows, case_runs, higher_and_lower, matrix_of, renders_of
+from reports.case import case_rows, case_runs, higher_and_lower, matrix_of, pair_of, renders_of
 from reports.frame import Board, SiteContext, SitePage, links
 from reports.frame.board import Row
 from reports.viewer import scene_part
@@ -27,7 +27,8 @@ def _values(site: SiteContext, board: Board, case: Row) -> dict[str, Any]:
     pictures = site.pictures(board, case["case_id"])
     asked = case_rows(site, board, case["case_id"])
     runs = case_runs(board, case, asked.documents)
-    shown = frozenset(trial_id for (trial_id, role), found in pictures.items() if role == "submission" and found)
+    pictured = frozenset(trial_id for (trial_id, role), found in pictures.items() if role == "submission" and found)
+    pair = higher_and_lower(runs, pictured)
     return {
         "board": board,
         "case": case,
@@ -39,6 +40,6 @@ def _values(site: SiteContext, board: Board, case: Row) -> dict[str, Any]:
         "attempts": asked.attempts,
         "renders": renders_of(pictures, runs, construction=is_construction(case["setting"])),
         "matrix": matrix_of(asked, runs),
-        "pair": higher_and_lower(runs, shown),
+        "pair": pair_of(*pair, asked, pictures) if pair else None,
         "documents": asked.documents,
     }

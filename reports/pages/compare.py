@@ -10,10 +10,13 @@ from typing import Any, Final
 from reports.frame import Board, SiteContext, SitePage, grid, links
 from reports.frame.board import Row
 from reports.pages.matrix import mean_of
+from reports.policies import under_policies
 
 PAIR: Final = ("cases_of", "cases", "sources", "score", "score_low", "score_high", "score_p", "calls", "calls_p")
 """What is told of a pair, for each part of the cases."""
 MOST_CHANGED: Final = 12
+MOST_TOLD: Final = 32
+"""Configurations of which every two are compared, the first of the leaderboard: 496 pairs."""
 
 
 def pages(site: SiteContext) -> Iterator[SitePage]:
@@ -27,7 +30,8 @@ def pages(site: SiteContext) -> Iterator[SitePage]:
 
 def _values(site: SiteContext, board: Board) -> dict[str, Any]:
     whole = [str(row["configuration"]) for row in site.answer(board, "main-results").rows("main")]
-    pairs = site.studies.pairs(board, [name for name in board.order if name in whole])
+    told_of = [name for name in board.order if name in whole][:MOST_TOLD]
+    pairs = site.studies.pairs(board, told_of)
     told = [
         {"a": one.agents[0], "b": one.agents[1], "id": one.identity, "parts": _parts(one.rows("paired"))}
         for one in pairs
@@ -44,6 +48,7 @@ def _values(site: SiteContext, board: Board) -> dict[str, Any]:
             for case in board.cases
         ],
         "pairs": told,
+        "whole": whole,
     }
     drift = site.answer(board, "drift")
     return {
@@ -52,6 +57,7 @@ def _values(site: SiteContext, board: Board) -> dict[str, Any]:
         "data": site.put_data("compare", data),
         "pairs": told,
         "method": pairs[0] if pairs else None,
+        "untold": len(whole) - len(told_of),
         "drift": drift,
         "nights": [
             grid(table, order=board.order)
@@ -59,6 +65,7 @@ def _values(site: SiteContext, board: Board) -> dict[str, Any]:
             if table.name in ("drift", "nights") and table.rows
         ],
         "runs": runs(board),
+        "policies": under_policies(site, board),
         "others": [other(board, one) for one in site.boards if same_cases(board, one)],
     }
 

@@ -9,6 +9,7 @@ from typing import Any, Final
 
 from c4s.records.analysis import Table, Value
 from reports.frame import Answer, Board, Grid, SiteContext, SitePage, grid, links
+from reports.frame.asked import made_with
 from reports.frame.board import Row
 from reports.pages.leaderboard import SCORES, STUDIED
 from reports.pages.matrix import mean_of
@@ -32,6 +33,20 @@ class Place:
     """1 where nobody has more."""
 
 
+@dataclass(frozen=True)
+class Against:
+    """A case: the configuration's mean beside that of the other ranked ones."""
+
+    trial: Row
+    own: float
+    field: float
+
+    @property
+    def difference(self) -> float:
+        """Of the two."""
+        return self.own - self.field
+
+
 def pages(site: SiteContext) -> Iterator[SitePage]:
     """A page a configuration of each leaderboard."""
     for board in site.boards:
@@ -44,7 +59,7 @@ def _values(site: SiteContext, board: Board, standing: Row) -> dict[str, Any]:
     name = standing["configuration"]
     answers = {study: site.answer(board, study) for study in STUDIES}
     main = {str(row["configuration"]): row for row in answers["main-results"].rows("main")}
-    against = _against(board, name)
+    against, trials = _against(board, name), _trials(site, board, name)
     return {
         "board": board,
         "standing": standing,
@@ -59,10 +74,15 @@ def _values(site: SiteContext, board: Board, standing: Row) -> dict[str, Any]:
             for row in answers["execution-errors"].rows("errors")
             if row["configuration"] == name and row["setting"] == ALL
         ][:MOST_ERRORS],
-        "strong": against[:MOST_ENDS],
-        "weak": against[::-1][:MOST_ENDS],
+        "strong": against[: min(MOST_ENDS, (len(against) + 1) // 2)],
+        "weak": against[::-1][: min(MOST_ENDS, len(against) // 2)],
         "zeros": [row for row in board.zeros if row["configuration"] == name],
-        "trials": _trials(site, board, name),
+        "trials": trials,
+        "made_with": made_with(site.warehouse, board, name),
+        "content": sorted({row["trial"]["configuration_digest"] for row in trials}),
+        "sandboxes": sorted({row["trial"]["sandbox"] for row in trials if row["trial"]["sandbox"]}),
+        "runs": sorted({row["trial"]["run_id"] for row in trials}),
+        "pictured": any(row["picture"] for row in trials),
     }
 
 
@@ -81,16 +101,17 @@ STUDIES: Final = {
 """Studies of which the page tells, with the tables whose rows of the configuration it shows."""
 
 
-def _against(board: Board, name: str) -> list[tuple[float, str, float, float]]:
-    """Each case with its score less the field's mean, the case, both; the strongest first."""
+def _against(board: Board, name: str) -> list[Against]:
+    """The cases that the field did too, the strongest first."""
+    ranked = {row["configuration"] for row in board.standings if row["ranked"]} - {name}
     found = []
     for case in board.cases:
-        means = {one: mean_of(trials) for one, trials in case["scores"].items()}
-        own, field = means.get(name), [mean for mean in means.values() if mean is not None]
-        if own is not None:
-            middle = sum(field) / len(field)
-            found.append((own - middle, str(case["case_id"]), own, middle))
-    return sorted(found, reverse=True)
+        trials = case["scores"].get(name, [])
+        own = mean_of(trials)
+        field = [mean for one in ranked if (mean := mean_of(case["scores"].get(one, []))) is not None]
+        if own is not None and field:
+            found.append(Against(trials[0], own, sum(field) / len(field)))
+    return sorted(found, key=lambda one: (-one.difference, one.trial["case_id"]))
 
 
 def _own(answer: Answer, name: str) -> list[Grid]:
@@ -145,7 +166,9 @@ def _category_profile(answer: Answer, name: str) -> list[Place]:
                 others = [
                     one
                     for row in table.rows
-                    if row["configuration"] != name and isinstance(one := row.get(column.name), float)
+                    if row.get("ranked")
+                    and row["configuration"] != name
+                    and isinstance(one := row.get(column.name), float)
                 ]
                 found.append(_place(column.title, value, None, None, others))
     return found

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
+from statistics import fmean
 from typing import Any, Final
 
+import numpy as np
+
+from c4s.protocol.settings import is_construction
 from c4s.records.analysis import Column, Table
+from c4s.stats import orders
 from reports.drawing import Dot, Scatter, scatter
 from reports.frame import Board, Grid, SiteContext, SitePage, grid, links
 from reports.frame.board import Row
 from reports.frame.studies import Answer
+from reports.statements import CAVEATS
 from warehouse.release import PrivateStanding
 
 SCORES: Final = {
@@ -35,7 +42,7 @@ def pages(site: SiteContext) -> Iterator[SitePage]:
     yield SitePage(
         links.LEADERBOARD,
         "leaderboard.html.j2",
-        lambda: {"told": [_told(site, board) for board in site.boards]},
+        lambda: {"told": [_told(site, board) for board in site.boards], "caveats": CAVEATS},
         site.stamp(),
         navigation="Leaderboard",
     )
@@ -44,13 +51,19 @@ def pages(site: SiteContext) -> Iterator[SitePage]:
 def _told(site: SiteContext, board: Board) -> dict[str, Any]:
     main, costs = site.answer(board, "main-results"), site.answer(board, "costs")
     profiles = site.answer(board, "profiles")
+    priced = frontier(board, main, costs)
     return {
         "board": board,
         "main": main,
-        "ends": {str(row["configuration"]): row for row in main.rows("main")},
+        "ends": _ends(main),
         "grid": standings_grid(board.standings, main, costs),
         "costs": costs,
-        "frontier": frontier(board, main, costs),
+        "overall": len({is_construction(case["setting"]) for case in board.cases}) > 1,
+        "intervals": any(one.honest for one in main.findings.intervals),
+        "frontier": priced,
+        "timed": None if priced else timed(board, main),
+        "zero_trials": partial(_zero_trials, board),
+        "most_zeros": MOST_ZEROS,
         "profiles": profiles,
         "heat": [
             grid(table, heat=True, order=board.order)
@@ -61,13 +74,15 @@ def _told(site: SiteContext, board: Board) -> dict[str, Any]:
     }
 
 
+MOST_ZEROS: Final = 6
+"""Cases that are named beside a reason."""
 HEAT: Final = ("categories", "families")
 """Tables of profiles: operation categories, requirement families."""
 
 
 def standings_grid(standings: list[Row], main: Answer, costs: Answer) -> Grid:
     """A row a configuration: scores with their intervals where they are honest, and the cost of a case."""
-    ends = {str(row["configuration"]): row for row in main.rows("main")}
+    ends = _ends(main)
     usd = {str(row["configuration"]): row[COST] for row in costs.rows("costs_public")}
     rows = []
     for standing in standings:
@@ -88,7 +103,7 @@ def _table(name: str, title: str, rows: list[Row], *, cost: bool = False) -> Tab
 
 def frontier(board: Board, main: Answer, costs: Answer) -> Scatter | None:
     """Cost and score of each configuration; None where nothing is priced."""
-    ends = {str(row["configuration"]): row for row in main.rows("main")}
+    ends = _ends(main)
     axis = "s_model" if any(row.get("s_model") is not None for row in costs.rows("costs_public")) else "score"
     dots = [
         Dot(
@@ -104,3 +119,51 @@ def frontier(board: Board, main: Answer, costs: Answer) -> Scatter | None:
         if row[COST] is not None and row.get(axis) is not None
     ]
     return scatter(dots, "estimated USD a case (logarithmic)", "overall score" if axis == "s_model" else "mean score")
+
+
+def timed(board: Board, main: Answer) -> Scatter | None:
+    """Mean time and score of each configuration: what stands for cost where nothing is priced. None without a time."""
+    ends, found = _ends(main), []
+    whole = all(row["model_score"] is not None for row in board.standings if row["ranked"])
+    for standing in board.standings:
+        name = str(standing["configuration"])
+        trials = [trial for case in board.cases for trial in case["scores"].get(name, [])]
+        scores = [trial["score"] for trial in trials]
+        seconds = [trial["attempt_wall_s"] for trial in trials if trial["attempt_wall_s"] is not None]
+        score = standing["model_score"] if whole else None if None in scores or not scores else fmean(scores)
+        if score is not None and seconds and fmean(seconds) > 0:
+            own = ends.get(name, {}) if whole else {}
+            found.append((standing, float(score), fmean(seconds), own.get("s_model_low"), own.get("s_model_high")))
+    ranked = np.array([bool(standing["ranked"]) for standing, *_ in found])
+    times = np.where(ranked, np.array([seconds for _, _, seconds, *_ in found]), np.nan)
+    best = orders.frontier(np.array([score for _, score, *_ in found]), times) if found else ()
+    dots = [
+        Dot(
+            name=str(standing["configuration"]),
+            x=seconds,
+            y=score,
+            low=low,
+            high=high,
+            strong=place in best,
+            link=links.configuration(board, str(standing["configuration"])),
+        )
+        for place, (standing, score, seconds, low, high) in enumerate(found)
+    ]
+    return scatter(dots, "mean seconds a case (logarithmic)", "overall score" if whole else "mean score")
+
+
+def _ends(main: Answer) -> dict[str, Row]:
+    """Each configuration's scores with their intervals."""
+    return {str(row["configuration"]): row for row in main.rows("main")}
+
+
+def _zero_trials(board: Board, zero: Row) -> list[Row]:
+    """The first trials that a reason was told of."""
+    same = ("configuration", "setting", "status", "reason_code")
+    trials = [
+        trial
+        for case in board.cases
+        for trial in case["scores"].get(zero["configuration"], [])
+        if all(trial[name] == zero[name] for name in same)
+    ]
+    return trials[:MOST_ZEROS]

@@ -8,9 +8,21 @@ from typing import Any, Final
 
 from c4s.protocol.repair import PROFILES
 from c4s.protocol.settings import is_construction
+from c4s.verify.navigation.verifier import NAVIGATION
 from c4s.verify.physics.verifier import PHYSICS
 from c4s.verify.semantic.verifier import DETAILED
-from reports.case import CaseRows, attempts_of, case_rows, case_runs, renders_of, requirement_rows, trace_of
+from reports.case import (
+    FALLS,
+    CaseRows,
+    astray,
+    attempts_of,
+    case_rows,
+    case_runs,
+    renders_of,
+    requirement_rows,
+    trace_of,
+    walk_of,
+)
 from reports.frame import Board, SiteContext, SitePage, SitePicture, links
 from reports.frame.board import Row
 from reports.working import worked_score
@@ -37,6 +49,11 @@ def _values(site: SiteContext, board: Board, case: Row, trial: Row) -> dict[str,
     documents = asked.documents.get(trial_id, {})
     runs = case_runs(board, case, asked.documents)
     (run,) = (run for run in runs if run.trial["trial_id"] == trial_id)
+    attempts = attempts_of(site, board, trial, asked, own.get("screenshot", []))
+    looked = {
+        attempt.row["attempt"]: [picture for call in attempt.calls for picture in call.screenshots]
+        for attempt in attempts
+    }
     seen: list[SitePicture] = [*own.get("claim", []), *own.get("submission", [])]
     return {
         "board": board,
@@ -48,12 +65,15 @@ def _values(site: SiteContext, board: Board, case: Row, trial: Row) -> dict[str,
         "documents": documents,
         "working": worked_score(trial, documents, asked.semantic.get(trial_id)),
         "renders": renders_of(pictures, [run], construction=is_construction(case["setting"])),
-        "trace": trace_of(trial, asked),
+        "trace": trace_of(trial, asked, own, looked),
         "requirements": requirement_rows(documents.get(DETAILED.name, {}), asked.claims.get(trial_id, []), seen),
         "findings": _physical(asked, trial_id),
+        "walk": walk_of(documents.get(NAVIGATION.name)),
+        "falls": FALLS,
+        "unreached": astray(asked.findings.get(trial_id, [])),
         "limit": FINDINGS_SHOWN,
         "profiles": list(PROFILES),
-        "attempts": attempts_of(site, board, trial, asked, own.get("screenshot", [])),
+        "attempts": attempts,
     }
 
 

@@ -2,6 +2,7 @@
 // Two configurations case by case: the plane of their scores, the paired differences, every case. Both are in the address.
 (function () {
   const place = document.getElementById("pair");
+  if (!place) return;
   const first = document.getElementById("first");
   const second = document.getElementById("second");
   const titles = JSON.parse(place.dataset.settings);
@@ -22,6 +23,8 @@
     return made;
   }
   function fixed(value, digits) { return value === null || value === undefined ? "–" : value.toFixed(digits); }
+  function short(name) { return name.length > 40 ? name.slice(0, 24) + "…" + name.slice(-14) : name; }
+  function chance(p) { return p !== null && p !== undefined && p < 0.00005 ? "< 0.0001" : fixed(p, 4); }
   function signed(value, digits) {
     if (value === null || value === undefined) return "–";
     return (value > 0 ? "+" : value < 0 ? "−" : "") + Math.abs(value).toFixed(digits);
@@ -34,8 +37,8 @@
     svg.append(
       draw("rect", { class: "frame", x: across(0), y: up(1), width: across(1) - across(0), height: up(0) - up(1) }),
       draw("line", { class: "even", x1: across(0), y1: up(0), x2: across(1), y2: up(1) }),
-      draw("text", { x: across(0.5), y: SIDE - 8, "text-anchor": "middle" }, a),
-      draw("text", { x: -up(0.5), y: 14, transform: "rotate(-90)", "text-anchor": "middle" }, b)
+      draw("text", { x: across(0.5), y: SIDE - 8, "text-anchor": "middle" }, short(a)),
+      draw("text", { x: -up(0.5), y: 14, transform: "rotate(-90)", "text-anchor": "middle" }, short(b))
     );
     for (const end of [0, 1]) {
       svg.append(draw("text", { x: across(end), y: up(0) + 16, "text-anchor": "middle" }, String(end)));
@@ -89,7 +92,7 @@
         const ends = [flip(part.score_low), flip(part.score_high)].sort(function (a, b) { return a - b; });
         const told = [signed(flip(part.score), 2)];
         if (part.score_low !== null) told.push(make("small", { class: "ends" }, signed(ends[0], 2) + " to " + signed(ends[1], 2)));
-        return [part.cases_of, String(part.cases), told, fixed(part.score_p, 4)];
+        return [part.cases_of, String(part.cases), told, chance(part.score_p)];
       })
     );
   }
@@ -110,9 +113,11 @@
     else if (found) {
       side.append(make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Paired differences" }, parts(found, found.a === b)));
       side.append(make("p", { class: "source" }, "Get it again: c4s analyze paired -a " + found.a + " -a " + found.b + ", answer " + found.id));
+    } else if (data.whole.includes(a) && data.whole.includes(b)) {
+      side.append(make("p", { class: "source" }, "Not among the pairs that are told here. Their difference: c4s analyze paired -a " + a + " -a " + b));
     } else side.append(make("p", { class: "dim" }, "One of the two lacks outcomes: cases that both have are shown, no difference is told."));
     const most = Math.max(0, ...rows.map(function (row) { return Math.abs(row.a - row.b); }));
-    const list = table("Cases, where the first is better on top", ["Case", a, b, "Δ points"], rows.map(function (row) {
+    const list = table("Cases, where the first is better on top", ["Case", short(a), short(b), "Δ points"], rows.map(function (row) {
       const link = make("a", { href: place.dataset.root + row.link }, row.id);
       return [[link], fixed(row.a, 3), fixed(row.b, 3), [signed(100 * (row.a - row.b), 1), bar(row.a - row.b, most)]];
     }));

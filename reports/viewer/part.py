@@ -32,8 +32,8 @@ class TrialScene:
     """As ``#actor=...&of=<key>`` names it."""
     actors: int
     differences: list[Difference]
-    offenders: list[tuple[str, str, str]]
-    """Label, outcome and detail of each finding of physics."""
+    offenders: list[tuple[str, str, str, str]]
+    """Label, name, outcome and detail of each finding of physics."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def _trial(
 ) -> TrialScene:
     labels = {actor["name"]: actor["label"] for actor in document["actors"]}
     offenders = [
-        (labels.get(name, name), outcome, text)
+        (labels.get(name, name), name, outcome, text)
         for name, rows in said.submission.items()
         for _, outcome, text in rows
         if outcome in PHYSICAL

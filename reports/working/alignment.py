@@ -15,6 +15,7 @@ from c4s.protocol.rules import (
     SEVERE_CAP,
     STRUCTURE_FLOOR,
     STRUCTURE_SHARE,
+    Family,
 )
 from c4s.verify.semantic.verifier import DETAILED, OVERVIEW
 from reports.text import slug
@@ -29,32 +30,38 @@ def named(name: str) -> str:
     return name.replace("_", " ").capitalize()
 
 
-def detailed_step(document: Row) -> Step:
-    """Requirements to clauses to families to a score, with known coverage beside it."""
+def detailed_step(document: Row, weights: Mapping[Family, float] = FAMILY_WEIGHTS) -> Step:
+    """Requirements to clauses to families to a score, with known coverage beside it.
+
+    Args:
+        document: the verdict.
+        weights: of the families; the verdict was made with the published ones.
+    """
     measured = document["measurements"]
     stored = measured.get("families", {})
     groups: dict[str, list[Row]] = {}
     for row in measured.get("semantic_requirement_aggregation", []):
         if row.get("included", True):
             groups.setdefault(str(row.get("semantic_family")), []).append(row)
-    present = [family for family in FAMILY_WEIGHTS if family in groups]
-    total = ordered_sum(FAMILY_WEIGHTS[family] for family in present)
+    present = [family for family in weights if family in groups]
+    total = ordered_sum(weights[family] for family in present)
     steps, parts, known = [], [], []
     for family in present:
         step, coverage = _family(family, groups[family], stored.get(family, {}))
-        weight = FAMILY_WEIGHTS[family] / total
+        weight = weights[family] / total
         steps += [step, coverage]
-        note = f"configured {FAMILY_WEIGHTS[family]:.2f}" if total != 1 else ""
+        note = f"configured {weights[family]:.2f}" if total != 1 else ""
         parts.append(Addend(named(family), step.made, weight, note))
         known.append(Addend(named(family), coverage.made, weight, note))
-    absent = [named(family).lower() for family in FAMILY_WEIGHTS if family not in groups]
+    absent = [named(family).lower() for family in weights if family not in groups]
+    decided = round(ordered_sum(part.share or 0.0 for part in known), DETAILED_DIGITS)
     coverage = Step(
         "coverage",
         "Known coverage",
         "the same mean of what was decided; it never enters the score",
         known,
-        round(ordered_sum(part.share or 0.0 for part in known), DETAILED_DIGITS),
-        measured.get("known_coverage"),
+        decided,
+        measured.get("known_coverage") if weights == FAMILY_WEIGHTS else decided,
     )
     return Step(
         DETAILED.name,
@@ -125,13 +132,18 @@ def _requirement(row: Row) -> Addend:
     )
 
 
-def overview_step(document: Row) -> Step:
-    """Four dimensions, a multiplier for structure, a cap for a severe defect."""
-    measured = document["measurements"]
+def overview_step(document: Row, weights: Mapping[str, float] = OVERVIEW_WEIGHTS) -> Step:
+    """Four dimensions, a multiplier for structure, a cap for a severe defect.
+
+    Args:
+        document: the verdict.
+        weights: of the dimensions; the verdict was made with the published ones.
+    """
+    measured, published = document["measurements"], weights == OVERVIEW_WEIGHTS
     dimensions = measured.get("dimensions", {})
     parts = [
         Addend(named(name), dimensions[name]["score"], weight, str(dimensions[name].get("reason", "")))
-        for name, weight in OVERVIEW_WEIGHTS.items()
+        for name, weight in weights.items()
     ]
     alignment = math.fsum(part.share or 0.0 for part in parts)
     structure = float(measured["structural_integrity_score"])
@@ -142,11 +154,11 @@ def overview_step(document: Row) -> Step:
     aligned = Step(
         "prompt-alignment",
         "Prompt alignment",
-        "0.40, 0.25, 0.20 and 0.15 of the four dimensions",
+        f"{', '.join(f'{weight:.2f}' for weight in weights.values())} of the four dimensions",
         parts,
         round(alignment, OVERVIEW_DIGITS),
-        measured.get("prompt_alignment_score"),
-        inner=[step for name in OVERVIEW_WEIGHTS if (step := _dimension(name, dimensions[name])) is not None],
+        measured.get("prompt_alignment_score") if published else round(alignment, OVERVIEW_DIGITS),
+        inner=[step for name in weights if (step := _dimension(name, dimensions[name])) is not None],
     )
     made = Step(
         "structure",
@@ -162,7 +174,7 @@ def overview_step(document: Row) -> Step:
         "prompt alignment × structural multiplier",
         [Addend("Prompt alignment", alignment), Addend("Structural multiplier", multiplier)],
         round(before, OVERVIEW_DIGITS),
-        measured.get("score_before_severe_cap"),
+        measured.get("score_before_severe_cap") if published else round(before, OVERVIEW_DIGITS),
     )
     return Step(
         OVERVIEW.name,

@@ -13,12 +13,12 @@ from reports.working.flow import COUNT, Addend, Step
 TITLES = {"floating": "Support", "solid_penetration": "No penetration"}
 
 
-def physics_step(document: Mapping[str, Any]) -> Step:
-    """Half support, half freedom from penetration; a leaf without a number is worth zero."""
+def physics_step(document: Mapping[str, Any], weights: Mapping[str, float] = PHYSICS_LEAF_WEIGHTS) -> Step:
+    """Support and freedom from penetration, as published half and half; a leaf without a number is worth zero."""
     measured = document["measurements"]
     results = {leaf["leaf_id"]: leaf for leaf in measured.get("leaf_results", [])}
     inner, parts = [], []
-    for name, weight in PHYSICS_LEAF_WEIGHTS.items():
+    for name, weight in weights.items():
         stored = measured.get("leaves", {}).get(name, {})
         leaf = results.get(name, {})
         step = _leaf(name, leaf, stored)
@@ -31,7 +31,7 @@ def physics_step(document: Mapping[str, Any]) -> Step:
     return Step(
         PHYSICS.name,
         "Physical safety",
-        "0.5 support + 0.5 no penetration, 4 decimals",
+        f"{' + '.join(f'{weight:g} {TITLES[name].lower()}' for name, weight in weights.items())}, 4 decimals",
         parts,
         round(total, PHYSICS_DIGITS),
         document["score"],

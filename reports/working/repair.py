@@ -5,14 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from c4s.protocol.repair import NOMINAL
 from c4s.verify.repair.verifier import REPAIR
 from reports.working.flow import COUNT, Addend, Step
 
 
-def repair_step(document: Mapping[str, Any]) -> Step:
+def repair_step(document: Mapping[str, Any], tolerances: str = NOMINAL.name) -> Step:
     """F1 of what was repaired; each target is a true positive or a false negative, each other change a false
-    positive."""
+    positive.
+
+    Args:
+        document: the verdict, whose targets were held to the published tolerances.
+        tolerances: the profile that is told; of another one a verdict keeps the counts alone.
+    """
     measured = document["measurements"]
+    if tolerances != NOMINAL.name:
+        return _of_profile(measured["profiles"][tolerances], tolerances)
     targets, wrong = measured.get("targets", []), measured.get("false_positives", [])
     hits = sum(row["outcome"] == "TP" for row in targets)
     missed = len(targets) - hits
@@ -40,6 +48,15 @@ def repair_step(document: Mapping[str, Any]) -> Step:
             Step("recall", "Recall", "TP / (TP + FN)", [pair[0], pair[2]], recall, measured.get("recall"), 6),
         ],
     )
+
+
+def _of_profile(counts: Mapping[str, Any], tolerances: str) -> Step:
+    """F1 of the counts of another profile."""
+    tp, fp, fn = (float(counts[name]) for name in ("tp", "fp", "fn"))
+    pair = [Addend(name, count, kind=COUNT) for name, count in (("TP", tp), ("FP", fp), ("FN", fn))]
+    f1 = 2 * tp / (2 * tp + fp + fn) if tp + fp + fn else 0.0
+    note = f"counted with {tolerances} tolerances"
+    return Step(REPAIR.name, "Repair F1", "2 TP / (2 TP + FP + FN)", pair, f1, counts["f1"], 6, note=note)
 
 
 def _count(name: str, title: str, rule: str, count: int, measured: Mapping[str, Any]) -> Step:

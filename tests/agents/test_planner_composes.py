@@ -111,3 +111,16 @@ def test_published_prompts_are_composed_soundly(case: str) -> None:
     things = composed(prompt, 200.0)
     assert len(things) >= 8 and intruders(things) == []
     assert set(things) <= {item.id for item in palette(prompt)}
+
+
+def test_copies_without_room_together_stand_apart_within_the_walls_around_them() -> None:
+    sizes = {"Skyscraper": (39.0, 29.0, 120.0), "Market Stall": (4.0, 3.0, 3.0), "Stone Wall": (4.0, 0.5, 4.0)}
+    text = "Twelve skyscrapers and a market stall. Enclose the scene with a ring of very tall stone walls."
+    things = composed(prompt_of(text, sizes), 200.0)
+    assert len(things["skyscraper"]) > 8 and len(things["market_stall"]) == 1
+    walls = things["stone_wall"]
+    inner = [thing for key in ("skyscraper", "market_stall") for thing in things[key]]
+    for axis in (0, 1):
+        assert min(wall.low[axis] for wall in walls) <= min(thing.low[axis] for thing in inner)
+        assert max(wall.high[axis] for wall in walls) >= max(thing.high[axis] for thing in inner)
+    assert intruders(things) == []

@@ -72,3 +72,27 @@ def test_what_was_named_before_is_meant_again() -> None:
 def test_the_size_of_the_whole_is_read() -> None:
     assert read(prompt_of("A flat, twelve by eight metres, with a table.")).size_m == (12.0, 8.0)
     assert read(prompt_of("A table by the door.")).size_m is None
+
+
+@pytest.mark.parametrize(
+    ("text", "nouns"),
+    [
+        ("A barn with no roads, cows, or fences. A crate.", ["barn", "crate"]),
+        ("A barn without crates stands near a well.", ["barn", "well"]),
+        ("Nothing but a barn, no trees and no benches.", ["barn"]),
+        ("A square timber barn.", ["barn"]),
+    ],
+)
+def test_what_is_denied_and_what_only_describes_is_not_built(text: str, nouns: list[str]) -> None:
+    assert [one.noun for one in read(prompt_of(text)).named] == nouns
+
+
+def test_a_count_is_kept_before_hyphened_words_and_for_what_is_said_again() -> None:
+    sizes = {"Townhouse A": (8.0, 9.0, 12.0), "Skyscrapers": (17.0, 15.0, 52.0), "Waterffall": (2.0, 1.0, 8.0)}
+    text = (
+        "Roughly a dozen connected mid-rise blocks. Around them a ring of roughly twenty detached high-rise towers, "
+        "with towers facing inward. Thirty timber-and-stone houses. Two small waterfalls."
+    )
+    named = read(prompt_of(text, sizes)).named
+    told = [([item.id for item in one.items], one.count) for one in named]
+    assert told == [(["townhouse_a"], 12), (["skyscrapers"], 20), (["townhouse_a"], 30), (["waterffall"], 2)]

@@ -8,20 +8,19 @@ from hypothesis import strategies as st
 
 from c4s.errors import BadInput
 from c4s.records.level import Level, LevelActor, LevelComponent, Transform
+from cases.applying import apply
 from cases.checks import check_repair
 from cases.corruption import (
-    KINDS,
     STATIC_MESH_ACTOR,
     STATIC_MESH_COMPONENT,
     Author,
     Corruption,
-    Recipe,
-    apply,
     guid_of,
     id_of,
     with_identities,
 )
 from cases.model import CaseView, RepairCase
+from cases.recipe import KINDS, Recipe
 
 A, B = "/Game/P/SM_A.SM_A", "/Game/P/SM_B.SM_B"
 

@@ -12,8 +12,10 @@ from c4s.files import digest
 from c4s.records.binding import Binding
 from c4s.records.pack import Pack
 from c4s.records.suite import SuiteFolder
-from cases.corruption import KINDS, Author, Recipe, apply, id_of
+from cases.applying import apply
+from cases.corruption import Author, id_of
 from cases.model import RepairCase, SourceScene, SuiteDefinition, TextCase
+from cases.recipe import KINDS, Recipe
 from cases.requirements import EntitySpec, PredicateSpec, RequirementSpec
 from cases.starter import farm_scene, harbour_scene
 from cases.starter.outdoor_cases import cases, scenes

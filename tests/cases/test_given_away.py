@@ -22,8 +22,9 @@ from c4s.records.suite import SuiteFolder
 from c4s.run.attempt import run_attempt
 from cases.audit import audit, mean_f1, seen
 from cases.boxes import boxes_of
-from cases.corruption import Author, Recipe, SetTransform, SpawnActor, id_of, meshes
+from cases.corruption import Author, id_of, meshes
 from cases.model import RepairCase, SourceScene, SuiteDefinition
+from cases.recipe import Recipe, SetTransform, SpawnActor
 from cases.standing import unsound
 from cases.starter import farm_scene, outdoor_cases
 from cases.starter.plot import Plot

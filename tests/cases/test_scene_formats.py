@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -95,7 +97,7 @@ def test_every_geometry_has_its_size_and_its_body(tmp_path: Path) -> None:
             f"<collision name='c'><geometry><{kind}>{text}</{kind}></geometry></collision></link></model>"
             for kind, (text, _) in shapes.items()
         )
-        + "<model name='odd'><link name='l'><visual name='v'><geometry><heightmap/></geometry></visual></link></model>",
+        + "<model name='odd'><link name='l'><visual name='v'><geometry><image/></geometry></visual></link></model>",
     )
     store = PackStore([tmp_path / "packs" / "a"])
     placed = actors_of(report)
@@ -104,7 +106,7 @@ def test_every_geometry_has_its_size_and_its_body(tmp_path: Path) -> None:
         assert asset is not None and asset.size_m == pytest.approx(size, rel=0.03, abs=0.01), kind
         assert asset.collision_source == "authored", kind
         assert asset.collision[0].kind == {"sphere": "sphere", "capsule": "capsule"}.get(kind, "hull")
-    assert "heightmap" in report["skipped"][0]["reason"]
+    assert "<image>" in report["skipped"][0]["reason"]
 
 
 def test_parts_of_meshes_scripts_transparency_state_and_lights(tmp_path: Path) -> None:
@@ -213,3 +215,36 @@ def test_a_gltf_tree_brings_names_instances_lights_and_cameras(tmp_path: Path) -
     assert camera.components[1].properties["field_of_view"] == pytest.approx(
         math.degrees(2 * math.atan(2 * math.tan(0.5))), abs=0.01
     )
+
+
+BLENDER = shutil.which("blender")
+MAKE = """
+import bpy
+bpy.ops.wm.read_factory_settings(use_empty=True)
+bpy.ops.mesh.primitive_cube_add(size=2, location=(1, 2, 3))
+bpy.context.object.name = "Crate"
+bpy.ops.mesh.primitive_cube_add(size=1)
+bpy.context.object.name = "Ghost"
+bpy.context.object.hide_render = True
+bpy.ops.wm.save_as_mainfile(filepath={!r})
+"""
+
+
+@pytest.mark.skipif(BLENDER is None, reason="Blender is not installed")
+def test_a_blender_file_comes_in_through_blender(tmp_path: Path) -> None:
+    (tmp_path / "make.py").write_text(MAKE.format(str(tmp_path / "room.blend")))
+    subprocess.run([str(BLENDER), "-b", "--python", str(tmp_path / "make.py")], check=True, capture_output=True)
+    report = import_scene(tmp_path / "room.blend", "room", suites=tmp_path / "suites", packs=tmp_path / "packs")
+    placed = actors_of(report)
+    assert {name for name in placed if "Light" not in name} == {"Crate"}
+    assert placed["Crate"].transform.location_cm == pytest.approx((100, -200, 300), abs=0.01)
+    (tmp_path / "torn.blend").write_bytes(b"BLENDER-v300 torn")
+    with pytest.raises(BadInput, match="Blender cannot export"):
+        import_scene(tmp_path / "torn.blend", "torn", suites=tmp_path / "suites", packs=tmp_path / "packs")
+
+
+def test_without_blender_its_files_are_refused_in_a_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    (tmp_path / "room.blend").write_bytes(b"BLENDER")
+    with pytest.raises(BadInput, match="Blender, which is not installed"):
+        import_scene(tmp_path / "room.blend", "room", suites=tmp_path / "suites", packs=tmp_path / "packs")

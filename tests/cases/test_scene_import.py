@@ -123,7 +123,7 @@ def test_importing_twice_gives_the_same_level(world: Path, tmp_path: Path) -> No
         ("a.world", "<sdf><world>", "not valid XML"),
         ("a.world", "<robot/>", "no SDF world"),
         ("a.world", "<!DOCTYPE a [<!ENTITY b 'c'>]><sdf/>", "no entities"),
-        ("a.blend", "", "no importer"),
+        ("a.max", "", "no importer"),
         ("a.csv", "actor,asset\na,b\n", "no column 'grid_x'"),
         ("a.glb", "glTF", "cannot read"),
         ("a.world", "<sdf><world name='w'/></sdf>", "no actor"),
@@ -205,7 +205,7 @@ def test_lost_meshes_of_the_office_can_be_replaced_by_parts_that_are_there(tmp_p
         without=["*Cubicle*", "ceiling"],
         meshes=[f"model://{lost}=model://{there}" for lost, there in parts.items()],
     )
-    assert {row["reason"] for row in report["skipped"]} == {"animated people are not part of a still scene"}
+    assert report["skipped_kinds"] == {"animated person": 5, "plugin": 1}
     assert report["actors"] + report["left_out"] == 314
     names = {actor.name for actor in Level.read(Path(report["level"])).actors}
     assert {"PrivateOfficeD_door", "PrivateOfficeD_door_frame"} <= names
@@ -228,3 +228,23 @@ def test_the_city_builder_sample_comes_in_by_the_command(
     assert report["actors"] == 122 and report["assets"] == 15 and report["skipped"] == []
     tiles = [actor for actor in Level.read(Path(report["level"])).actors if actor.name.startswith("tile")]
     assert tiles[0].transform.location_cm == pytest.approx((-1600, 4000, 0))
+
+
+def test_wild_placements_and_sizes_are_noted_and_can_be_left_out(tmp_path: Path) -> None:
+    for name, size in (("chair", 1.0), ("table", 1.0), ("stool_cm", 60.0)):
+        trimesh.creation.box(extents=(size, size, size)).export(tmp_path / f"{name}.glb")
+    rows = [f"{kind}_{i},{kind}.glb,{3 * i},{4 * i},0,0,0,0" for i in range(6) for kind in ("chair", "table")]
+    rows += ["stool,stool_cm.glb,1,1,0,0,0,0", "fallen,chair.glb,2,2,-343000,0,0,0", "yard,table.glb,400,0,0,0,0,0"]
+    table = tmp_path / "scene.csv"
+    table.write_text("\n".join(["actor,asset,x,y,z,roll,pitch,yaw", *rows]))
+    report = import_scene(table, "one", suites=tmp_path / "suites", packs=tmp_path / "packs")
+    notes = {row["name"]: row["note"] for row in report["notes"] if row["name"]}
+    assert notes["fallen"].startswith("it lies 343 km from the middle of the others, at ")
+    assert "z = -3.43e+05 m; --without 'fallen' leaves it out" in notes["fallen"]
+    assert "it is 60 m long" in notes["Stool cm"]
+    assert set(notes) == {"fallen", "Stool cm"}
+    report = import_scene(
+        table, "two", suites=tmp_path / "suites", packs=tmp_path / "packs", without=["fallen", "stool"]
+    )
+    assert (report["actors"], report["left_out"]) == (13, 2)
+    assert not [row for row in report["notes"] if row["name"]]

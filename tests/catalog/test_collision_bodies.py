@@ -169,7 +169,7 @@ def test_the_command_takes_a_choice_for_each_file(source: Path, home: Path) -> N
     made = assets(home / "packs", "mix")
     assert {name: (asset.collision_source, len(asset.collision)) for name, asset in made.items()} == {
         "bench_long": ("decomposition", 2),
-        "crate": ("hull", 1),
+        "crate": ("hull", 2),
         "lamp": ("none", 0),
     }
     assert HullChoice.parse("asset", ["*=piece", "a/b*=node"]).how("a/bench.glb") == "node"

@@ -11,9 +11,11 @@ from c4s.files import read_json
 from c4s.packs.store import PackStore
 from c4s.records.verdict import Verdict
 from c4s.verify.physics.verdict import verify_physics
+from cases.applying import apply
 from cases.checks import check_repair, check_scene
-from cases.corruption import KINDS, SpawnActor, apply, id_of
+from cases.corruption import id_of
 from cases.model import RepairCase, SourceScene, TextCase
+from cases.recipe import KINDS, SpawnActor
 from cases.requirements import bundle, families
 from cases.starter.indoor_cases import cases, scenes
 from cases.starter.indoor_text_cases import INDOOR_TEXT_CASES

@@ -244,15 +244,3 @@ def test_hulls_an_asset_a_node_or_a_piece() -> None:
     assert [len(bodies([part, ("other", *part[1:])], per)) for per in ("asset", "node", "piece")] == [1, 2, 2]
     ball = trimesh.creation.icosphere(subdivisions=4, radius=50)
     assert len(hull(np.asarray(ball.vertices)).vertices) <= MAX_VERTICES
-
-
-def test_a_hollow_room_is_not_filled_and_a_solid_crate_is_one_hull() -> None:
-    def box(size: tuple[float, float, float], inward: bool = False) -> tuple[str, Any, Any]:
-        mesh = trimesh.creation.box(extents=size)
-        faces = np.asarray(mesh.faces)
-        return "box", np.asarray(mesh.vertices, float), faces[:, ::-1] if inward else faces
-
-    assert len(bodies([box((300, 300, 300))], "piece")) == 1
-    sides = bodies([box((600, 500, 300), inward=True)], "piece")
-    assert len(sides) == 6
-    assert all(min(np.ptp(np.asarray(side.vertices), axis=0)) == pytest.approx(0.1, abs=0.01) for side in sides)

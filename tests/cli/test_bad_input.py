@@ -128,8 +128,13 @@ def test_a_task_without_an_original_has_no_oracle(tmp_path: Path) -> None:
         assert refused.stderr.count("\n") == 1 and not (tmp_path / "runs").exists()
     done = _c4s(tmp_path, "run", "yard", "--json")
     assert done.returncode == 0, done.stderr
-    ran = [row["configuration"] for row in json.loads(done.stdout)["leaderboard"]]
+    told = json.loads(done.stdout)
+    ran = [row["configuration"] for row in told["leaderboard"]]
     assert sorted(ran) == sorted(set(BASELINES) - {"oracle"})
+    reason = "'yard' came without an original scene, so it has nothing to save"
+    assert told["left_out"] == [{"agent": "oracle", "reason": reason}]
+    assert done.stderr.splitlines()[0] == f"c4s: without oracle: {reason}"
+    assert json.loads((tmp_path / "runs/yard/plan.json").read_text())["left_out"] == told["left_out"]
 
 
 def test_json_reports(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ import trimesh
 from scipy.spatial.transform import Rotation
 
 from c4s.engine.headless.glb.level import write_glb
-from c4s.engine.headless.pictures.lights import candela_of, lights_of
+from c4s.engine.headless.pictures.lights import candela_of, kelvin_rgb, lights_of
 from c4s.engine.headless.process.boot import boot
 from c4s.engine.headless.world.state import world
 from c4s.errors import BadInput
@@ -88,8 +88,13 @@ def lit_level(folder: Path) -> tuple[dict, dict]:
     spawn("PointLight").set_is_temporarily_hidden_in_editor(True)
     spawn("CameraActor", (-500, 0, 0), yaw=180, roll=20).camera_component.set_editor_property("field_of_view", 90.0)
     told = write_glb(world(), folder / "lit.glb")
-    data = (folder / "lit.glb").read_bytes()
-    return json.loads(data[20 : 20 + struct.unpack_from("<I", data, 12)[0]]), told
+    return tree_of(folder / "lit.glb"), told
+
+
+def tree_of(file: Path) -> dict:
+    """The JSON of a GLB."""
+    data = file.read_bytes()
+    return json.loads(data[20 : 20 + struct.unpack_from("<I", data, 12)[0]])
 
 
 def forward(node: dict, local=(0.0, 0.0, -1.0)) -> list[float]:
@@ -117,14 +122,16 @@ def test_lights_and_cameras_come_along_with_their_units_and_directions(tmp_path:
         ]
     )
     lamp = lights["PointLight"]
-    assert lamp["intensity"] == pytest.approx(800 / (4 * math.pi)) and lamp["range"] == 4.5
+    assert told["light_factor"] == tree["asset"]["extras"]["light_factor"] == 683
+    assert sun["intensity"] == pytest.approx(683 * 8.0 * max(kelvin_rgb(3000.0)))
+    assert lamp["intensity"] == pytest.approx(683 * 800 / (4 * math.pi)) and lamp["range"] == 4.5
     assert lamp["color"] == pytest.approx([1.0, 0.5029, 0.0], abs=1e-3)
     assert nodes["PointLight"]["translation"] == [1.0, 3.0, 2.0]
     spot = lights["SpotLight"]
-    assert spot["intensity"] == 50 and spot["spot"]["outerConeAngle"] == pytest.approx(math.radians(44))
+    assert spot["intensity"] == 683 * 50 and spot["spot"]["outerConeAngle"] == pytest.approx(math.radians(44))
     assert spot["spot"]["innerConeAngle"] < spot["spot"]["outerConeAngle"], "glTF wants it so"
     assert forward(nodes["SpotLight"]) == pytest.approx([0, 0, 1], abs=1e-9)
-    assert lights["RectLight"]["intensity"] == 1 and lights["RectLight"]["spot"]["outerConeAngle"] == math.pi / 2
+    assert lights["RectLight"]["intensity"] == 683 and lights["RectLight"]["spot"]["outerConeAngle"] == math.pi / 2
     assert forward(nodes["RectLight"]) == pytest.approx([0, 1, 0], abs=1e-9)
 
     camera = tree["cameras"][nodes["CameraActor"]["camera"]]["perspective"]
@@ -148,3 +155,13 @@ def test_nits_count_by_the_area_that_shines(tmp_path: Path):
 def test_the_khronos_validator_accepts_lights_cameras_and_instances(tmp_path: Path):
     lit_level(tmp_path)
     assert complaints(tmp_path / "lit.glb") == []
+
+
+def test_a_sun_in_real_lux_is_written_as_it_is(tmp_path: Path):
+    unreal = boot([], tmp_path / "content")
+    spawn_row(unreal)
+    sun = unreal.EditorLevelLibrary.spawn_actor_from_class(unreal.DirectionalLight, unreal.Vector())
+    sun.get_component_by_class(unreal.DirectionalLightComponent).set_editor_property("intensity", 75_000.0)
+    assert write_glb(world(), tmp_path / "noon.glb")["light_factor"] == 1
+    (light,) = tree_of(tmp_path / "noon.glb")["extensions"]["KHR_lights_punctual"]["lights"]
+    assert light["intensity"] == 75_000.0

@@ -38,6 +38,11 @@ judgement and of the published rows; the purpose of a view."""
 
 BACKENDS: dict[str, set[str]] = {
     "bench/attacks/trial.py": {"c4s.engine.headless.host.session"},
+    "bench/blender_view.py": {
+        "c4s.engine.headless.pictures.take",
+        "c4s.engine.headless.process.boot",
+        "c4s.engine.headless.world.state",
+    },
     "bench/looks.py": {"c4s.engine.headless.pictures", "c4s.engine.headless.process.boot"},
     "bench/pictures.py": {
         "c4s.engine.headless.pictures",
@@ -56,10 +61,24 @@ PRINTS: dict[str, set[str]] = {"c4s/cli/batches.py": {"sys.stdout.write"}}
 """JSON lines, as they come; their characters are ASCII."""
 
 FILES: dict[str, set[str]] = {
+    "cases/open190/districts.py": {"whole"},
+    "cases/open190/indoor.py": {"whole"},
+    "cases/open190/layout.py": {"whole"},
+    "cases/open190/outdoor.py": {"whole"},
+    "cases/open190/texts_new.py": {"whole"},
+    "cases/open190/texts_old.py": {"whole"},
     "cases/starter/outdoor_texts.py": {"whole"},
+    "catalog/kits/buildings.py": {"whole"},
+    "catalog/kits/furniture.py": {"whole"},
+    "catalog/kits/goods.py": {"whole"},
+    "catalog/kits/nature.py": {"whole"},
+    "catalog/kits/outdoors.py": {"whole"},
+    "catalog/kits/small.py": {"whole"},
+    "catalog/kits/vehicles.py": {"whole"},
     "tests/agent_clients/scripted_endpoint.py": {"whole"},
     "tests/catalog/test_collision_bodies.py": {"whole"},
     "tests/engine/test_engine_agent_scripts.py": {"whole"},
     "tests/score/test_scoring_edges.py": {"whole"},
 }
-"""Data, one endpoint that speaks four wire formats, and tables of cases: one subject each."""
+"""Data (texts, places, families of things), layout rules, one endpoint that speaks four wire formats, and tables of
+cases: one subject each."""

@@ -15,6 +15,7 @@ MADE: Final = {
     "configuration": "agents/*agent-02*",
     "cases": "boards/*--cases--*",
     "compare": "boards/*--compare--*",
+    "diagnostics": "boards/*--diagnostics--*",
     "about": links.ABOUT,
     "limits": links.LIMITS,
     "related": links.RELATED,
@@ -34,7 +35,7 @@ PLAYED: Final = {
 """On the site of trials that were played."""
 STATUS: Final = "status"
 KINDS: Final = (*MADE, *PLAYED, STATUS)
-STATEMENTS: Final = tuple(MADE)[4:]
+STATEMENTS: Final = tuple(MADE)[5:]
 
 
 def page_of_kind(kind: str, made: Path, played: Path) -> Path:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from c4s.score.policies import POLICIES
 from reports.case.code import code_tokens
 from tests.reports.hostile import MARKUP, SCRIPT
 from tests.reports.played import AGENTS
@@ -133,6 +134,52 @@ def test_a_higher_and_a_lower_run_stand_below_each_other(browser: Browser, home:
     with watched(browser, page_of(home, "cases/*bath*")) as page:
         titles = page.locator(".paired p strong").all_inner_texts()
         assert titles[0] == "Ground truth" and titles[1].startswith("Higher") and titles[2].startswith("Lower")
+
+
+def test_the_pair_is_worked_out_and_told_apart(browser: Browser, home: Path) -> None:
+    """Two runs of a text: one is built by plan, the other, with the truth, is not ranked; both flows sum up."""
+    with watched(browser, page_of(home, "cases/*text-flat*")) as page:
+        boxes = page.locator("#pair .paired")
+        if boxes.count() == 0:
+            assert page.locator("#pair").count() == 0
+        for box in boxes.all():
+            nodes = [text.split("\n") for text in box.locator(".flow .node").all_inner_texts()]
+            shares = [float(node[2].split("= ")[1]) for node in nodes[:-1]]
+            assert sum(shares) == pytest.approx(float(nodes[-1][1]), abs=2e-4)
+            assert "eligible" in box.locator(".told").inner_text()
+        for row in page.locator("table.apart tbody tr").all():
+            high, low = row.locator("td .outcome").all_inner_texts()
+            assert high != low
+
+
+def test_a_trace_shows_evidence_and_leads_to_each_number(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "trials/*text-flat*planner*")) as page:
+        steps = page.locator("ol.trace > li")
+        links = steps.locator("strong a").evaluate_all("all => all.map(one => one.getAttribute('href'))")
+        assert "#attempt-1" in links and "#score-detailed" in links and "#score-case" in links
+        assert all(page.locator(link).count() == 1 for link in links)
+        assert steps.locator("img").count() > 4
+        assert "c4s sql" in page.locator("#trace").inner_text()
+
+
+def test_scores_lead_to_their_runs(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "boards/*--cases--*")) as page:
+        row = page.locator("#matrix tbody tr", has_text="text-flat-family")
+        row.locator('td[data-configuration="planner"] a').click()
+        assert page.inner_text("h1").startswith("planner on text-flat-family")
+    with watched(browser, page_of(home, "agents/*planner*")) as page:
+        page.locator("a.card", has_text="text-flat-family").click()
+        assert page.inner_text("h1").startswith("planner on text-flat-family")
+
+
+def test_other_policies_are_told_as_they_would_score(browser: Browser, home: Path) -> None:
+    with watched(browser, page_of(home, "boards/*--compare--*"), fragment="#policies") as page:
+        heads = page.locator("#under-policies thead th").all_inner_texts()
+        assert [head.split()[0] for head in heads[1:]] == list(POLICIES)
+        oracle = page.locator('#under-policies tr[data-configuration="oracle"] td .n').all_inner_texts()
+        vandal = page.locator('#under-policies tr[data-configuration="vandal"] td .n').all_inner_texts()
+        assert vandal == ["0.000"] * len(POLICIES) and min(map(float, oracle)) > 0.5
+        assert page.locator("dl.policies > div").count() == len(POLICIES) - 1
 
 
 def test_tokens_are_the_whole_text() -> None:

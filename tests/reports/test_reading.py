@@ -68,7 +68,7 @@ def test_cases_are_found_by_setting_and_word(browser: Browser, made_home: Path) 
         assert 0 < rows.count() < everything
         page.get_by_role("searchbox").fill("text-to-scene-03")
         assert rows.count() == 1
-        rows.get_by_role("link").click()
+        rows.get_by_role("rowheader").get_by_role("link").click()
         assert "text-to-scene-03" in page.locator("h1").inner_text()
 
 

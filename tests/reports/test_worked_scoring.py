@@ -10,6 +10,11 @@ from typing import Any
 import pytest
 
 from c4s.protocol.case import SEMANTIC
+from c4s.records.policy import ScorePolicy
+from c4s.records.verdict import Verdict
+from c4s.score.case import case_score
+from c4s.score.policies import POLICIES, PUBLISHED
+from c4s.score.rescore import under
 from reports.working import Working, worked_score
 from tests.reports.played import AGENTS
 from warehouse.database import rows
@@ -84,3 +89,23 @@ def test_a_component_that_was_not_evaluated_is_worth_zero() -> None:
     made = worked_score(trial, documents, 0.0)
     assert made.missing == ["Detailed", "Overview"] and made.agrees
     assert [part.share for part in made.steps[-1].parts] == [0.0, 0.2, 0.0]
+
+
+@pytest.mark.parametrize("policy", [policy for policy in POLICIES.values() if policy is not PUBLISHED])
+def test_a_score_is_worked_out_by_its_own_policy(warehouse: Path, policy: ScorePolicy) -> None:
+    documents: dict[str, dict[str, Any]] = defaultdict(dict)
+    for row in rows(warehouse, "SELECT trial_id, verifier, document FROM verdicts"):
+        documents[row["trial_id"]][row["verifier"]] = json.loads(row["document"])
+    for trial in rows(warehouse, "SELECT * FROM case_scores WHERE status = 'measured'"):
+        own = documents[trial["trial_id"]]
+        score = case_score(
+            **{name: trial[name] for name in ("case_id", "setting", "configuration", "repeat", "judge", "engine")},
+            submitted=True,
+            verdicts={name: under(Verdict.parse(one), policy, trial["setting"]) for name, one in own.items()},
+            policy=policy.policy_id,
+            weights=policy.weights(trial["setting"]),
+        )
+        stored = {**trial, **score.components, "score": score.score, "policy": policy.policy_id}
+        working = worked_score(stored, own, score.components.get(SEMANTIC))
+        wrong = [(step.name, step.made, step.stored) for step in working.all() if not step.agrees]
+        assert wrong == [], (trial["configuration"], trial["case_id"])

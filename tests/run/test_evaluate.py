@@ -196,6 +196,7 @@ def test_every_number_is_traced_to_files(ran: Path) -> None:
         "detailed": {"requirements", "judgements"},
         "overview": {"judgements"},
         "paired": {"judgements"},
+        "navigation": {"candidate_snapshot", "navigation"},
         "physics": {"candidate_snapshot", "input_snapshot", "contacts", "support"},
         "rule judge": {"candidate_snapshot", "captures", "pictures and masks", "requirements", "binding"},
     }

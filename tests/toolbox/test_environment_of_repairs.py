@@ -10,7 +10,8 @@ from bench.answers import PACK, opened
 from c4s.evidence import export_evidence
 from c4s.records.level import Level
 from c4s.verify.repair.verdict import verify_repair
-from cases.corruption import apply, with_identities
+from cases.applying import apply
+from cases.corruption import with_identities
 from cases.model import RepairCase
 from cases.starter import harbour_scene
 from cases.starter.outdoor_cases import cases, scenes

@@ -14,6 +14,7 @@ from warehouse.analyses.conditional_spatial import CONDITIONAL_SPATIAL
 from warehouse.analyses.costs import COSTS
 from warehouse.analyses.difficulty import DIFFICULTY
 from warehouse.analyses.drift import DRIFT
+from warehouse.analyses.embodied_utility import EMBODIED_UTILITY
 from warehouse.analyses.judge_agreement import JUDGE_AGREEMENT
 from warehouse.analyses.main_results import MAIN_RESULTS
 from warehouse.analyses.paired import PAIRED
@@ -70,6 +71,7 @@ STUDIES: Final[dict[str, StudyDefinition]] = {
         STABILITY,
         CASE_DIFFICULTY,
         RELIABILITY,
+        EMBODIED_UTILITY,
         JUDGE_AGREEMENT,
         DRIFT,
     )

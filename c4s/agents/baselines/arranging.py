@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from c4s.agents.baselines.blocks import Block, joined, settle
+from c4s.agents.baselines.blocks import Block, grouped, joined, settle
 from c4s.agents.baselines.reading import Link, Mention
 
 FURTHER = (0.0, 1.0, 2.0, 4.0, 7.0, 11.0)
@@ -16,18 +16,29 @@ Places = Iterator[tuple[float, float]]
 
 
 def arrange(blocks: Mapping[Mention, Block], links: Sequence[Link], gap: float, reach: float) -> Block:
-    """Move the blocks to places where none overlaps another and join them; those that find none are left out."""
+    """Move the blocks to places where none overlaps another and join them.
+
+    Copies that find no place together stand apart; what finds none at all is left out.
+    """
     links = [link for link in links if link.thing in blocks and link.other in blocks]
     placed: dict[Mention, Block] = {}
+    spots: list[tuple[Mention, Block]] = []
     pending = list(blocks)
     while pending:
         waiting = {link.thing for link in links if link.other in pending}
         named = next((one for one in pending if one not in waiting), pending[0])
         pending.remove(named)
         block = blocks[named]
-        taken = [other.grown(_gap(named, one, gap)).rect for one, other in placed.items()]
-        if any(settle(block, places, taken, reach) for places in _wishes(named, block, placed, links, gap)):
-            placed[named] = block
+        apart: list[Block] = []
+        for part in [block, *(grouped(unit.pieces) for unit in block.units)]:
+            taken = [other.grown(_gap(named, one, gap)).rect for one, other in spots]
+            if any(settle(part, places, taken, reach) for places in _wishes(named, part, placed, links, gap)):
+                spots.append((named, part))
+                apart.append(part)
+                if part is block:
+                    break
+        if apart:
+            placed[named] = joined(apart)
     return joined(placed.values()).move_to(0.0, 0.0)
 
 

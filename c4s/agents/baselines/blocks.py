@@ -43,6 +43,8 @@ class Block:
 
     pieces: list[Piece] = field(default_factory=list)
     rect: Rect = (0.0, 0.0, 0.0, 0.0)
+    units: tuple[Block, ...] = ()
+    """Its parts, where they may also stand apart: copies of one thing."""
 
     @property
     def width(self) -> float:

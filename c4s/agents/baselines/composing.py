@@ -7,16 +7,17 @@ which go near each other or where there is room (``arranging``), indoors within 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
 from c4s.agents.baselines.blocks import Block, Piece, in_grid, joined, single, tiled
 from c4s.agents.baselines.naming import FLAT_SHARE, is_flat
 from c4s.agents.baselines.nesting import Forest, forest
-from c4s.agents.baselines.palette import PaletteItem, description, palette
+from c4s.agents.baselines.palette import PaletteItem, description, palette, singular
 from c4s.agents.baselines.prose import read
 from c4s.agents.baselines.regions import Regions
-from c4s.agents.baselines.walls import walled
+from c4s.agents.baselines.walls import HOLES, enclosed, is_thin, walled
 
 MOST_PIECES = 700
 LARGEST_SHARE = 0.6
@@ -26,6 +27,11 @@ GAP_M, INDOOR_GAP_M = 2.5, 0.8
 LEAST_FLOOR_M2 = 1.0
 TILE_M, TILE_HEIGHT_M = 1.0, 0.12
 LEAST_NAMED = 2
+RING_GAP_M, LEAST_RING_M = 2.0, 2.0
+RING = re.compile(
+    r"\b(?:enclos\w*|surround\w*|encircl\w*|ring|ringed|fortified)\b[^.;]{0,90}\bwalls?\b"
+    r"|\bwalled (?:town|city|village|garden|compound|yard)\b"
+)
 MOST_UNNAMED = 40
 
 
@@ -43,9 +49,22 @@ def compose(prompt: str, plate_m: float) -> dict[str, Any]:
         return _graph_of(_all_of(items, plate_m))
     found = forest(reading, description(prompt))
     whole = Regions(found, items, REACH_SHARE * plate_m).laid(found.roots, INDOOR_GAP_M if found.indoors else GAP_M)
+    if not found.indoors and (wall := _ring_of(description(prompt), items)):
+        ringed = enclosed(whole.grown(RING_GAP_M).move_to(0.0, 0.0), [wall])
+        whole = ringed if max(ringed.width, ringed.depth) <= plate_m else whole
     if found.indoors:
         whole = _house(whole, found, items, reading.size_m or (0.0, 0.0))
     return _graph_of(whole)
+
+
+def _ring_of(text: str, items: Sequence[PaletteItem]) -> PaletteItem | None:
+    """The wall that the text draws around everything: the largest plain piece of one that can stand in a row."""
+    if not RING.search(text.lower()):
+        return None
+    named = (item for item in items if "wall" in map(singular, item.name.lower().split()))
+    walls = [item for item in named if is_thin(item) and item.height >= LEAST_RING_M]
+    plain = [item for item in walls if not item.words & HOLES] or walls
+    return max(plain, key=lambda item: item.height * max(item.width, item.depth), default=None)
 
 
 def _house(inner: Block, found: Forest, items: Sequence[PaletteItem], least: tuple[float, float]) -> Block:

@@ -31,7 +31,18 @@ NUMBERS: Final[dict[str, int]] = {
     "eighteen": 18, "twenty": 20, "thirty": 30, "forty": 40, "fifty": 50, "sixty": 60, "eighty": 80, "hundred": 100,
     "few": 3, "several": 4, "some": 3, "many": 8, "numerous": 8, "multiple": 4,
 }  # fmt: skip
-EACH: Final = frozenset({"every", "each"})
+EACH: Final = frozenset({"every", "each", "most"})
+NEGATIONS: Final = frozenset({"no", "without"})
+"""What is said behind one of these, up to a word that ends its list, is not to be there."""
+BUILDING_WORDS: Final = frozenset(
+    {
+        "residential", "apartment", "urban", "housing", "office", "city", "tower", "highrise", "midrise", "lowrise",
+        "storey", "story",
+    }
+)  # fmt: skip
+"""Words before ``block`` or ``slab`` that say that it is a building."""
+ADJECTIVES: Final = frozenset({"square"})
+"""Nouns of places that are adjectives before anything but the end of their phrase."""
 PLACES: Final = frozenset(
     {
         "yard", "courtyard", "court", "plaza", "square", "garden", "pasture", "meadow", "pen", "paddock", "enclosure",
@@ -65,10 +76,18 @@ SYNONYMS: Final[dict[str, tuple[str, ...]]] = {
     "lane": ("path", "road"), "track": ("path", "trail", "dirt", "gravel"), "canal": ("water", "river"),
     "river": ("water", "stream"), "stream": ("water", "river"), "sea": ("water",), "pond": ("water",),
     "pool": ("water",), "lake": ("water",), "quay": ("dock", "pier"), "jetty": ("pier", "dock"),
-    "pier": ("jetty", "dock"), "building": ("house",), "tower": ("skyscraper",), "vehicle": ("car",),
-    "footbridge": ("bridge",), "basin": ("sink",), "rock": ("boulder", "stone"), "awning": ("canopy",),
+    "pier": ("jetty", "dock"), "building": ("house", "home", "townhouse"),
+    "house": ("home", "building", "townhouse"), "tower": ("skyscraper",), "vehicle": ("car",),
+    "footbridge": ("bridge",), "basin": ("sink",), "rock": ("boulder", "stone"), "awning": ("canopy", "cover"),
     "whiteboard": ("board",), "skyscraper": ("tower", "house"), "block": ("house", "building"),
-    "townhouse": ("building", "house"), "column": ("pillar",), "stair": ("stairs", "staircase"),
+    "townhouse": ("building", "house"), "cottage": ("house", "hut", "cabin"), "boulder": ("rock", "stone"),
+    "outcrop": ("rock", "cliff"), "cliff": ("rock",), "shrub": ("bush", "hedge"), "cart": ("wagon", "waggon"),
+    "wagon": ("waggon", "cart"), "shed": ("cabin", "hut", "outhouse"), "stall": ("stand", "booth", "kiosk"),
+    "storefront": ("shop", "showcase"), "walkway": ("paving", "pavement", "floor", "path"),
+    "platform": ("floor", "deck"), "parapet": ("railing", "balustrade"), "railing": ("fence", "balustrade"),
+    "lamp": ("lantern", "light"), "bollard": ("post", "pillar"), "watchtower": ("tower",), "gatehouse": ("gate",),
+    "minaret": ("tower",), "hay": ("haystack",), "crop": ("wheat", "corn"), "signboard": ("sign",),
+    "sign": ("signboard",), "column": ("pillar",), "stair": ("stairs", "staircase"),
     "stairway": ("stairs", "stair"), "windmill": ("mill",), "container": ("crate",),
 }  # fmt: skip
 VERBS: Final = frozenset(
@@ -86,7 +105,9 @@ STOPS: Final = frozenset(
         "the", "a", "an", "and", "or", "but", "with", "of", "in", "on", "at", "to", "by", "from", "for", "as", "its",
         "it", "them", "they", "this", "that", "these", "those", "there", "here", "which", "who", "then", "also",
         "one", "all", "so", "not", "no", "than", "into", "onto", "out", "over", "under", "between", "beside",
-        "behind", "along", "around", "near", "next",
+        "behind", "along", "around", "near", "next", "above", "below", "beneath", "within", "inside", "outside",
+        "across", "through", "throughout", "towards", "toward", "beyond", "while", "where", "whose", "off", "amid",
+        "without",
     }
 )  # fmt: skip
 RELATIONS: Final[dict[str, str]] = {

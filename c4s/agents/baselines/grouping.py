@@ -38,7 +38,10 @@ class Grouping:
             unit.pieces += on_top(unit.pieces[0], items)
         gap = _gap(units[0])
         block = in_grid(units, math.ceil(math.sqrt(len(units))), gap) if len(units) > 3 else in_line(units, gap)
-        return self._beside(block, [kid for _, kid in kids if kid not in above])
+        beside = [kid for _, kid in kids if kid not in above]
+        if not beside and len(units) > 1:
+            block.units = tuple(units)
+        return self._beside(block, beside)
 
     def _flat(self, named: Mention, kids: Sequence[tuple[str, Mention]]) -> Block:
         """A rug, or a patch of ground, under what stands on it."""

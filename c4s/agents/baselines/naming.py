@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import cached_property
 
 from c4s.agents.baselines.english import COLOURS, MEASURES, SIZES, SYNONYMS
@@ -16,6 +17,8 @@ SAID, NEARBY, UNSAID, TAKEN = 2.0, 0.6, 0.3, 0.5
 ALIKE = 0.05
 FLAT_SHARE = 0.06
 LONG = 3.0
+LONG_WORD, LIKE = 7, 0.9
+"""Letters from which on a noun may be misspelt, and how alike the two spellings are then."""
 SETS = frozenset({"bp", "set"})
 
 
@@ -62,10 +65,20 @@ class Names:
         self._names = [AssetName(item) for item in palette]
         prose = " " + " ".join(singular(word) for word in re.findall(r"[a-z]+", text.lower())) + " "
         self._spelled = {name for name in self._names if len(name.core) > 1 and f" {' '.join(name.core)} " in prose}
+        self._spellings: dict[str, str] = {}
         self.nouns = {word for name in self._names for word in name.core}
         self.heads = {name.core[-1] for name in self._names if name.core} | {
             name.core[-2] for name in self._names if len(name.core) > 1 and name.core[-1] in MEASURES
         }
+
+    def _spelt(self, noun: str) -> str:
+        """A noun as the palette spells it: names are often misspelt (``waterffall``)."""
+        if noun in self.nouns or len(noun) < LONG_WORD:
+            return noun
+        if noun not in self._spellings:
+            near = get_close_matches(noun, sorted(self.heads), n=1, cutoff=LIKE)
+            self._spellings[noun] = near[0] if near else noun
+        return self._spellings[noun]
 
     def stem(self, word: str) -> str:
         """A word of the prose as names have it: singular, and ``cobbled`` as ``cobble``."""
@@ -75,11 +88,11 @@ class Names:
 
     def knows(self, noun: str) -> bool:
         """Whether a noun may name something of the palette."""
-        return noun in self.nouns or self.means(noun)
+        return self._spelt(noun) in self.nouns or self.means(noun)
 
     def means(self, noun: str) -> bool:
         """Whether it is what something of the palette is."""
-        return noun in self.heads or any(other in self.heads for other in SYNONYMS.get(noun, ()))
+        return self._spelt(noun) in self.heads or any(other in self.heads for other in SYNONYMS.get(noun, ()))
 
     def of(
         self, noun: str, said: Sequence[str], nearby: Collection[str], *, plural: bool = False
@@ -109,7 +122,7 @@ class Names:
         return tuple(name.item for name in found)
 
     def _worth(self, name: AssetName, noun: str) -> float:
-        own = name.worth(noun)
+        own = name.worth(self._spelt(noun))
         meant = (SYNONYM for other in SYNONYMS.get(noun, ()) if name.worth(other) >= FORM)
         return max([own, *meant])
 

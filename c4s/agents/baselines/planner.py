@@ -24,7 +24,7 @@ class Planner:
             else:
                 message = _mend(tools)
             tools.call("save_scene_as", name=SUBMISSION_NAME)
-        return AgentReport(client_version="planner 3", message=message)
+        return AgentReport(client_version="planner 4", message=message)
 
 
 def _construct(tools: GatewayClient, prompt: str, plate_m: float) -> str:

@@ -6,9 +6,12 @@ import re
 from collections.abc import Iterator, Sequence
 
 from c4s.agents.baselines.english import (
+    ADJECTIVES,
+    BUILDING_WORDS,
     COLOURS,
     EACH,
     MEASURES,
+    NEGATIONS,
     NUMBERS,
     PEOPLE,
     PLACES,
@@ -44,10 +47,16 @@ def read(prompt: str) -> Prose:
 def _plain(sentence: str) -> str:
     """Without what confuses the counts: ``two-storey`` is no two, and ``child's`` is child."""
     sentence = re.sub(r"\b(\w+)- (?:to|and|or) ", " ", re.sub(r"'s\b", "", sentence))
-    parts = re.split(r"(\w+-\w+)", sentence)
-    return " ".join(
-        part.split("-")[1] if "-" in part and _number(part.split("-")[0]) else part.replace("-", " ") for part in parts
-    )
+    sentence = re.sub(r"\b(high|mid|low)[- ]rise\b", r"\1rise", sentence)
+    return " ".join(_compound(part) if "-" in part else part for part in re.split(r"(\w+(?:-\w+)+)", sentence))
+
+
+def _compound(word: str) -> str:
+    """The words of a hyphened one that describe: ``timber-and-stone`` is timber stone, ``two-storey`` storey."""
+    parts = word.split("-")
+    if len(parts) > 1 and _number(parts[0]):
+        return " ".join(parts[1:])
+    return " ".join(part for part in parts if part not in ("and", "or", "like") and part not in VERBS)
 
 
 def _size(text: str) -> tuple[float, float] | None:
@@ -72,8 +81,16 @@ def _chunks(words: Sequence[str], names: Names, reading: Prose, *, opening: bool
     said: list[str] = []
     place, started = 0, False
     material = 0
+    absent = False
     while place < len(words):
         word = words[place]
+        if word in NEGATIONS:
+            absent, said = True, []
+        elif absent and (word in VERBS or (word in ("but", "and") and words[place - 1] != ",")):
+            absent = False
+        if absent:
+            place += 1
+            continue
         if phrase := _relation(words, place):
             place += phrase.count(" ") + 1
             said, started, material = [], True, 0
@@ -127,6 +144,8 @@ def _relation(words: Sequence[str], place: int) -> str:
 def _is_noun(words: Sequence[str], place: int, names: Names) -> bool:
     """Whether a word is the noun of its phrase: it names something and no such word follows."""
     word = singular(words[place])
+    if _is_building(words, place):
+        return names.means("building")
     known = names.knows(word) or word in PLACES
     if not known or word in MEASURES or word in STOPS | VERBS | PEOPLE:
         return False
@@ -140,25 +159,33 @@ def _is_noun(words: Sequence[str], place: int, names: Names) -> bool:
         or _relation(words, place + 1)
     ):
         return names.means(word) or word in PLACES | STRIPS or words[place] != word or after == "of"
-    if names.knows(following) or following in PLACES:
+    if names.knows(following) or following in PLACES or word in ADJECTIVES:
         return False
     goes_on = words[place] != word or after.endswith(("s", "ed", "ing"))
     return word in PLACES or (names.means(word) and goes_on)
 
 
+def _is_building(words: Sequence[str], place: int) -> bool:
+    """Whether a ``block`` or a ``slab`` is one of a town."""
+    return singular(words[place]) in ("block", "slab") and bool(
+        BUILDING_WORDS & {singular(word) for word in words[max(0, place - 3) : place]}
+    )
+
+
 def _name(
     words: Sequence[str], place: int, said: Sequence[str], nearby: set[str], names: Names, reading: Prose
 ) -> Mention:
-    noun = singular(words[place])
+    noun = "building" if _is_building(words, place) else singular(words[place])
     before = [names.stem(word) for word in said]
     behind = []
     if words[place + 1 : place + 2] == ["of"]:
         behind = [names.stem(word) for word in words[place + 2 : place + 5] if word not in STOPS]
     definite = bool({"the", *EACH} & set(said)) and not any(_number(word) > 1 for word in said)
     mods = frozenset(before) - STOPS - EACH
-    if known := _known(noun, mods, reading, definite=definite):
+    plural = words[place] != singular(words[place])
+    again = plural and not mods and not any(_number(word) for word in said)
+    if known := _known(noun, mods, reading, definite=definite or again):
         return known
-    plural = words[place] != noun
     items = names.of(noun, [*before, *behind], nearby, plural=plural)
     if noun in PLACES:
         items = tuple(item for item in items if is_flat(item)) or tuple(

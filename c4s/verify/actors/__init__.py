@@ -1,3 +1,3 @@
 """Actors of a snapshot as the verifiers read them."""
 
-__all__ = ["difference", "entries", "kinds", "materials", "measured", "roles", "vectors"]
+__all__ = ["collision", "difference", "entries", "kinds", "materials", "measured", "roles", "vectors"]

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from c4s.verify.actors.collision import bodied_meshes, is_switched_off
 from c4s.verify.physics.penetration import Penetration
 from c4s.verify.physics.records import SupportRecord
 from c4s.verify.physics.scene import PhysicsScene, actor_name
@@ -51,21 +52,13 @@ def _unscored_labels(actors: Sequence[Mapping[str, Any]], scored: Sequence[int])
 
 def switched_off(scene: PhysicsScene, chosen: Sequence[int]) -> list[dict[str, Any]]:
     """Actors that no contact can be found of because their collision is off, although their meshes have bodies."""
-    extra = scene.snapshot.get("c4s")
-    meshes = extra.get("meshes") if isinstance(extra, Mapping) else None
-    bodied = {path for path, facts in (meshes or {}).items() if isinstance(facts, Mapping) and facts.get("collision")}
-    named = [actor_name(scene.actors[i]) for i in chosen if _is_off(scene.actors[i], bodied)]
+    bodied = bodied_meshes(scene.snapshot)
+    named = [actor_name(scene.actors[i]) for i in chosen if is_switched_off(scene.actors[i], bodied)]
     text = (
         f"their collision is switched off although their meshes have bodies: {len(named)} of {len(chosen)} actors can "
         "penetrate nothing"
     )
     return [{"code": "collision_switched_off", "text": text, "actors": named}] if named else []
-
-
-def _is_off(actor: Mapping[str, Any], bodied: set[str]) -> bool:
-    collision = actor.get("collision")
-    off = isinstance(collision, Mapping) and collision.get("collision_enabled") is False
-    return off and not bodied.isdisjoint(map(str, actor.get("component_asset_paths") or []))
 
 
 def _one_object(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> list[str]:

@@ -267,9 +267,14 @@ def test_navigation_answers_as_in_a_level_without_a_mesh(scene: Scene, capsys: A
     assert navigation.get_path_length(scene.world, here, here)[0] == scene.unreal.NavigationQueryResult.INVALID
     assert not navigation.is_navigation_being_built(scene.world) and not capsys.readouterr().out
     volume = scene.unreal.EditorLevelLibrary.spawn_actor_from_class(scene.unreal.NavMeshBoundsVolume, here)
-    navigation.get_navigation_system(scene.world).on_navigation_bounds_updated(volume)
     assert navigation.project_point_to_navigation(scene.world, here, None, None) is None
-    assert capsys.readouterr().out.count("builds no navigation mesh") == 2
+    assert capsys.readouterr().out.count("the navigation mesh is not built yet") == 1
+    navigation.get_navigation_system(scene.world).on_navigation_bounds_updated(volume)
+    meshes = [
+        a for a in scene.unreal.EditorLevelLibrary.get_all_level_actors() if isinstance(a, scene.unreal.RecastNavMesh)
+    ]
+    assert [mesh.get_actor_label() for mesh in meshes] == ["RecastNavMesh-Default"]
+    assert meshes[0].get_editor_property("agent_radius") == 34.0
     with pytest.raises(TypeError):
         navigation.project_point_to_navigation(scene.world, here)
 

@@ -1,15 +1,14 @@
-"""The open level as one GLB: metres, Y up, right-handed; every mesh once, a node an actor, named by its label.
+"""The open level as one GLB: metres, Y up, right-handed; every mesh once, nodes as ``nodes.py`` says, named by labels.
 
-Unreal's (x, y, z) cm is glTF's (x, z, y) / 100. Triangles, whose winding means nothing here, are turned to face where
-their normals point. Mirrored scales stay in the node matrices, where viewers expect them. Lights and cameras come
-along (``glb_lights.py``).
+A mesh has a primitive a material slot. Triangles, whose winding means nothing here, are turned to face where their
+normals point. Mirrored scales stay at the nodes, where viewers expect them. Lights and cameras come along
+(``lights.py``). Texture coordinates are written as they are: what transforms a pack's textures had is in them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import groupby
 from pathlib import Path
 from typing import Any, Literal
 
@@ -19,11 +18,11 @@ from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
 from c4s.engine.headless.glb.lights import LightsAndCameras
+from c4s.engine.headless.glb.nodes import Leaf, NodeTree
 from c4s.engine.headless.unreal.components import StaticMeshComponent
 from c4s.engine.headless.world.world import Drawable, World
 from c4s.errors import BadInput
 from c4s.files import write_bytes
-from c4s.geometry.transform import Array
 from c4s.packs.meshes import Mesh
 from c4s.packs.pictures import open_picture
 from c4s.records.pack import Material
@@ -42,28 +41,21 @@ def write_glb(world: World, path: Path) -> dict[str, Any]:
     """
     scene = _Scene(world)
     shown = [d for d in world.drawables() if abs(np.linalg.det(d.matrix[:3, :3])) >= _MIN_VOLUME]
-    for _, parts in groupby(shown, key=lambda drawable: drawable.actor_index):
-        scene.add(list(parts))
-    if not scene.nodes:
+    for drawable in shown:
+        scene.add(drawable)
+    if not shown:
         raise BadInput("the level shows no mesh", where=world.package, todo="give the packs that it uses")
     write_bytes(path, scene.bytes())
     return {
         "actors": len({d.actor_index for d in shown}),
         "nodes": len(scene.nodes),
-        "meshes": len(scene.geometries),
+        "meshes": len(scene.meshes),
         "triangles": scene.triangles,
         "lights": len(scene.extras.lights),
+        "light_factor": scene.extras.factor,
         "cameras": len(scene.extras.cameras),
         "left_out": scene.extras.left_out,
     }
-
-
-def to_gltf(matrix_cm: Array) -> Array:
-    """A world matrix (cm, left-handed, Z up) in metres, right-handed, Y up."""
-    order = [*_SWAP, 3]
-    out: Array = matrix_cm[np.ix_(order, order)].copy()
-    out[:3, 3] /= _METRE_CM
-    return out
 
 
 @dataclass(frozen=True)
@@ -82,47 +74,23 @@ class _Scene:
     """Collects nodes and meshes; one geometry for each mesh, slot and material."""
 
     def __init__(self, world: World) -> None:
-        self._store = world.store
+        self._world, self._store = world, world.store
         self._scene = trimesh.Scene()
-        self.nodes: list[str] = []
-        """Names of the nodes by their number, which is their key in the scene: labels are not unique."""
+        self._tree = NodeTree()
+        self.nodes: list[dict[str, Any]] = []
+        self.meshes: dict[tuple[str, ...], int] = {}
+        """Numbers of the written meshes by their geometries."""
         self.geometries: dict[tuple[str, int, str], str] = {}
         self._materials: dict[tuple[Material, GlbPictures], tuple[str, PBRMaterial]] = {}
         self._opened: dict[tuple[Path, bool], Image.Image] = {}
         self._exact: dict[str, tuple[str, Material, GlbPictures]] = {}
         self.triangles = 0
-        self.extras = LightsAndCameras(world)
+        self.extras = LightsAndCameras(world, self._tree)
 
-    def add(self, parts: list[Drawable]) -> None:
-        """The meshes of one actor: on its node when there is one, on nodes below it otherwise."""
-        label = parts[0].actor.get_actor_label()
-        if len(parts) == 1:
-            self._place(label, parts[0], "world")
-            return
-        group = self._node(label, np.eye(4), None, "world")
-        for part in parts:
-            self._place(part.component.get_name(), part, group)
-
-    def _place(self, name: str, part: Drawable, parent: str) -> None:
-        geometries = list(self._geometries(part))
-        matrix = to_gltf(part.matrix)
-        if len(geometries) == 1:
-            self._node(name, matrix, geometries[0], parent)
-            return
-        own = self._node(name, matrix, None, parent)
-        for index, geometry in enumerate(geometries):
-            self._node(f"{name}_{index}", np.eye(4), geometry, own)
-
-    def _node(self, name: str, matrix: Array, geometry: str | None, parent: str) -> str:
-        key = f"node_{len(self.nodes)}"
-        self.nodes.append(name)
-        self._scene.graph.update(
-            frame_to=key,
-            frame_from=parent,
-            matrix=matrix,  # type: ignore[no-untyped-call]
-            geometry=geometry,
-        )
-        return key
+    def add(self, part: Drawable) -> None:
+        """A mesh that an actor shows."""
+        mesh = self.meshes.setdefault(tuple(self._geometries(part)), len(self.meshes))
+        self._tree.add(part.actor, Leaf(part.component.get_name(), part.pose, {"mesh": mesh}))
 
     def _geometries(self, part: Drawable) -> Iterator[str]:
         mesh = self._store.mesh(part.mesh)
@@ -132,7 +100,7 @@ class _Scene:
             key = (part.mesh, int(slot), material_key)
             if key not in self.geometries:
                 self.geometries[key] = f"mesh_{len(self.geometries)}"
-                self._scene.geometry[self.geometries[key]] = _geometry(mesh, int(slot), material)
+                self._scene.add_geometry(_geometry(mesh, int(slot), material), geom_name=self.geometries[key])
             self.triangles += int(np.count_nonzero(mesh.face_slots == slot))
             yield self.geometries[key]
 
@@ -180,13 +148,18 @@ class _Scene:
         return made
 
     def _finish(self, tree: dict[str, Any]) -> None:
-        """Labels as names, and the exact factors of the materials (trimesh keeps colours in bytes)."""
-        for node in tree["nodes"]:
-            if str(node.get("name", "")).startswith("node_"):
-                node["name"] = self.nodes[int(node["name"].removeprefix("node_"))]
-        for mesh in tree["meshes"]:
-            path = next(key[0] for key, name in self.geometries.items() if name == mesh["name"])
-            mesh["name"] = path.rsplit(".", 1)[-1]
+        """Our own nodes and meshes, and the exact factors of the materials (trimesh keeps colours in bytes)."""
+        made = {mesh["name"]: mesh["primitives"] for mesh in tree["meshes"]}
+        paths = {name: key[0] for key, name in self.geometries.items()}
+        tree["meshes"] = [
+            {
+                "name": paths[names[0]].rsplit(".", 1)[-1],
+                "primitives": [primitive for name in names for primitive in made[name]],
+            }
+            for names in self.meshes
+        ]
+        self.nodes, tops = self._tree.write(self._world.actor_list())
+        tree["nodes"], tree["scene"], tree["scenes"] = self.nodes, 0, [{"nodes": tops}]
         _tell_targets(tree)
         self.extras.add_to(tree)
         strong = False

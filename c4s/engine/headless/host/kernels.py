@@ -21,13 +21,16 @@ from c4s.folders import remove_tree
 from c4s.home import cache_root, home
 
 _PACKAGE = Path(c4s.__file__).resolve().parent
-_SOURCES = _PACKAGE / "render"
+_SOURCES = (_PACKAGE / "render", _PACKAGE / "navigation")
 _TIMEOUT_S = 1200
 _WARM = """
+from c4s.navigation import compiled, warm as warm_navigation
 from c4s.render.compiled import code_folder
 from c4s.engine.headless.pictures.take import warm
 warm()
+warm_navigation()
 print(code_folder())
+print(compiled.code_folder())
 """
 
 
@@ -42,18 +45,24 @@ def compiled() -> Path:
         fcntl.flock(lock, fcntl.LOCK_EX)
         found = _noted(note)
         if found is None:
-            found = _compile()
-            write_text(note, str(found))
+            folders = _compile()
+            write_text(note, "\n".join(str(folder) for folder in folders))
+            found = folders[0]
     return found
 
 
 def _noted(note: Path) -> Path | None:
     """The folder that an earlier compilation left, if it is still there."""
-    folder = Path(note.read_text()) if note.is_file() else None
-    return folder if folder is not None and next(folder.glob("*/*.nbi"), None) is not None else None
+    folders = _folders(note)
+    return folders[0] if folders and all(next(folder.glob("*/*.nbi"), None) for folder in folders) else None
 
 
-def _compile() -> Path:
+def _folders(note: Path) -> list[Path]:
+    """The folders that a note names: those of the renderer, and of the walkable space."""
+    return [Path(line) for line in note.read_text().splitlines()] if note.is_file() else []
+
+
+def _compile() -> list[Path]:
     done = subprocess.run(
         [sys.executable, "-c", _WARM],
         cwd=_PACKAGE.parent,
@@ -63,33 +72,35 @@ def _compile() -> Path:
         timeout=_TIMEOUT_S,
         check=False,
     )
-    folder = Path(done.stdout.strip() or "none")
-    if done.returncode or not folder.is_dir():
+    folders = [Path(line) for line in done.stdout.split("\n") if line]
+    if done.returncode or len(folders) != len(_SOURCES) or not all(folder.is_dir() for folder in folders):
         raise MachineryFault(
-            f"cannot compile the render kernels: {done.stderr.strip()[-1500:]}",
-            where=str(_SOURCES),
+            f"cannot compile the kernels: {done.stderr.strip()[-1500:]}",
+            where=str(_PACKAGE),
             todo="they need a folder to lie in: this one, or C4S_HOME",
         )
-    return folder
+    return folders
 
 
 def _stamp() -> str:
     """Digest of what numba's own cache key looks at: the sources with their times, and the versions."""
     versions = [importlib.metadata.version(name) for name in ("numba", "llvmlite", "embreex", "numpy")]
-    files = [[str(path), path.stat().st_mtime_ns, path.stat().st_size] for path in sorted(_SOURCES.glob("*.py"))]
+    sources = [path for folder in _SOURCES for path in sorted(folder.glob("*.py"))]
+    files = [[str(path), path.stat().st_mtime_ns, path.stat().st_size] for path in sources]
     return digest([sys.version, versions, files, os.uname().machine])[:16]
 
 
 def linked(shared: Path, scratch: Path) -> Mapping[str, str]:
-    """Make ``scratch/kernels`` a private view of the shared folder; the variables that point the renderer at it."""
+    """Make ``scratch/kernels`` a private view of the shared folders; the variables that point the kernels at it."""
     private = scratch / "kernels"
     remove_tree(private, inside=scratch, at_best=True)
     private.mkdir(parents=True)
-    for source in shared.rglob("*"):
-        target = private / shared.name / source.relative_to(shared)
-        if source.is_dir():
-            target.mkdir(parents=True, exist_ok=True)
-        else:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.symlink_to(source)
+    for folder in dict.fromkeys([shared, *_folders(cache_root() / "kernels" / _stamp())]):
+        for source in folder.rglob("*"):
+            target = private / folder.name / source.relative_to(folder)
+            if source.is_dir():
+                target.mkdir(parents=True, exist_ok=True)
+            else:
+                target.parent.mkdir(parents=True, exist_ok=True)
+                target.symlink_to(source)
     return {"NUMBA_CACHE_DIR": str(private)}

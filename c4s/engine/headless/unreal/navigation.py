@@ -1,5 +1,8 @@
-"""Navigation queries. The headless engine builds no navigation mesh, so they answer as Unreal does in a level that has
-none: no point can be projected or reached, every ray is blocked, and there is no path.
+"""Navigation: the mesh of a level with a ``NavMeshBoundsVolume``, built when a script asks for it.
+
+``RebuildNavigation`` on the console and ``on_navigation_bounds_updated`` build it, with the settings of the level's
+``RecastNavMesh``, which the first build spawns as Unreal does. Without one no point can be projected or reached, every
+ray is blocked, and there is no path. The mesh is not built anew by itself when the level changes.
 """
 
 # ruff: noqa: B008  (signatures as in Unreal; no default is ever changed)
@@ -8,13 +11,22 @@ none: no point can be projected or reached, every ray is blocked, and there is n
 from __future__ import annotations
 
 from enum import unique
+from typing import Any
+
+import numpy as np
 
 from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import IDENTITY
+from c4s.engine.headless.queries import walkable
 from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.actors.volumes import NavMeshBoundsVolume
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class, EnumBase, Object, Prop, api, public
 from c4s.engine.headless.unreal.structs import Vector
+
+_EXTENT = np.array([50.0, 50.0, 250.0])
+"""Where paths and rays look for the mesh around a place: the default extent of a query in Unreal."""
+_CLASS = "/Script/NavigationSystem.RecastNavMesh"
 
 
 @public
@@ -30,51 +42,133 @@ class NavigationQueryResult(EnumBase):
 
 @public
 class NavigationData(Actor):
-    """A navigation mesh in a level; there is none here."""
+    """A navigation mesh in a level."""
 
     _class_module = "NavigationSystem"
+
+
+@public
+class RecastNavMesh(NavigationData):
+    """The navigation mesh of a level: who walks, and how fine it is."""
+
+    _class_module = "NavigationSystem"
+    _declares = {
+        "agent_radius": Prop("float", 34.0, attribute=False),
+        "agent_height": Prop("float", 144.0, attribute=False),
+        "agent_max_slope": Prop("float", 44.0, attribute=False),
+        "agent_max_step_height": Prop("float", 35.0),
+        "cell_size": Prop("float", 19.0),
+        "cell_height": Prop("float", 10.0),
+        "tile_size_uu": Prop("float", 1000.0, attribute=False),
+        "min_region_area": Prop("float", 0.0, attribute=False),
+        "merge_region_size": Prop("float", 400.0, attribute=False),
+        "max_simplification_error": Prop("float", 1.3, attribute=False),
+    }
 
 
 @public
 class NavigationPath(Object):
-    """A path that was found; there is none here."""
+    """A path that was found."""
 
     _class_module = "NavigationSystem"
     _declares = {"path_points": Prop("Sequence[Vector]", lambda: Array._of("Vector", []))}
+    _complete = False
+    _length = 0.0
+
+    @classmethod
+    def _found(cls, corners: Any, complete: bool) -> NavigationPath:
+        made: NavigationPath = cls._make("NavigationPath_0", None)
+        made._complete = complete
+        made._length = float(np.linalg.norm(np.diff(corners, axis=0), axis=1).sum())
+        made.set_editor_property("path_points", [_vector(point) for point in corners])
+        return made
 
     @api
     def is_valid(self) -> bool:
         """Whether it leads anywhere."""
-        return False
+        return len(self.get_editor_property("path_points")) > 0
 
     @api
     def is_partial(self) -> bool:
         """Whether it ends before the goal."""
-        return False
+        return self.is_valid() and not self._complete
 
     @api
     def get_path_length(self) -> float:
         """Length in cm."""
-        return 0.0
+        return self._length
 
     @api
     def get_path_cost(self) -> float:
-        """Cost."""
-        return 0.0
+        """Cost: the length, since all areas cost the same."""
+        return self._length
 
 
-def _tell(what: str) -> None:
-    """Say why a level with a navigation volume has no navigation either."""
-    if any(isinstance(actor, NavMeshBoundsVolume) for actor in world().actor_list()):
-        world().log.warning(
-            f"{what}: the headless engine builds no navigation mesh, so nothing is reachable; "
-            "the NavMeshBoundsVolume is kept for other engines"
-        )
+def rebuild() -> None:
+    """Build the mesh of the open level, as ``RebuildNavigation`` does; without a bounds volume nothing is built."""
+    from c4s.navigation import NavigationSettings
+
+    actors = world().actor_list()
+    boxes = [_box(actor) for actor in actors if isinstance(actor, NavMeshBoundsVolume)]
+    if not boxes:
+        world().log.warning("RebuildNavigation: the level has no NavMeshBoundsVolume, so there is nothing to build")
+        return
+    data = next((actor for actor in actors if isinstance(actor, RecastNavMesh)), None)
+    if data is None:
+        data = world().spawn(_CLASS, IDENTITY, "RecastNavMesh-Default")
+    own = data.get_editor_property
+    settings = NavigationSettings(
+        radius_cm=own("agent_radius"),
+        height_cm=own("agent_height"),
+        slope_deg=own("agent_max_slope"),
+        step_cm=own("agent_max_step_height"),
+        min_region_area=own("min_region_area"),
+        cell_cm=max(own("cell_size"), 1.0),
+        cell_height_cm=max(own("cell_height"), 1.0),
+    )
+    low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
+    why = walkable.build(low, high, settings)
+    if why:
+        world().log.warning(f"the navigation mesh is not built: {why}")
+
+
+def _box(volume: NavMeshBoundsVolume) -> tuple[Any, Any]:
+    origin, extent = volume.get_actor_bounds(False)
+    return _array(origin) - _array(extent), _array(origin) + _array(extent)
+
+
+def _array(vector: Vector) -> Any:
+    return np.array([vector.x, vector.y, vector.z], dtype=float)
+
+
+def _vector(point: Any) -> Vector:
+    return Vector(*(float(part) for part in point))
+
+
+def _mesh(what: str) -> walkable.LevelMesh | None:
+    """The mesh; the log says why a level with a navigation volume has none."""
+    found = walkable.mesh()
+    if found is None and any(isinstance(actor, NavMeshBoundsVolume) for actor in world().actor_list()):
+        world().log.warning(f"{what}: the navigation mesh is not built yet; RebuildNavigation on the console builds it")
+    return found
+
+
+def _route(what: str, start: Vector, end: Vector) -> tuple[Any, bool] | None:
+    found = _mesh(what)
+    return None if found is None else found.route(_array(start), _array(end), _EXTENT)
+
+
+def _length(what: str, start: Vector, end: Vector) -> tuple[NavigationQueryResult, float]:
+    found = _route(what, start, end)
+    if found is None:
+        return NavigationQueryResult.INVALID, 0.0
+    result = NavigationQueryResult.SUCCESS if found[1] else NavigationQueryResult.FAIL
+    return result, NavigationPath._found(*found).get_path_length()
 
 
 @public
 class NavigationSystemV1(Object):
-    """Navigation of a level without a navigation mesh."""
+    """Navigation of the open level."""
 
     _class_module = "NavigationSystem"
 
@@ -98,8 +192,8 @@ class NavigationSystemV1(Object):
 
     @api
     def on_navigation_bounds_updated(self, nav_volume: NavMeshBoundsVolume | None) -> None:
-        """Take notice of a changed volume."""
-        _tell("on_navigation_bounds_updated")
+        """Take notice of a changed volume: the mesh is built."""
+        rebuild()
 
     @classmethod
     @api
@@ -112,8 +206,10 @@ class NavigationSystemV1(Object):
         query_extent: Vector = Vector(),
     ) -> Vector | None:
         """The nearest point that can be walked on, or None."""
-        _tell("project_point_to_navigation")
-        return None
+        found = _mesh("project_point_to_navigation")
+        extent = _array(query_extent)
+        there = None if found is None else found.project(_array(point), extent if extent.any() else _EXTENT)
+        return None if there is None else _vector(there)
 
     @classmethod
     @api
@@ -126,8 +222,9 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> Vector | None:
         """A point that can be walked to, or None."""
-        _tell("get_random_reachable_point_in_radius")
-        return None
+        found = _mesh("get_random_reachable_point_in_radius")
+        there = None if found is None else found.random_near(_array(origin), float(radius), reachable=True)
+        return None if there is None else _vector(there)
 
     @classmethod
     @api
@@ -140,8 +237,9 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> Vector | None:
         """A point that can be walked on, or None."""
-        _tell("get_random_location_in_navigable_radius")
-        return None
+        found = _mesh("get_random_location_in_navigable_radius")
+        there = None if found is None else found.random_near(_array(origin), float(radius), reachable=False)
+        return None if there is None else _vector(there)
 
     @classmethod
     @api
@@ -166,9 +264,11 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
         querier: Object | None = None,
     ) -> Vector | None:
-        """Where a straight walk is stopped: at its start, for want of a navigation mesh."""
-        _tell("navigation_raycast")
-        return ray_start.copy()  # type: ignore[no-any-return]
+        """Where a straight walk is stopped: at its start where there is no mesh."""
+        found = _mesh("navigation_raycast")
+        if found is None:
+            return ray_start.copy()  # type: ignore[no-any-return]
+        return _vector(found.straight(_array(ray_start), _array(ray_end), _EXTENT))
 
     @classmethod
     @api
@@ -181,8 +281,7 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> tuple[NavigationQueryResult, float]:
         """Result and length (cm) of a path."""
-        _tell("get_path_length")
-        return NavigationQueryResult.INVALID, 0.0
+        return _length("get_path_length", path_start, path_end)
 
     @classmethod
     @api
@@ -195,8 +294,7 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> tuple[NavigationQueryResult, float]:
         """Result and cost of a path."""
-        _tell("get_path_cost")
-        return NavigationQueryResult.INVALID, 0.0
+        return _length("get_path_cost", path_start, path_end)
 
     @classmethod
     @api
@@ -209,8 +307,8 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> NavigationPath | None:
         """A path, or None."""
-        _tell("find_path_to_location_synchronously")
-        return None
+        found = _route("find_path_to_location_synchronously", path_start, path_end)
+        return None if found is None else NavigationPath._found(*found)
 
     @classmethod
     @api
@@ -224,8 +322,10 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> NavigationPath | None:
         """A path to an actor, or None."""
-        _tell("find_path_to_actor_synchronously")
-        return None
+        if goal_actor is None:
+            return None
+        found = _route("find_path_to_actor_synchronously", path_start, goal_actor.get_actor_location())
+        return None if found is None else NavigationPath._found(*found)
 
 
 _SYSTEM: NavigationSystemV1 = NavigationSystemV1._make("NavigationSystemV1_0", None)

@@ -55,6 +55,8 @@ class Drawable:
     """Asset path; its geometry is ``World.store.mesh(path)``."""
     matrix: Array
     """4x4 local to world (cm)."""
+    pose: Pose
+    """The same as location, rotation and scale."""
 
     @property
     def materials(self) -> tuple[Material, ...]:
@@ -72,6 +74,8 @@ class LightSource:
     kind: str
     pose: Pose
     properties: dict[str, Any]
+    name: str
+    """Of the component; of the actor for a post-process volume."""
 
 
 class World(AssetLibrary):
@@ -334,7 +338,7 @@ class World(AssetLibrary):
                 pose = component._world_pose()
                 instanced = isinstance(component, InstancedStaticMeshComponent)
                 for each in [compose(i, pose) for i in component._instances] if instanced else [pose]:
-                    yield Drawable(actor, index, component, mesh, each.matrix())
+                    yield Drawable(actor, index, component, mesh, each.matrix(), each)
 
     def light_sources(self) -> Iterator[LightSource]:
         """Every shining light, sky light, fog and atmosphere, and every enabled post-process volume."""
@@ -356,7 +360,7 @@ class World(AssetLibrary):
                     for name, prop in type(source)._declared.items()
                     if prop.scripts
                 }
-                yield LightSource(actor, type(source).__name__, pose, properties)
+                yield LightSource(actor, type(source).__name__, pose, properties, source.get_name())
 
 
 def known_levels(paths: Sequence[Path]) -> dict[str, Path]:

@@ -10,6 +10,7 @@ from c4s.engine.headless.unreal.actors import Actor
 from c4s.engine.headless.unreal.components import SceneComponent
 from c4s.engine.headless.unreal.core import Object, api, public
 from c4s.engine.headless.unreal.libraries.editing import Editing
+from c4s.engine.headless.unreal.navigation import rebuild
 from c4s.engine.headless.unreal.paths import Paths
 from c4s.engine.headless.unreal.structs import Vector
 from c4s.engine.headless.unreal.traces.boxes import BoxTraces
@@ -35,7 +36,10 @@ class SystemLibrary(LineTraces, SphereTraces, BoxTraces, CapsuleTraces, Overlaps
     def execute_console_command(
         cls, world_context_object: Object | None, command: str, specific_player: Object | None = None
     ) -> None:
-        """Console commands are logged and have no effect here."""
+        """``RebuildNavigation`` builds the navigation mesh; other commands are logged and have no effect here."""
+        if command.strip().lower() == "rebuildnavigation":
+            rebuild()
+            return
         world().log.display(f"Cmd: {command} (console commands have no effect in the headless engine)")
 
     @classmethod

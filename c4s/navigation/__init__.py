@@ -1,0 +1,29 @@
+"""Whether a body can use a scene: walkable space, targets, routes, the walker."""
+
+from c4s.navigation.measuring import NavigationEngine, NotBuilt, agree, approachable, measure, measure_snapshot
+from c4s.navigation.mesh import NavigationMesh, SpaceMesh
+from c4s.navigation.settings import NavigationSettings
+from c4s.navigation.space import SpaceTooLarge, WalkableSpace, build_space, warm
+from c4s.navigation.walker import judge_walk
+
+__all__ = [
+    "NavigationEngine",
+    "NavigationMesh",
+    "NavigationSettings",
+    "NotBuilt",
+    "SpaceMesh",
+    "SpaceTooLarge",
+    "WalkableSpace",
+    "agree",
+    "approachable",
+    "build_space",
+    "compiled",
+    "judge_walk",
+    "measure",
+    "measure_snapshot",
+    "selection",
+    "solids",
+    "space",
+    "walker",
+    "warm",
+]

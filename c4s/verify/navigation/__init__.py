@@ -1,0 +1,3 @@
+"""The Embodied Utility Score, reported apart from the benchmark score."""
+
+__all__ = ["verdict", "verifier"]

@@ -1,0 +1,94 @@
+"""The navigation mesh of the headless engine, as scripts ask it, and the evaluator's probe over it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+from query_scene import Scene
+
+from c4s.navigation import NavigationSettings, approachable, measure_snapshot
+from c4s.records.navigation import LETTERS, NavigationEvidence
+
+
+@pytest.fixture
+def place(scene: Scene) -> Scene:
+    """A plate of 20 m with a wall through it that has a door of 2 m at one end, and crates on both sides."""
+    scene.put("Cube", (0, 0, -10), scale=(20, 20, 0.2)).set_actor_label("Ground plate")
+    scene.put("Cube", (0, -100, 150), scale=(0.2, 18, 3)).set_actor_label("Wall")
+    for number in range(16):
+        x = (-1) ** number * (300 + 30 * number)
+        scene.put("Cube", (x, -800 + 90 * number, 25), scale=(0.5, 0.5, 0.5)).set_actor_label(f"Crate {number}")
+    return scene
+
+
+def volume(scene: Scene, half: tuple[float, float, float]) -> Any:
+    """A bounds volume of this half size around the origin."""
+    library = scene.unreal.EditorLevelLibrary
+    made = library.spawn_actor_from_class(scene.unreal.NavMeshBoundsVolume, scene.vector((0, 0, 0)))
+    _, extent = made.get_actor_bounds(False)
+    made.set_actor_scale3d(scene.vector([a / b for a, b in zip(half, (extent.x, extent.y, extent.z), strict=True)]))
+    return made
+
+
+def test_a_script_builds_a_mesh_and_asks_it(place: Scene) -> None:
+    unreal, navigation = place.unreal, place.unreal.NavigationSystemV1
+    volume(place, (1200, 1200, 400))
+    unreal.SystemLibrary.execute_console_command(place.world, "RebuildNavigation")
+    (data,) = [a for a in unreal.EditorLevelLibrary.get_all_level_actors() if isinstance(a, unreal.RecastNavMesh)]
+    data.set_editor_property("agent_radius", 50.0)
+    unreal.SystemLibrary.execute_console_command(place.world, "RebuildNavigation")
+    here, there = place.vector((-500, -900, 0)), place.vector((700, -900, 0))
+    found = navigation.project_point_to_navigation(place.world, here, None, None, place.vector((50, 50, 50)))
+    assert (found.x, found.y) == pytest.approx((-500, -900), abs=0.02) and abs(found.z) <= 10
+    assert navigation.project_point_to_navigation(place.world, place.vector((5000, 0, 0)), None, None) is None
+    path = navigation.find_path_to_location_synchronously(place.world, here, there)
+    assert path.is_valid() and not path.is_partial()
+    around = float(np.hypot(440, 1750) + 120 + np.hypot(640, 1750))
+    assert 0.99 * around <= path.get_path_length() <= 1.25 * around
+    assert navigation.get_path_length(place.world, here, there)[0] == unreal.NavigationQueryResult.SUCCESS
+    stopped = navigation.navigation_raycast(place.world, here, there)
+    assert -90 < stopped.x < -40
+    place.put("Cube", (0, 900, 150), scale=(0.2, 2.2, 3))
+    unreal.SystemLibrary.execute_console_command(place.world, "RebuildNavigation")
+    barred = navigation.find_path_to_location_synchronously(place.world, here, there)
+    assert barred.is_valid() and barred.is_partial()
+    near = navigation.get_random_reachable_point_in_radius(place.world, here, 300.0)
+    assert near is not None and near.x < 0
+
+
+class Inside:
+    """Calls the editor's scripts in this process, as an engine does."""
+
+    def request(self, kind: str, params: Any = None, timeout_s: float = 300.0) -> dict[str, Any]:
+        raise NotImplementedError(kind)
+
+    def call(self, function: str, /, *, timeout_s: float = 600.0, **params: Any) -> Any:
+        import importlib
+
+        module, name = function.split(".")
+        return getattr(importlib.import_module(f"c4s.editor.{module}"), name)(**params)
+
+
+def test_the_evaluators_probe_finds_what_the_walkable_space_finds(place: Scene, engine: ModuleType) -> None:
+    from c4s.editor.snapshot import export_snapshot
+    from c4s.evidence.walk import probe_navigation
+
+    snapshot = export_snapshot()
+    probed = NavigationEvidence.parse(probe_navigation(Inside(), snapshot).plain())  # type: ignore[arg-type]
+    measured = measure_snapshot(snapshot)
+    assert probed.made_by == "engine_mesh" and probed.fault is None
+    assert probed.kept == NavigationSettings().plain()
+    ours, theirs = ([LETTERS[letter] for letter in one.builds[-1].falls] for one in (measured, probed))
+    assert approachable(theirs) == pytest.approx(approachable(ours) or 0.0, abs=0.06)
+    assert probed.builds[-1].cells == pytest.approx(measured.builds[-1].cells, rel=0.01)
+    assert len(probed.builds) == 2 and probed.small == measured.small
+    assert probed.walks and all(walk.left_cm[-1] <= 10 for walk in probed.walks)
+
+
+def test_a_level_without_a_volume_has_nothing_to_build(scene: Scene, tmp_path: Path, capsys: Any) -> None:
+    scene.unreal.SystemLibrary.execute_console_command(scene.world, "RebuildNavigation")
+    assert "no NavMeshBoundsVolume" in capsys.readouterr().out
