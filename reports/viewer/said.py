@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from c4s.verify.registry import VERIFIERS
+from c4s.verify.repair.verifier import REPAIR
 
 PHYSICAL: Final = ("floating", "penetrating")
 """Outcomes of physics that mark an actor."""
@@ -35,7 +36,7 @@ def said_of_actors(findings: Iterable[Row], verdicts: Iterable[Row]) -> Said:
     said, requirements = Said(), set()
     for verdict in verdicts:
         measured, title = verdict["document"]["measurements"], VERIFIERS[verdict["verifier"]].title
-        for row in measured.get("targets", []):
+        for row in measured.get("targets", []) if verdict["verifier"] == REPAIR.name else []:
             if row.get("candidate"):
                 said.pairs[row["actor"]] = row["candidate"]
         if "decisions" in measured:
