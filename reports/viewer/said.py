@@ -37,7 +37,7 @@ def said_of_actors(findings: Iterable[Row], verdicts: Iterable[Row]) -> Said:
     for verdict in verdicts:
         measured, title = verdict["document"]["measurements"], VERIFIERS[verdict["verifier"]].title
         for row in measured.get("targets", []) if verdict["verifier"] == REPAIR.name else []:
-            if row["candidate"]:
+            if row.get("candidate"):
                 said.pairs[row["actor"]] = row["candidate"]
         if "decisions" in measured:
             requirements.add(verdict["verifier"])

@@ -12,14 +12,15 @@ from typing import TYPE_CHECKING
 import pytest
 from PIL import Image, PngImagePlugin
 
-from c4s.human import OpenStudy, agreement, take
-from c4s.protocol.criteria import CRITERIA, PRIMARY
+from c4s.human import OpenStudy, agreement, design_study, study_named, take
+from c4s.protocol.criteria import CRITERIA, PRIMARY, SPLIT_SEED
 from c4s.records.human import PICTURES, HumanRanking
 from tests.study.conftest import PEOPLE, PROMPTS, SEVEN, Serve, seat
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page, Route
 
+SECOND = "physical-plausibility"
 CHUNKS = {b"IHDR", b"PLTE", b"tRNS", b"IDAT", b"IEND"}
 
 
@@ -58,11 +59,45 @@ def rank_by_keys(page: Page) -> None:
     page.wait_for_url(lambda url: not url.endswith(f"/{number}"))
 
 
-@pytest.mark.timeout(900)
-def test_a_whole_block_design_by_keys(study: OpenStudy, serve: Serve, browser: Browser) -> None:
-    """Seven people, seven criteria; one closes the browser in the middle, for another the server is killed."""
-    served = serve("serve", "yards")
-    asked, kept = 3 * PROMPTS * len(CRITERIA), b""
+@pytest.fixture
+def small(home: Path) -> OpenStudy:
+    """A study of two criteria."""
+    design_study(
+        home / "runs" / "night",
+        home / "suites",
+        home / "human" / "small",
+        agents=SEVEN,
+        cases=[],
+        annotators=PEOPLE,
+        criteria=[SECOND],
+        seed=SPLIT_SEED,
+    )
+    return study_named(home / "human", "small")
+
+
+def test_seven_criteria_one_after_the_other(study: OpenStudy, serve: Serve, browser: Browser) -> None:
+    """All that one person is asked, the browser closed after each criterion."""
+    link = serve("serve", "yards").links[PEOPLE[0]]
+    asked = []
+    for number in range(1, 3 * PROMPTS * len(CRITERIA) + 1, 3 * PROMPTS):
+        with seat(browser) as page:
+            page.goto(link)
+            page.get_by_role("link", name="Begin" if number == 1 else "Go on").press("Enter")
+            for question in range(number, number + 3 * PROMPTS):
+                page.wait_for_url(f"**/{question}")
+                asked.append(page.inner_text("h1"))
+                rank_by_keys(page)
+    titles = [one.title for one in CRITERIA.values()]
+    assert asked == [title for title in titles for _ in range(3 * PROMPTS)]
+    rows = [json.loads(line) for line in study.folder.answers.read_text().splitlines()]
+    assert [CRITERIA[row["criterion"]].title for row in rows] == asked
+
+
+def test_a_whole_block_design_by_keys(small: OpenStudy, serve: Serve, browser: Browser) -> None:
+    """Seven people; one closes the browser in the middle, for another the server is killed."""
+    study, criteria = small, (PRIMARY, SECOND)
+    served = serve("serve", "small")
+    asked, kept = 3 * PROMPTS * len(criteria), b""
     places: Counter[tuple[str, float, str]] = Counter()
     for at, person in enumerate(PEOPLE):
         number = 1
@@ -82,7 +117,7 @@ def test_a_whole_block_design_by_keys(study: OpenStudy, serve: Serve, browser: B
                         page.keyboard.press("Enter")
                         page.get_by_text("Not kept yet").wait_for()
                         assert len(study.folder.answers.read_text().splitlines()) == at * asked + number - 1
-                        served = serve("serve", "yards")
+                        served = serve("serve", "small")
                         page.wait_for_url(f"**/{number + 1}")
                     else:
                         rank_by_keys(page)
@@ -92,7 +127,7 @@ def test_a_whole_block_design_by_keys(study: OpenStudy, serve: Serve, browser: B
         now = study.folder.answers.read_bytes()
         assert now.startswith(kept) and now.count(b"\n") == (at + 1) * asked, "answers are only appended"
         kept = now
-    assert len(places) == PROMPTS * len(CRITERIA) * len(SEVEN) * 3
+    assert len(places) == PROMPTS * len(criteria) * len(SEVEN) * 3
     assert set(places.values()) == {3}, "each scene stands as often left as right, for each criterion"
     rankings = [HumanRanking.parse(json.loads(line)) for line in kept.splitlines()]
     light = {
@@ -102,7 +137,7 @@ def test_a_whole_block_design_by_keys(study: OpenStudy, serve: Serve, browser: B
     }
     assert all(light[a] > light[b] for row in rankings for a, b in pairwise(row.order)), "what was seen is kept"
     pairs = Counter((row.criterion, *sorted(two)) for row in rankings for two in combinations(row.order, 2))
-    assert len(pairs) == PROMPTS * len(CRITERIA) * 21 and set(pairs.values()) == {3}, "every two meet as often"
+    assert len(pairs) == PROMPTS * len(criteria) * 21 and set(pairs.values()) == {3}, "every two meet as often"
     with seat(browser) as page:
         page.goto(served.links["organiser"])
         assert {row.inner_text() for row in page.locator("#progress td.r").all()} == {f"{3 * PROMPTS} / {3 * PROMPTS}"}
