@@ -19,7 +19,7 @@ def _c4s(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
         env={**os.environ, "C4S_HOME": str(home)},
         text=True,
         capture_output=True,
-        timeout=60,
+        timeout=200,
         check=False,
     )
 
