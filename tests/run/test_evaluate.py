@@ -161,7 +161,7 @@ def test_every_number_is_traced_to_files(ran: Path) -> None:
     case = ran / "suites/small/withheld"
     folders = {"candidate_snapshot": "evidence/snapshot.json", "dependencies": "evidence/dependencies.json"}
     folders |= {"judgements": "judgements/rule.json", "captures": "evidence/captures/captures.json"}
-    folders |= {name: f"evidence/{name}.json" for name in ("contacts", "support")}
+    folders |= {name: f"evidence/{name}.json" for name in ("contacts", "support", "navigation")}
     folders |= {"evidence_listing": "evidence/digests/export.json"}
     withheld = {"input_snapshot": "input.snapshot.json", "truth_snapshot": "truth.snapshot.json"}
     withheld |= {"requirements": "requirements.bundle.json", "binding": "binding.json"}
