@@ -22,7 +22,7 @@ from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption
 from cases.model import GROUP_OF_KIND, CaseView, RepairCase, SourceScene, SuiteDefinition, difficulty_of
 from cases.natural import LARGEST_CM
 from cases.recipe import Kind
-from cases.standing import snapshot_of, unscored, unsound
+from cases.standing import losing, snapshot_of, unscored
 from cases.views import orbit
 
 KINDS: tuple[Kind, ...] = ("removal", "move", "rotate", "rescale", "insertion", "duplication", "replacement", "mirror")
@@ -121,7 +121,7 @@ def sound_things(level: Level, packs: Sequence[Path]) -> list[SoundThing]:
     Raises ``MachineryFault`` when the engine cannot export the scene.
     """
     snapshot = snapshot_of(level, packs)
-    bad = unsound(snapshot) | unscored(snapshot)
+    bad = losing(snapshot) | unscored(snapshot)
     known = {actor.name: actor for actor in level.actors if actor.class_path == STATIC_MESH_ACTOR}
     boxes = {
         actor["name"]: (actor["bounds"]["origin_cm"], actor["bounds"]["extent_cm"], actor.get("label"))

@@ -31,14 +31,23 @@ def snapshot_of(level: Level, packs: Sequence[Path]) -> dict[str, Any]:
 def unsound(snapshot: dict[str, Any]) -> set[str]:
     """Names and labels of actors that float, cannot be told to stand, or sink into others, were each of them edited.
 
-    Both ways to tell what stands count: the published rule, which is scored, and the bodies near an actor.
+    What stands is told by the bodies near an actor.
     """
+    return _faulty(snapshot, ("near_bodies",))
+
+
+def losing(snapshot: dict[str, Any]) -> set[str]:
+    """Those that would lose points if they were edited: also what the published rule of support calls floating."""
+    return _faulty(snapshot, ("floating", "near_bodies"))
+
+
+def _faulty(snapshot: dict[str, Any], tellers: Sequence[str]) -> set[str]:
     measured = _alone(snapshot)
     leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
     return {
         *(
             name
-            for leaf in ("floating", "near_bodies")
+            for leaf in tellers
             for state in ("floating_actors", "unresolved_actors")
             for name in leaves[leaf][state]
         ),

@@ -100,6 +100,8 @@ def _scene(source: str, name: str, out: Path) -> tuple[Level, str, Sequence[str]
     from catalog.ingest.folder import ingest
 
     place = Path(source)
+    if not source.strip():
+        raise BadInput("there is no such folder, file, scene or pack", where=repr(source))
     if (suites_root() / source / IMPORTED_SCENE).is_file():
         return imported_scene(suites_root(), packs_root(), source), source, (source,)
     if place.is_file():
@@ -201,7 +203,7 @@ def preview(
 
 
 def freeze(name: Built, json_output: Json = False) -> None:
-    """Freeze a reviewed suite. Exit 2 with all that it lacks: reviews, licences, permission for AI use."""
+    """Freeze a reviewed suite. Exit 1 with all that it lacks: reviews, licences, permission for AI use."""
     from cases.workshop.freezing import NotFrozen
     from cases.workshop.freezing import freeze as frozen_of
 
@@ -213,7 +215,8 @@ def freeze(name: Built, json_output: Json = False) -> None:
             print_json({"suite": name, "frozen": False, "gaps": [asdict(gap) for gap in error.gaps]})
         else:
             print_table(["of", "lacks"], [[gap.of, gap.lacks] for gap in error.gaps], most=4 * SHOWN)
-        raise
+            say(error.line())
+        raise typer.Exit(1) from None
     if json_output:
         print_json({"suite": name, "frozen": True, **frozen.plain()})
         return

@@ -28,7 +28,7 @@ def keys(made: MadeWarehouse) -> Iterable[tuple[str, TrialKey]]:
                     yield (
                         judge,
                         TrialKey(
-                            trial_id=f"{judge}/{name}/{case['case_id']}/{repeat}",
+                            trial_id=made.key(name, judge, case, repeat)["trial_id"],
                             run_id=SUITE,
                             suite=SUITE,
                             suite_digest="d" * 64,

@@ -85,8 +85,7 @@ class CoverageGate:
     def passed(self, rows: pd.DataFrame) -> pd.DataFrame:
         """Those of some rows, with ``visibility`` and ``configuration``, that are of complete configurations."""
         pairs = zip(rows["visibility"], rows["configuration"], strict=True)
-        held = np.array([pair in self.complete for pair in pairs], dtype=bool)
-        return rows[held].reset_index(drop=True)
+        return rows[np.array([pair in self.complete for pair in pairs], dtype=bool)].reset_index(drop=True)
 
 
 def coverage_gate(chosen: pd.DataFrame, options: StudyOptions, settings: Sequence[str]) -> CoverageGate:
