@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.files import digest, read_json, write_json, write_text
+from c4s.files import read_json, write_json, write_text
 from c4s.folders import beside, put_folder
 from c4s.packs.check import check_pack
 from c4s.packs.store import PackStore
@@ -35,6 +35,7 @@ from cases.binding import freeze_binding
 from cases.boxes import Boxes, boxes_of
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import id_of, with_identities
+from cases.definition import definition_digest
 from cases.losses import told, truth_losses
 from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.natural import lived_in, plans_of, rebased, rounded, settled_spawns
@@ -47,8 +48,6 @@ from cases.standing import settled
 from cases.veil import Veil
 from cases.views import cameras_record, changed, targets_record
 
-BUILDER_VERSION = 6
-"""Part of the definition's digest: raise it when the same definition is built into other files."""
 STAMP = "build.json"
 """Beside ``suite.json``: the digest of the definition that the suite was built from, and what its truth loses."""
 SPARE = 1.5
@@ -67,30 +66,6 @@ def truth_package(scene_id: str) -> str:
 def least_actors(truth_actors: int) -> int:
     """Integrity of a repair case: a submission must keep at least half of the original's actors."""
     return max(1, truth_actors // 2)
-
-
-def definition_digest(definition: SuiteDefinition, packs: Sequence[PackRef]) -> str:
-    """SHA-256 of all that a built suite depends on."""
-    return digest(
-        {
-            "builder": BUILDER_VERSION,
-            "suite": [definition.suite_id, definition.title, definition.description],
-            "packs": [pack.plain() for pack in packs],
-            "scenes": [
-                [scene.scene_id, scene.environment, scene.level.plain(), list(scene.packs)]
-                for scene in definition.scenes
-            ],
-            "cases": [_case_digest(case) for case in definition.cases],
-            **({"authors": dict(definition.authors)} if definition.authors else {}),
-            **({} if definition.most is None else {"most": definition.most}),
-        }
-    )
-
-
-def _case_digest(case: RepairCase | TextCase) -> str:
-    if isinstance(case, RepairCase):
-        return digest([repr(case), [operation.model_dump(mode="json", by_alias=True) for operation in case.operations]])
-    return digest(repr(case))
 
 
 def build_suite(

@@ -10,8 +10,9 @@ import pytest
 from c4s.packs.suite_check import suite_changes
 from c4s.records.pack import Pack
 from c4s.records.suite import PackRef, SuiteFolder
+from cases.definition import definition_digest
 from cases.starter.suite import SUITE_ID, build_starter, definition
-from cases.suite import STAMP, definition_digest
+from cases.suite import STAMP
 from catalog.starter import STARTER
 from tests.house.tree import ROOT
 

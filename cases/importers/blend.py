@@ -14,7 +14,7 @@ from string import Template
 
 from c4s.errors import BadInput
 from cases.importers.gltf import read_tree
-from cases.importers.scene import ImportedScene
+from cases.importers.imported import ImportedScene
 
 BLENDER = "blender"
 TIMEOUT_S = 600

@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 
 from c4s.errors import BadInput
-from cases.importers.scene import ImportedScene, Matrix, SceneActor, SceneAsset, SceneCamera, SceneLight
+from cases.importers.imported import ImportedScene, Matrix, SceneActor, SceneAsset, SceneCamera, SceneLight
 from catalog.ingest.gltf_file import GltfFile
 from catalog.ingest.gltf_tree import GltfTree, Placed, PlacedRecord
 from catalog.ingest.source import GLTF, TO_UNREAL, gltf_parts, part_of

@@ -12,7 +12,8 @@ from c4s.errors import BadInput
 from c4s.names import check_written, checked_id, place_in
 from cases.importers.blend import read_blend
 from cases.importers.gltf import read_tree
-from cases.importers.scene import ImportedScene, write_scene
+from cases.importers.imported import ImportedScene
+from cases.importers.scene import write_scene
 from cases.importers.sdf import read_sdf, scene_root
 from cases.importers.table import read_table
 from catalog.ingest.collision import How, HullChoice

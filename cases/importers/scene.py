@@ -2,29 +2,24 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from fnmatch import fnmatch
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from c4s.errors import BadInput
 from c4s.files import json_text, read_json, write_json
-from c4s.geometry.transform import rotator_from_quat
 from c4s.names import place_in
 from c4s.packs.check import check_pack
-from c4s.records.level import Level, LevelActor, LevelComponent, Transform
-from c4s.records.pack import CollisionBody
+from c4s.records.level import Level
 from c4s.records.suite import IMPORTED_SCENE
-from c4s.render.textures import srgb_bytes
-from cases.corruption import STATIC_MESH_ACTOR, STATIC_MESH_COMPONENT, guid_of, with_identities
+from cases.corruption import with_identities
 from cases.importers.collision import scene_collision
+from cases.importers.imported import ImportedScene, SceneActor, SceneAsset
+from cases.importers.level_actors import actors_of, cameras_of, lights_of
 from cases.importers.wild import wild
 from catalog.ingest.collision import AssetCollision, HullChoice
 from catalog.ingest.colours import colours_of
@@ -36,118 +31,11 @@ from catalog.ingest.units import check_units, odd_sizes, words
 from catalog.ingest.vocabulary import kind_of, readable, search_words
 from catalog.ingest.writer import PackWriter, identifier
 
-Matrix = NDArray[np.float64]
 REPORT = "import.json"
-PLACE_DIGITS = 7
-"""Of angles (degrees) and scale factors: a corner 100 m from its pivot stays within a thousandth of a millimetre."""
 GROUND, GROUND_BEYOND_CM, GROUND_CM, GROUND_COLOR = "c4s|ground", 400.0, 4.0, (0.23, 0.24, 0.2)
 GROUND_GAP_CM = 0.2
 """What stands on a ground that was laid stands so far above it: what sinks by a rounding error counts as floating."""
 AUTOMATIC = HullChoice()
-
-
-@dataclass
-class SceneAsset:
-    """A mesh that actors share: parts in cm and Unreal's axes about its pivot.
-
-    ``ground``: its bodies are slabs under its surface, which nothing is to be seen of.
-    """
-
-    name: str
-    parts: list[SourcePart]
-    collision: list[CollisionBody] = field(default_factory=list)
-    ground: bool = False
-
-
-@dataclass
-class SceneActor:
-    """A placed mesh: its path in the source (``Cafe/chair_1``), its asset's key, its matrix (cm, Unreal's axes).
-
-    ``movable``: the source says that it is not fixed to its place.
-    """
-
-    path: str
-    asset: str
-    matrix: Matrix
-    movable: bool = False
-
-
-@dataclass
-class SceneLight:
-    """A light: world matrix (it shines along X), linear colour and strength as in the engine.
-
-    ``units`` of a point or spot light, the engine's own measure when left out; ``cone_deg`` are the inner and outer
-    half angles of a spot light.
-    """
-
-    path: str
-    kind: Literal["point", "spot", "directional"]
-    matrix: Matrix
-    color: tuple[float, float, float] = (1.0, 1.0, 1.0)
-    intensity: float = 1.0
-    radius_cm: float = 1000.0
-    units: Literal["CANDELAS"] | None = None
-    cone_deg: tuple[float, float] | None = None
-
-
-@dataclass
-class SceneCamera:
-    """A camera: world matrix (it looks along X), horizontal field of view in degrees, width over height."""
-
-    path: str
-    matrix: Matrix
-    fov_deg: float
-    aspect: float
-
-
-@dataclass
-class ImportedScene:
-    """A scene as an importer read it. ``skipped`` names what is not in it and why."""
-
-    metric: bool = False
-    """The format itself says that its unit is the metre."""
-    assets: dict[str, SceneAsset] = field(default_factory=dict)
-    actors: list[SceneActor] = field(default_factory=list)
-    lights: list[SceneLight] = field(default_factory=list)
-    cameras: list[SceneCamera] = field(default_factory=list)
-    skipped: list[dict[str, str]] = field(default_factory=list)
-    notes: list[dict[str, str]] = field(default_factory=list)
-
-    def skip(self, name: str, reason: str, kind: str = "") -> None:
-        """Record that something of the source is left out; what has one ``kind`` is told together.
-
-        Without one it is the reason, its quoted names left out.
-        """
-        self.skipped.append({"name": name, "reason": reason, "kind": _kind(kind or reason)})
-
-    def note(self, name: str, text: str) -> None:
-        """Record something about what was read, once."""
-        row = {"name": name, "note": text}
-        if row not in self.notes:
-            self.notes.append(row)
-
-
-def _kind(reason: str) -> str:
-    """A reason without what it says of one thing alone: quoted names, what stands in brackets or behind a colon."""
-    return " ".join(re.sub(r"'[^']*'|\([^)]*\)|: .*", " ", reason).split()) or reason
-
-
-def place(matrix: Matrix) -> tuple[Transform, bool]:
-    """Location, rotation and scale of a matrix, and whether it has a shear that these cannot hold."""
-    scale = np.linalg.norm(matrix[:3, :3], axis=0)
-    if not np.isfinite(matrix).all() or scale.min() < 1e-9:
-        raise BadInput("an actor's transform has a number that is not finite, or a scale of nothing")
-    axes = matrix[:3, :3] / scale
-    if np.linalg.det(axes) < 0:
-        scale[0], axes[:, 0] = -scale[0], -axes[:, 0]
-    sheared = bool(np.abs(axes.T @ axes - np.eye(3)).max() > 1e-3)
-    u, _, v = np.linalg.svd(axes)
-    rotation = rotator_from_quat(Rotation.from_matrix(u @ v).as_quat().tolist())
-    place = [
-        tuple(round(float(value), digits) + 0.0 for value in values)
-        for values, digits in ((matrix[:3, 3], 4), (rotation, PLACE_DIGITS), (scale, PLACE_DIGITS))
-    ]
-    return Transform(location_cm=place[0], rotation_deg=place[1], scale=place[2]), sheared
 
 
 def under(scene: ImportedScene, kept: Sequence[SceneActor]) -> tuple[SceneAsset, SceneActor]:
@@ -244,7 +132,11 @@ def write_scene(
         level = with_identities(
             Level(
                 package=f"/Game/{writer.folder_name}/Maps/{identifier(suite_id)}",
-                actors=[*_actors(scene, kept, paths, suite_id), *_cameras(scene, suite_id), *_lights(scene, suite_id)],
+                actors=[
+                    *actors_of(scene, kept, paths, suite_id),
+                    *cameras_of(scene, suite_id),
+                    *lights_of(scene, suite_id),
+                ],
             ),
             suite_id,
         )
@@ -307,110 +199,3 @@ def imported_scene(suites: Path, packs: Path, name: str) -> Level:
         raise BadInput("the file has changed since the scene was imported", where=str(path), todo=todo)
     check_pack(packs / name, report.get("pack_sha256"))
     return level
-
-
-def _actors(scene: ImportedScene, kept: list[SceneActor], paths: dict[str, str], suite_id: str) -> list[LevelActor]:
-    names: Counter[str] = Counter()
-    actors = []
-    for actor in kept:
-        try:
-            transform, sheared = place(actor.matrix)
-        except BadInput as error:
-            scene.skip(actor.path, error.what)
-            continue
-        if sheared:
-            scene.note(actor.path, "its shear is left out")
-        name = _unique(identifier(re.sub(r"(?<![A-Za-z0-9])-(?=[0-9])", "minus", actor.path)), names)
-        properties = {"mobility": "MOVABLE"} if actor.movable else {}
-        actors.append(
-            LevelActor(
-                name=name,
-                label=name,
-                class_path=STATIC_MESH_ACTOR,
-                guid=guid_of(f"{suite_id}|{name}"),
-                transform=transform,
-                folder=actor.path.rpartition("/")[0],
-                components=[
-                    LevelComponent(
-                        name="StaticMeshComponent0",
-                        class_path=STATIC_MESH_COMPONENT,
-                        static_mesh=paths[actor.asset],
-                        properties=properties,
-                    )
-                ],
-            )
-        )
-    return actors
-
-
-def _cameras(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
-    names: Counter[str] = Counter()
-    actors = []
-    for camera in scene.cameras:
-        name = _unique(identifier(f"Camera_{camera.path.rpartition('/')[2]}"), names)
-        actors.append(
-            LevelActor(
-                name=name,
-                label=name,
-                class_path="/Script/Engine.CameraActor",
-                guid=guid_of(f"{suite_id}|{name}"),
-                transform=place(camera.matrix)[0],
-                components=[
-                    LevelComponent(name="SceneComponent", class_path="/Script/Engine.SceneComponent"),
-                    LevelComponent(
-                        name="CameraComponent",
-                        class_path="/Script/Engine.CameraComponent",
-                        properties={"field_of_view": camera.fov_deg, "aspect_ratio": camera.aspect},
-                    ),
-                ],
-            )
-        )
-    return actors
-
-
-def _lights(scene: ImportedScene, suite_id: str) -> list[LevelActor]:
-    """The scene's lights; where it has no sun, a sun and a sky that make an indoor scene readable."""
-    lights = list(scene.lights)
-    if not any(light.kind == "directional" for light in lights):
-        down = np.eye(4)
-        down[:3, :3] = Rotation.from_euler("ZY", [35, 60], degrees=True).as_matrix()
-        lights.append(SceneLight("LightSun", "directional", down, intensity=4.0))
-    names: Counter[str] = Counter()
-    actors = []
-    for light in lights:
-        kind = {"point": "PointLight", "spot": "SpotLight", "directional": "DirectionalLight"}[light.kind]
-        properties: dict[str, Any] = {"intensity": light.intensity, "light_color": [*_srgb_bytes(light.color), 255]}
-        if light.kind != "directional":
-            properties["attenuation_radius"] = light.radius_cm
-        if light.units is not None:
-            properties["intensity_units"] = light.units
-        if light.cone_deg is not None:
-            properties |= {"inner_cone_angle": light.cone_deg[0], "outer_cone_angle": light.cone_deg[1]}
-        name = _unique(identifier(f"Light_{light.path.removeprefix('Light')}"), names)
-        actors.append(_light(name, kind, place(light.matrix)[0], properties, suite_id))
-    return [*actors, _light("Light_Sky", "SkyLight", Transform(), {"intensity": 1.0}, suite_id)]
-
-
-def _srgb_bytes(color: tuple[float, float, float]) -> list[int]:
-    """Linear colour as the engine keeps that of a light."""
-    return [int(value) for value in srgb_bytes(np.asarray(color, dtype=np.float32))]
-
-
-def _light(name: str, kind: str, transform: Transform, properties: dict[str, Any], suite_id: str) -> LevelActor:
-    component = "SkyLightComponent0" if kind == "SkyLight" else "LightComponent0"
-    return LevelActor(
-        name=name,
-        label=name,
-        class_path=f"/Script/Engine.{kind}",
-        guid=guid_of(f"{suite_id}|{name}"),
-        transform=transform,
-        components=[
-            LevelComponent(name=component, class_path=f"/Script/Engine.{kind}Component", properties=properties)
-        ],
-    )
-
-
-def _unique(name: str, names: Counter[str]) -> str:
-    names[name.lower()] += 1
-    number = names[name.lower()]
-    return name if number == 1 else _unique(f"{re.sub(r'_x[0-9]+$', '', name)}_x{number}", names)

@@ -19,7 +19,7 @@ import numpy as np
 
 from c4s.errors import BadInput
 from c4s.files import digest
-from cases.importers.scene import ImportedScene, SceneActor, SceneAsset
+from cases.importers.imported import ImportedScene, SceneActor, SceneAsset
 from cases.importers.sdf_frames import Frames, Matrix, merged, numbers, pose
 from cases.importers.sdf_library import PLACEABLE, SdfFiles, SdfLibrary, read_tree, uri_of
 from cases.importers.sdf_lights import light_of

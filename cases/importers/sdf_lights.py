@@ -8,7 +8,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from c4s.errors import BadInput
-from cases.importers.scene import SceneLight
+from cases.importers.imported import SceneLight
 from cases.importers.sdf_frames import Matrix, numbers
 from cases.importers.sdf_shapes import to_unreal
 

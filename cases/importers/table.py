@@ -15,7 +15,7 @@ import numpy as np
 from c4s.errors import BadInput
 from c4s.files import read_plain_text
 from c4s.names import file_in
-from cases.importers.scene import ImportedScene, Matrix, SceneActor, SceneAsset
+from cases.importers.imported import ImportedScene, Matrix, SceneActor, SceneAsset
 from cases.importers.sdf_frames import numbers, rigid
 from cases.importers.sdf_shapes import to_unreal
 from catalog.ingest.source import read_source

@@ -19,8 +19,8 @@ from c4s.geometry.transform import affine
 from c4s.packs.store import PackStore
 from c4s.records.level import Level
 from cases.corruption import id_of
+from cases.importers.imported import place
 from cases.importers.importing import import_scene
-from cases.importers.scene import place
 from tests.shared import SHARED
 
 SCENES = SHARED / "assets/scenes"
