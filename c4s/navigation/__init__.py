@@ -21,6 +21,7 @@ __all__ = [
     "judge_walk",
     "measure",
     "measure_snapshot",
+    "rectangles",
     "selection",
     "solids",
     "space",
