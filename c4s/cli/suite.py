@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from c4s.cli import asking, requirements, workshop
+from c4s.cli import asking, requirements, selecting, workshop
 from c4s.cli.hulls import Hulls, HullsOf, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
@@ -34,6 +34,7 @@ app.command("review")(asking.review)
 app.command("freeze")(workshop.freeze)
 app.command("diff")(workshop.diff)
 app.command("stats")(workshop.stats)
+app.command("select")(selecting.select_cases)
 app.command("export")(workshop.export)
 Replace = Annotated[
     bool, typer.Option("--replace", help="replace what lies under this name and is another, or was changed")
