@@ -30,7 +30,7 @@ PNG_TEXT: Final = frozenset({b"tEXt", b"zTXt", b"iTXt", b"eXIf", b"tIME"})
 
 
 @dataclass(frozen=True)
-class Leak:
+class PackageLeak:
     """Something that an agent could read and must not."""
 
     case_id: str
@@ -159,13 +159,13 @@ CHECKS: Final[Mapping[str, Callable[[Package], Found]]] = {
 """By kind of leak, in the paper's order."""
 
 
-def leaks(suite: SuiteFolder) -> list[Leak]:
+def leaks(suite: SuiteFolder) -> list[PackageLeak]:
     """All leaks of a built suite, in the order of its cases and of the checks.
 
     ``BadInput`` for a link or a damaged file, which is refused before anything is looked for.
     """
     return [
-        Leak(line.case_id, kind, file, problem)
+        PackageLeak(line.case_id, kind, file, problem)
         for line in suite.suite().cases
         for package in [_package(suite, line.case_id, line.alias)]
         for kind, check in CHECKS.items()
@@ -173,7 +173,7 @@ def leaks(suite: SuiteFolder) -> list[Leak]:
     ]
 
 
-def check_leaks(found: list[Leak]) -> None:
+def check_leaks(found: list[PackageLeak]) -> None:
     """``BadInput`` where there is one, with the first and their number."""
     if found:
         first = found[0]

@@ -15,7 +15,7 @@ from c4s.numbers import half_up
 
 if TYPE_CHECKING:
     from cases.workshop.document import SelectionFile
-    from warehouse.analyses.choosing import ChosenSet, Selection
+    from warehouse.analyses.choosing import ChosenSet, NestedSets
 
 
 def select_cases(
@@ -91,7 +91,7 @@ def select_cases(
         say(f"{out}: {len(chosen.cases)} public cases. next: `visibility: {out.name}` in the suite.yaml beside it")
 
 
-def _file(selection: Selection, chosen: ChosenSet) -> SelectionFile:
+def _file(selection: NestedSets, chosen: ChosenSet) -> SelectionFile:
     from cases.workshop.document import SelectionFile, SelectionSet
 
     public = set(chosen.cases)
@@ -116,7 +116,7 @@ def _yaml(file: SelectionFile) -> str:
     return str(yaml.safe_dump(file.plain(), sort_keys=False, allow_unicode=True))
 
 
-def _show(selection: Selection, chosen: ChosenSet) -> None:
+def _show(selection: NestedSets, chosen: ChosenSet) -> None:
     print_table(
         ["set", *(pool.setting for pool in selection.pools), "largest error", "public"],
         [

@@ -80,7 +80,7 @@ class MethodError:
 
 
 @dataclass(frozen=True)
-class Selection:
+class NestedSets:
     """Nested sets, the smallest first, and what they and their rivals err by."""
 
     suite: str
@@ -181,7 +181,7 @@ def select(
     *,
     withdrawn: Sequence[str] = (),
     seed: int,
-) -> Selection:
+) -> NestedSets:
     """Choose nested sets greedily and hold them against rivals, each configuration left out in turn.
 
     Args:
@@ -207,7 +207,7 @@ def select(
     sets = [_chosen(pools, orders, counts) for counts in sizes]
     left = [_without(pool, taken) for pool in pools]
     errors = [_error(left, counts, method, seed) for counts in sizes for method in METHODS]
-    return Selection(scope.suite, scope.suite_digest, list(pools), sets, errors, taken)
+    return NestedSets(scope.suite, scope.suite_digest, list(pools), sets, errors, taken)
 
 
 def _replaced(
