@@ -9,8 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from c4s.cli import asking, requirements, workshop
-from c4s.cli.auditing import audit_suite
+from c4s.cli import asking, auditing, requirements, selecting, workshop
 from c4s.cli.hulls import Hulls, HullsOf, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
@@ -27,13 +26,14 @@ app = typer.Typer(help="Suites: build, list, show, check, import.", no_args_is_h
 importing = typer.Typer(help="Bring other layouts in as a suite.", no_args_is_help=True)
 app.add_typer(importing, name="import")
 app.add_typer(requirements.app, name="requirements")
-app.command("audit")(audit_suite)
 app.command("new")(workshop.new)
 app.command("preview")(workshop.preview)
 app.command("review")(asking.review)
 app.command("freeze")(workshop.freeze)
 app.command("diff")(workshop.diff)
 app.command("stats")(workshop.stats)
+app.command("audit")(auditing.audit_suite)
+app.command("select")(selecting.select_cases)
 app.command("export")(workshop.export)
 Replace = Annotated[
     bool, typer.Option("--replace", help="replace what lies under this name and is another, or was changed")

@@ -41,6 +41,54 @@ def greedy_order(values: Floats) -> Integers:
     return np.array(order, dtype=np.int64)
 
 
+def normalised_error(values: Floats, chosen: Integers) -> float:
+    """The largest error of a column's mean over some cases, in deviations of means of random sets of that size.
+
+    Args:
+        values: shape (cases, columns). Columns of equal numbers say nothing.
+        chosen: places of the cases, each once. All of them err by nothing.
+    """
+    cases, size = values.shape[0], len(chosen)
+    if size == cases:
+        return 0.0
+    spread = values.std(axis=0, ddof=1) * np.sqrt(1 / size - 1 / cases)
+    error = np.abs(values[chosen].mean(axis=0) - values.mean(axis=0))
+    return float((error[spread > 0] / spread[spread > 0]).max(initial=0.0))
+
+
+def replaced(values: Floats, order: Integers, withdrawn: int, size: int) -> Integers:
+    """An order without a case; in the set of one size another takes its place, so no case of that set runs again.
+
+    The one that takes its place is that after which the set's largest error is least, held against the cases that
+    remain. Sets are the order's beginnings as before, so they stay nested.
+
+    Args:
+        values: shape (cases, columns), the withdrawn case's among them.
+        order: places of all cases, as ``greedy_order`` gives them.
+        withdrawn: place of the case.
+        size: of the set that keeps its size.
+    """
+    place = int(np.flatnonzero(order == withdrawn)[0])
+    waiting = order[size:]
+    if place >= size or not len(waiting):
+        return np.delete(order, place)
+    left = np.delete(np.arange(len(values)), withdrawn)
+    renamed = np.searchsorted(left, order)
+    kept = np.delete(renamed[:size], place)
+    errors = [normalised_error(values[left], np.append(kept, one)) for one in renamed[size:]]
+    taken = int(waiting[int(np.argmin(errors))])
+    return np.concatenate([order[:place], [taken], order[place + 1 : size], waiting[waiting != taken]])
+
+
+def apportioned(size: int, counts: Sequence[int]) -> list[int]:
+    """A size shared out by numbers of cases (Sainte-Laguë), so that larger sizes hold smaller ones."""
+    given = [0] * len(counts)
+    for _ in range(min(size, sum(counts))):
+        claims = [count / (2 * had + 1) if had < count else -1.0 for had, count in zip(given, counts, strict=True)]
+        given[int(np.argmax(claims))] += 1
+    return given
+
+
 def plain(cases: int, chosen: Integers) -> Floats:
     """The choice of some cases at equal shares, shape (1, cases)."""
     shares = np.zeros((1, cases))

@@ -181,6 +181,30 @@ class TextCaseEntry(Record):
     author: Name | None = None
 
 
+class SelectionSet(Record):
+    """One of the nested sets."""
+
+    size: int = Field(ge=1)
+    cases: list[Name]
+
+
+class SelectionFile(Record):
+    """What ``c4s suite select`` writes: which cases of a suite are public, chosen by scores."""
+
+    schema_version: Literal["c4s.selection.v1"] = "c4s.selection.v1"
+    suite_id: Name
+    suite_digest: str
+    """Of the build whose scores the cases were chosen by."""
+    pool: dict[str, list[str]]
+    """Configurations by whose scores they were chosen, by setting."""
+    sets: list[SelectionSet]
+    """The smallest first; each holds the smaller ones."""
+    withdrawn: dict[Name, Name | None] = Field(default_factory=dict)
+    """Cases in no set, and what took their place."""
+    visibility: dict[Name, Visibility]
+    """Of each case that is not withdrawn."""
+
+
 class SuiteFile(Record):
     """A suite file (``SuiteDefinition``)."""
 
@@ -191,6 +215,8 @@ class SuiteFile(Record):
     scenes: list[SceneEntry] = Field(min_length=1)
     repairs: list[RepairCaseEntry] = Field(default_factory=list)
     texts: list[TextCaseEntry] = Field(default_factory=list)
+    visibility: InnerPath | None = None
+    """A selection file (``c4s suite select``) beside this one; it goes before what the cases say."""
 
     @property
     def cases(self) -> list[RepairCaseEntry | TextCaseEntry]:

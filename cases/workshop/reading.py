@@ -14,6 +14,7 @@ from c4s.files import read_plain_text, read_yaml
 from c4s.names import file_in
 from c4s.records.base import first_fault
 from c4s.records.level import Level
+from c4s.records.suite import Visibility
 from cases.corruption import Author, Corruption
 from cases.importers.scene import imported_scene
 from cases.model import (
@@ -44,6 +45,7 @@ from cases.workshop.document import (
     Rescale,
     Rotation,
     SceneEntry,
+    SelectionFile,
     SuiteFile,
     TextCaseEntry,
     ViewEntry,
@@ -95,6 +97,7 @@ class _Definition:
     def whole(self) -> SuiteDefinition:
         """Scenes and cases, with every reference resolved."""
         scenes = [self._scene(entry) for entry in self._file.scenes]
+        shown = self._selected()
         known = {scene.scene_id: scene for scene in scenes}
         authors = {scene.scene_id: Author(scene.level, scene.scene_id) for scene in scenes}
 
@@ -103,8 +106,11 @@ class _Definition:
                 raise BadInput(f"no scene {case.scene_id!r} in this file", where=case.case_id)
             return known[case.scene_id]
 
-        repairs = [self._repair(case, of(case), authors[case.scene_id]) for case in self._file.repairs]
-        texts = [self._text(case, of(case)) for case in self._file.texts]
+        repairs = [
+            self._repair(case, of(case), authors[case.scene_id], shown.get(case.case_id, case.visibility))
+            for case in self._file.repairs
+        ]
+        texts = [self._text(case, of(case), shown.get(case.case_id, case.visibility)) for case in self._file.texts]
         return SuiteDefinition(
             suite_id=self._file.suite_id,
             title=self._file.title,
@@ -114,6 +120,21 @@ class _Definition:
             cases=(*repairs, *texts),
             authors={case.case_id: name for case in self._file.cases if (name := self._file.author_of(case))},
         )
+
+    def _selected(self) -> dict[str, Visibility]:
+        """What a selection file says of the cases; nothing without one."""
+        if self._file.visibility is None:
+            return {}
+        path = file_in(self._folder, self._file.visibility)
+        selection = SelectionFile.parse(read_yaml(path, what="selection"), where=str(path))
+        if selection.suite_id != self._file.suite_id:
+            raise BadInput(f"a selection of suite {selection.suite_id!r}", where=str(path))
+        gone = sorted({case.case_id for case in self._file.cases} & set(selection.withdrawn))
+        if gone:
+            raise BadInput(
+                f"{gone[0]!r} was withdrawn by the selection", where=str(path), todo="take it out of the suite file"
+            )
+        return selection.visibility
 
     def _scene(self, entry: SceneEntry) -> SourceScene:
         imported = not entry.level.endswith(LEVEL_SUFFIX)
@@ -127,7 +148,7 @@ class _Definition:
         title = entry.title or entry.scene_id.replace("-", " ").capitalize()
         return SourceScene(entry.scene_id, entry.environment, title, level, packs)
 
-    def _repair(self, case: RepairCaseEntry, scene: SourceScene, author: Author) -> RepairCase:
+    def _repair(self, case: RepairCaseEntry, scene: SourceScene, author: Author, visibility: Visibility) -> RepairCase:
         changes = [_made(author, case.case_id, number, one) for number, one in enumerate(case.corruptions, 1)]
         kinds: list[Kind] = [made.kind for made in changes]
         group: Group = case.group or GROUP_OF_KIND[kinds[0]]
@@ -143,10 +164,10 @@ class _Definition:
             setting="image-to-scene/indoor" if scene.environment == "indoor" else "image-to-scene/outdoor",
             prompt=case.prompt,
             budget=case.budget,
-            visibility=case.visibility,
+            visibility=visibility,
         )
 
-    def _text(self, case: TextCaseEntry, scene: SourceScene) -> TextCase:
+    def _text(self, case: TextCaseEntry, scene: SourceScene, visibility: Visibility) -> TextCase:
         asked = case.requirements
         if not isinstance(asked, RequirementsEntry):
             path = file_in(self._folder, asked)
@@ -165,7 +186,7 @@ class _Definition:
             ground=tuple(case.ground),
             minimum_actors=case.minimum_actors,
             budget=case.budget or TEXT_BUDGET,
-            visibility=case.visibility,
+            visibility=visibility,
         )
 
 

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 import numpy as np
+import pandas as pd
 
 from c4s.errors import BadInput, unknown
 from c4s.protocol.settings import SETTINGS, Setting, is_construction
@@ -43,20 +44,18 @@ def compute(frames: Frames, options: StudyOptions) -> Findings:
     if len(places) < LEAST:
         raise BadInput(f"a selection needs {LEAST} complete configurations, there are {len(places)}")
     settings = [setting for setting in SETTINGS if setting in table.settings]
-    strata = trials.assign(stratum=trials["operation_group"].fillna(trials["scene_id"]))
-    strata = strata.drop_duplicates("case_id")
-    stratum_of = dict(zip(strata["case_id"].astype(str), strata["stratum"].astype(str), strict=True))
+    stratum_of = strata_of(trials)
     made: dict[str, Predicted | None]
     rows: list[dict[str, Value]] = []
     for share in SHARES:
         for method in METHODS:
             made = {s: _predicted(table, s, places, method, share, stratum_of, options.seed) for s in settings}
-            rows.append({"method": method, "share": share, **_row(made)})
+            rows.append({"method": method, "share": share, **errors_of(made)})
     if set(trials["visibility"]) == set(SETS):
         public = set(trials.loc[trials["visibility"] == SETS[0], "case_id"])
         made = {setting: _of_public(table, setting, places, public) for setting in settings}
         if None not in made.values():
-            rows.append({"method": "the public set", "share": len(public) / len(table.cases), **_row(made)})
+            rows.append({"method": "the public set", "share": len(public) / len(table.cases), **errors_of(made)})
     columns = [
         Column(name="method", title="method"),
         Column(name="share", title="share of the cases", unit="share", decimals=2),
@@ -97,7 +96,7 @@ Predicted = tuple[int, Floats, Floats]
 """Number of cases; means by chosen cases, shape (draws, configurations, columns); means of all cases."""
 
 
-def _values(table: CaseTable, setting: Setting, places: Sequence[int]) -> Floats:
+def values_of(table: CaseTable, setting: Setting, places: Sequence[int]) -> Floats:
     """The setting's cases, shape (cases, configurations, columns); the first column is the total."""
     parts = ("semantic", "physical") if is_construction(setting) else ("repair_f1", "physical")
     own = np.array(table.settings) == setting
@@ -113,13 +112,13 @@ def _predicted(
     stratum_of: Mapping[str, str],
     seed: int,
 ) -> Predicted:
-    values = _values(table, setting, places)
+    values = values_of(table, setting, places)
     size = max(1, round(share * len(values)))
     strata = [stratum_of[case] for case, own in zip(table.cases, table.settings, strict=True) if own == setting]
-    return size, left_out(values, _method(method, size, strata, seed)), values.mean(axis=0)
+    return size, left_out(values, method_named(method, size, strata, seed)), values.mean(axis=0)
 
 
-def _method(method: str, size: int, strata: Sequence[str], seed: int) -> Choose:
+def method_named(method: str, size: int, strata: Sequence[str], seed: int) -> Choose:
     """How a pool's values choose cases."""
 
     def chosen(values: Floats) -> Floats:
@@ -137,8 +136,14 @@ def _method(method: str, size: int, strata: Sequence[str], seed: int) -> Choose:
     return chosen
 
 
+def strata_of(trials: pd.DataFrame) -> dict[str, str]:
+    """The stratum of each case: its group of operations, or its scene."""
+    strata = trials.assign(stratum=trials["operation_group"].fillna(trials["scene_id"])).drop_duplicates("case_id")
+    return dict(zip(strata["case_id"].astype(str), strata["stratum"].astype(str), strict=True))
+
+
 def _of_public(table: CaseTable, setting: Setting, places: Sequence[int], public: set[str]) -> Predicted | None:
-    values = _values(table, setting, places)
+    values = values_of(table, setting, places)
     own = [case in public for case, of in zip(table.cases, table.settings, strict=True) if of == setting]
     chosen = np.flatnonzero(own)
     if not len(chosen):
@@ -146,7 +151,7 @@ def _of_public(table: CaseTable, setting: Setting, places: Sequence[int], public
     return len(chosen), np.tensordot(plain(len(values), chosen), values, axes=1), values.mean(axis=0)
 
 
-def _row(made: Mapping[str, Predicted | None]) -> dict[str, Value]:
+def errors_of(made: Mapping[str, Predicted | None]) -> dict[str, Value]:
     """Errors over the settings, each the same weight."""
     known = {setting: found for setting, found in made.items() if found is not None}
     errors = {setting: np.abs(told - truth).mean(axis=(0, 1)) for setting, (_, told, truth) in known.items()}
