@@ -7,7 +7,7 @@ floating actor its gap, for one that cannot be judged the reason. Lengths in cm.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,12 +26,18 @@ MOST_NAMED = 5
 """Losses that a terminal names; a report has all."""
 
 
-def truth_losses(folder: SuiteFolder, packs_root: Path) -> dict[str, Any]:
-    """Physics of every case's truth: ``cases`` with score and losses, and their sums."""
+def truth_losses(folder: SuiteFolder, packs_root: Path, whole: Container[str] = ()) -> dict[str, Any]:
+    """Physics of every case's truth: ``cases`` with score and losses, and their sums.
+
+    ``whole``: ids of cases whose truth was measured already and loses nothing.
+    """
     suite = folder.suite()
     store = PackStore([packs_root / pack.pack_id for pack in suite.packs])
     cases: list[dict[str, Any]] = []
     for case in suite.cases:
+        if case.case_id in whole:
+            cases.append({"case_id": case.case_id, "score": 1.0, "losses": []})
+            continue
         withheld = WithheldFolder(folder.withheld(case.case_id))
         start = None if is_construction(case.setting) else read_json(withheld.input_snapshot)
         score, losses = losses_of(case.setting, read_json(withheld.truth_snapshot), start, store)

@@ -28,7 +28,16 @@ from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
 from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
 from cases import exports
-from cases.admissible import Refusal, Refused, TargetSighting, looked_at, refusals, sightings
+from cases.admissible import (
+    Refusal,
+    Refused,
+    TargetSighting,
+    looked_at,
+    score_refusals,
+    sight_refusals,
+    sightings,
+    summed,
+)
 from cases.applying import apply
 from cases.audit import audit, check_blind
 from cases.binding import freeze_binding
@@ -43,13 +52,12 @@ from cases.prompts import repair_prompt, text_prompt
 from cases.recipe import Operation, Recipe, SpawnActor
 from cases.requirements import bundle
 from cases.settle import to_build
-from cases.sifting import MadeCase, sifted, summed
+from cases.sifting import MadeCase, sifted
+from cases.stamp import STAMP
 from cases.standing import settled
 from cases.veil import Veil
 from cases.views import cameras_record, changed, targets_record
 
-STAMP = "build.json"
-"""Beside ``suite.json``: the digest of the definition that the suite was built from, and what its truth loses."""
 SPARE = 1.5
 """Where only so many repairs are kept, pictures are taken of this many times as many: some show too little."""
 SCENES_AT_ONCE = 2
@@ -102,7 +110,7 @@ def build_suite(
             list(pool.map(builder.scene, definition.scenes))
         if definition.most is None and builder.refused:
             raise Refused(sorted(builder.refused, key=lambda one: one.case_id))
-        if definition.most is not None and len({one.case_id for one in builder.refused}) == len(definition.cases):
+        if definition.most is not None and not builder.taken:
             raise BadInput(
                 f"none of {len(definition.cases)} made cases is a good one: {summed(builder.refused)}",
                 where=f"{builder.refused[0].case_id}: {builder.refused[0].reason}",
@@ -111,7 +119,7 @@ def build_suite(
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
         refused = [one.plain() for one in builder.refused]
-        losses = truth_losses(folder, packs_root)
+        losses = truth_losses(folder, packs_root, whole=builder.sightings)
         for line in told(losses):
             progress(line)
         made = {"definition": wanted, "physics_of_truth": losses}
@@ -119,17 +127,6 @@ def build_suite(
         write_json(folder.sightings, {name: list(map(asdict, rows)) for name, rows in builder.sightings.items()})
         put_folder(folder.root, root, marker=SUITE)
     return suite
-
-
-def refused_cases(root: Path) -> list[Refusal]:
-    """The made cases that were refused when the suite at ``root`` was built."""
-    return [Refusal(**row) for row in read_json(root / STAMP).get("refused", [])]
-
-
-def losses_of_build(root: Path) -> dict[str, Any] | None:
-    """What a built suite's truth loses to physics, as its build found it; None where its build did not look."""
-    found: dict[str, Any] | None = read_json(root / STAMP).get("physics_of_truth") if (root / STAMP).is_file() else None
-    return found
 
 
 class _Builder:
@@ -185,7 +182,7 @@ class _Builder:
             exported = exports.scene(folders, truth, corrupted, views, told, Path(scratch), self.progress)
             for case in cases:
                 if isinstance(case, RepairCase):
-                    if not self._taken(case, truth, corrupted[case.case_id], exported):
+                    if not self._taken(case, scene, truth, corrupted[case.case_id], exported):
                         continue
                     self._repair(case, scene, truth, corrupted[case.case_id], assets, exported)
                 else:
@@ -212,7 +209,7 @@ class _Builder:
             except BadInput as error:
                 if self.definition.most is None:
                     raise
-                self.refused.append(Refusal(case.case_id, error.what))
+                self.refused.append(Refusal(case.case_id, "unreachable", error.what))
                 continue
             damaged.append(corrupted)
             usable.append(case)
@@ -253,21 +250,26 @@ class _Builder:
         self.refused += refused
         return {case_id: corrupted[case_id] for case_id in good}
 
-    def _taken(self, case: RepairCase, truth: Level, corrupted: Level, exported: exports.Exported) -> bool:
+    def _taken(
+        self, case: RepairCase, scene: SourceScene, truth: Level, corrupted: Level, exported: exports.Exported
+    ) -> bool:
         """Whether a repair is written; how well its changes can be seen, and why it cannot be used, is noted."""
         most = self.definition.most
         if most is not None and self.taken[case.scene_id] == most:
             return False
+        operations, names = self.operations[case.case_id], self.names[case.case_id]
         pairs = zip(case.views, exported.views[case.case_id], exported.start_views[case.case_id], strict=True)
         looks = [looked_at(view.name, original, start) for view, original, start in pairs]
-        operations = self.operations[case.case_id]
-        names = self.names[case.case_id]
-        snapshots = read_json(exported.truth), read_json(exported.inputs[case.case_id])
-        against = refusals(case, operations, truth, corrupted, *snapshots, looks, names)
+        seen = sightings(operations, truth, corrupted, looks, names)
+        original, start = read_json(exported.truth), read_json(exported.inputs[case.case_id])
+        against = sight_refusals(case, operations, truth, corrupted, original, start, seen, names)
+        if most is None:
+            store = PackStore([self.packs_root / pack_id for pack_id in scene.packs])
+            against += score_refusals(case.case_id, case.setting, original, start, store, names)
         self.refused += against
-        if against and most is not None:
+        if against:
             return False
-        self.sightings[case.case_id] = sightings(operations, truth, corrupted, looks, names)
+        self.sightings[case.case_id] = seen
         self.taken[case.scene_id] += 1
         return True
 

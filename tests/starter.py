@@ -11,8 +11,8 @@ from c4s.packs.suite_check import suite_changes
 from c4s.records.pack import Pack
 from c4s.records.suite import PackRef, SuiteFolder
 from cases.definition import definition_digest
+from cases.stamp import STAMP
 from cases.starter.suite import SUITE_ID, build_starter, definition
-from cases.suite import STAMP
 from catalog.starter import STARTER
 from tests.house.tree import ROOT
 

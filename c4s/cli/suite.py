@@ -126,7 +126,7 @@ def check(
         found = suite_changes(folder, told)
         progress.update(task, total=read, completed=read, description=f"{f'{read} files read':51}")
     rows = [{"file": str(change.file), "problem": change.told()} for change in found]
-    from cases.suite import losses_of_build
+    from cases.stamp import losses_of_build
 
     losses = losses_of_build(folder.root)
     if json_output:
@@ -301,10 +301,11 @@ def make_cases(
     """
     import dataclasses
 
+    from cases.admissible import summed
     from cases.generate import generated, sound_things
     from cases.importers.scene import imported_scene
-    from cases.sifting import summed
-    from cases.suite import build_suite, refused_cases
+    from cases.stamp import refused_cases
+    from cases.suite import build_suite
 
     if suite_id is not None and checked_id(suite_id, "suite") == checked_name(scene, "scene"):
         raise BadInput("the suite cannot have the scene's own id", where=f"--id {scene}")
@@ -348,7 +349,7 @@ def _is_file(name: str) -> bool:
 
 
 def _tell(suite: Suite, root: Path, json_output: bool, more: Mapping[str, object] = MappingProxyType({})) -> None:
-    from cases.suite import losses_of_build
+    from cases.stamp import losses_of_build
 
     losses = losses_of_build(root)
     if json_output:

@@ -1,7 +1,7 @@
-"""Why a repair cannot be used, each with the number that was measured.
+"""Why a repair cannot be used although it scores what it should, each with the number that was measured.
 
-A perfect repair must score exactly 1.000, physics included, and doing nothing exactly 0.2; every change must be there
-to be seen in a reference view (paper, ``app:case-construction-details``: stable, actor-level, visible enough).
+Every change must be there to be seen in a reference view, and of a thing (paper, ``app:case-construction-details``:
+stable, actor-level, visible enough).
 """
 
 from __future__ import annotations
@@ -10,14 +10,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from c4s.errors import BadInput
-from c4s.protocol.case import i2s_case
 from c4s.protocol.settings import Setting
 from c4s.records.level import Level, LevelActor
 from c4s.verify.actors.roles import roles, words
-from c4s.verify.physics.verdict import verify_physics
-from c4s.verify.repair import repair_verdict
 from cases.admissible.looked import Looked
+from cases.admissible.refusal import Refusal, RefusalKind
 from cases.corruption import id_of, meshes
 from cases.model import RepairCase
 from cases.recipe import Operation, RemoveActor, SetStaticMesh, SetTransform, SpawnActor
@@ -37,23 +34,7 @@ MOST_SHARE = 0.34
 """Of the scene's width or depth: what is larger is ground, structure or backdrop."""
 VIEWS: Mapping[Setting, int] = {"image-to-scene/indoor": 2, "image-to-scene/outdoor": 1}
 """Reference views of a case (paper, benchmark suite)."""
-DONE, NOTHING = 1.0, 0.2
-"""Scores of a perfect repair and of none."""
 _IN_PLACE = frozenset({"turned", "mirrored", "with another mesh"})
-_SHOWN = 4
-"""Refusals that the message of a build tells."""
-
-
-@dataclass(frozen=True)
-class Refusal:
-    """One reason against a case."""
-
-    case_id: str
-    reason: str
-
-    def plain(self) -> dict[str, str]:
-        """As a row of a report."""
-        return {"case_id": self.case_id, "reason": self.reason}
 
 
 @dataclass(frozen=True)
@@ -71,48 +52,37 @@ class TargetSighting:
     changed_pixels: int | None
 
 
-class Refused(BadInput):
-    """Cases of a suite cannot be used; ``refusals`` has all reasons."""
-
-    def __init__(self, found: Sequence[Refusal]) -> None:
-        cases = dict.fromkeys(one.case_id for one in found)
-        told = "; ".join(f"{one.case_id}: {one.reason}" for one in found[:_SHOWN])
-        more = f"; and {len(found) - _SHOWN} more" if len(found) > _SHOWN else ""
-        super().__init__(
-            f"{len(cases)} case{'s' if len(cases) > 1 else ''} cannot be used: {told}{more}",
-            todo="change the views or the changes of these cases",
-        )
-        self.refusals = tuple(found)
-
-
-def refusals(
+def sight_refusals(
     case: RepairCase,
     operations: Sequence[Operation],
     truth: Level,
     start: Level,
     truth_snapshot: Snapshot,
     start_snapshot: Snapshot,
-    looks: Sequence[Looked],
+    seen: Sequence[TargetSighting],
     names: Mapping[str, str],
 ) -> list[Refusal]:
-    """All reasons against a built repair.
+    """Reasons against a built repair that do not show in its scores.
 
     Args:
         case: its definition.
         operations: those that made ``start`` of ``truth``.
         truth, start: the levels.
         truth_snapshot, start_snapshot: what a clean engine exported of them.
-        looks: what each reference camera sees, in the order of the case's views.
+        seen: how well each changed actor can be seen.
         names: what the author calls the actors of both levels.
     """
-    reasons = [*_views(case), *_scores(case.setting, truth_snapshot, start_snapshot, names)]
     before = {id_of(actor): actor for actor in truth.actors}
     after = {id_of(actor): actor for actor in start.actors}
-    for sighting in sightings(operations, truth, start, looks, names):
-        reasons += _unseen(sighting)
-    reasons += _fit(operations, before, after, truth_snapshot, start_snapshot, names)
-    reasons += _left_hanging(operations, before, truth_snapshot, start_snapshot, names)
-    return [Refusal(case.case_id, reason) for reason in reasons]
+    fit = _fit(operations, before, after, truth_snapshot, start_snapshot, names)
+    hanging = _left_hanging(operations, before, truth_snapshot, start_snapshot, names)
+    told: list[tuple[RefusalKind, str]] = [
+        *(("views", reason) for reason in _views(case)),
+        *(("seen", reason) for sighting in seen for reason in _unseen(sighting)),
+        *(("thing", reason) for reason in fit),
+        *(("hanging", reason) for reason in hanging),
+    ]
+    return [Refusal(case.case_id, kind, reason) for kind, reason in told]
 
 
 def _views(case: RepairCase) -> list[str]:
@@ -122,38 +92,13 @@ def _views(case: RepairCase) -> list[str]:
     return [f"it has {len(case.views)} reference views; a case of {case.setting} has {wanted}"]
 
 
-def _scores(setting: Setting, truth: Snapshot, start: Snapshot, names: Mapping[str, str]) -> list[str]:
-    """The case scores of a perfect repair and of none, by the published rules."""
-    found = []
-    for what, candidate, wanted in (("a perfect repair", truth, DONE), ("doing nothing", start, NOTHING)):
-        repair = repair_verdict(start, truth, candidate).score
-        physics = verify_physics(setting, candidate, start)
-        made = i2s_case(valid=True, repair_f1=repair or 0.0, physics=physics.score or 0.0)["score"]
-        if made != wanted:
-            found.append(
-                f"{what} scores {made:.6g} and not {wanted:g} (Repair F1 {repair:.4g}, physics {physics.score}"
-                f"{_lost(physics.measurements, names)})"
-            )
-    return found
-
-
-def _lost(measurements: Mapping[str, Any], names: Mapping[str, str]) -> str:
-    """Who costs physics points, and by what."""
-    told = []
-    for leaf in measurements["leaf_results"]:
-        told += [f"{names.get(name, name)} floats" for name in leaf.get("floating_actors", [])]
-        told += [
-            f"{names.get(row['actor'], row['actor'])} penetrates"
-            for row in leaf.get("actors", [])
-            if row.get("state") not in (None, "clean", "supported", "floating", "unresolved")
-        ]
-    return f": {', '.join(told[:3])}" if told else ""
-
-
 def sightings(
     operations: Sequence[Operation], truth: Level, start: Level, looks: Sequence[Looked], names: Mapping[str, str]
 ) -> list[TargetSighting]:
-    """How well each changed actor can be seen, in the order of the changes. Arguments are those of ``refusals``."""
+    """How well each changed actor can be seen, in the order of the changes.
+
+    ``looks``: what each reference camera sees; the other arguments are those of ``sight_refusals``.
+    """
     before = {id_of(actor): actor for actor in truth.actors}
     after = {id_of(actor): actor for actor in start.actors}
     return [

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from c4s.errors import BadInput
 from c4s.files import read_json
 from c4s.records.suite import SuiteFolder
 from cases.admissible import Refused
@@ -37,6 +38,8 @@ def paddock() -> SourceScene:
     plot.add("StoneWall", 600, -300)
     for number in range(6):
         plot.add("Sheep", -700 + 230 * number, 800)
+    plot.add("Pig", 900, -900)
+    plot.add("Pig", 900, -880)
     plot.daylight(-50, 40)
     return SourceScene("paddock", "outdoor", "Paddock", plot.level(), ("c4s-farm",))
 
@@ -74,6 +77,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
             dataclasses.replace(near(-200, 0, 900), name="second"),
         ),
     ]
+    cases.append(case("sunken", author.move(name["SM_Pig"], by_cm=(0, 220, 0)), near(900, -900)))
     definition = SuiteDefinition("bad", "Bad", "", ["c4s-farm"], [scene], cases)
     packs = built_packs(tmp_path_factory, "c4s-farm")
     place = tmp_path_factory.mktemp("bad") / "suite"
@@ -95,6 +99,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
         ("round", r"SM_Barrel_\d turned shows in [0-2]\.\d% of its own pixels"),
         ("small-change", r"SM_HayBale_\d rescaled shows in \d+\.\d% of its own pixels .* 12% and 400 are needed"),
         ("ground", r"SM_GrassTile_\d+ is 1000 x 1000 x 4 cm: ground, which is no target"),
+        ("sunken", r"its truth has a physics score of 0\.\d+: SM_Pig_\d .* sinks \d+\.\d cm into SM_Pig_\d"),
         ("wall", r"SM_StoneWall_\d is structure, which is no target"),
         ("support", r"SM_HayBale_\d stand in the original and hang or sink in the start scene"),
         ("two-views", r"it has 2 reference views; a case of image-to-scene/outdoor has 1"),
@@ -108,6 +113,22 @@ def test_a_repair_that_cannot_be_used_is_refused_with_the_number(
 
 def test_good_repairs_are_not_refused(found: Mapping[str, str]) -> None:
     assert (found["good-turn"], found["good-move"]) == ("", "")
+
+
+def test_where_none_of_the_made_cases_shows_there_is_no_suite(
+    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    scene = paddock()
+    author = Author(scene.level, scene.scene_id)
+    cows = [name for name in author.actors if name.startswith(("SM_Cow", "SM_Sheep"))]
+    made = [
+        RepairCase(f"far-{name}", "paddock", "", [author.rotate(name, 90)], "Layout", "easy", [near(0, 0, 20000)])
+        for name in cows
+    ]
+    definition = SuiteDefinition("made", "Made", "", ["c4s-farm"], [scene], made, most=1)
+    with pytest.raises(BadInput, match=r"none of 7 made cases is a good one: .*cannot be seen"):
+        build_suite(definition, tmp_path / "made", built_packs(tmp_path_factory, "c4s-farm"), lambda line: None)
+    assert not (tmp_path / "made").exists()
 
 
 def test_what_was_seen_of_good_repairs_is_kept(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:

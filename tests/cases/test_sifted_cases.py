@@ -16,7 +16,8 @@ from c4s.verify.physics.verdict import verify_physics
 from cases.audit import audit
 from cases.generate import generated, sound_things
 from cases.importers.importing import import_scene
-from cases.suite import build_suite, refused_cases
+from cases.stamp import refused_cases
+from cases.suite import build_suite
 
 SIZES = {"crate": (1.0, 1.0, 1.0), "post": (0.4, 1.6, 0.4), "bench": (1.6, 0.5, 0.6)}
 
