@@ -14,7 +14,7 @@ from c4s.cli.progress import bars, step_line
 from c4s.cli.suites import built_suite
 from c4s.errors import BadInput, unknown
 from c4s.home import packs_root, reviews_root, suites_root
-from c4s.names import checked_id, checked_name
+from c4s.names import checked_id, checked_name, name_fault
 from c4s.records.asking import ReviewFolder
 from c4s.records.pack import MANIFEST, Pack
 from c4s.records.suite import IMPORTED_SCENE, Suite, SuiteFolder
@@ -99,10 +99,8 @@ def _scene(source: str, name: str, out: Path) -> tuple[Level, str, Sequence[str]
     from cases.workshop.showroom import showroom
     from catalog.ingest.folder import ingest
 
-    place = Path(source)
-    if not source.strip():
-        raise BadInput("there is no such folder, file, scene or pack", where=repr(source))
-    if (suites_root() / source / IMPORTED_SCENE).is_file():
+    place, is_id = Path(source), not name_fault(source)
+    if is_id and (suites_root() / source / IMPORTED_SCENE).is_file():
         return imported_scene(suites_root(), packs_root(), source), source, (source,)
     if place.is_file():
         if place.suffix.lower() not in SCENE_SUFFIXES:
@@ -110,14 +108,14 @@ def _scene(source: str, name: str, out: Path) -> tuple[Level, str, Sequence[str]
         scene_id = f"{name}-scene"
         import_scene(place, scene_id, suites=suites_root(), packs=packs_root())
         return imported_scene(suites_root(), packs_root(), scene_id), scene_id, (scene_id,)
-    if not place.is_dir() and not (packs_root() / source / MANIFEST).is_file():
-        raise BadInput(
-            "there is no such folder, file, scene or pack", where=source, todo="see `c4s catalog list`, or give a path"
-        )
-    pack_id = source
-    if place.is_dir() and not (packs_root() / source / MANIFEST).is_file():
+    if is_id and (packs_root() / source / MANIFEST).is_file():
+        pack_id = source
+    elif source.strip() and place.is_dir():
         pack_id = f"{name}-pack"
         ingest(place, pack_id, packs_root())
+    else:
+        todo = "see `c4s catalog list`, or give a path"
+        raise BadInput("there is no such folder, file, scene or pack", where=repr(source), todo=todo)
     level = showroom(Pack.read(packs_root() / pack_id / MANIFEST))
     level.write(out / "showroom.level.json")
     return level, "showroom.level.json", (pack_id,)

@@ -159,4 +159,7 @@ def test_nothing_is_written_over_and_nothing_is_made_of_nothing(walked: tuple[Pa
     assert "no such folder, file, scene or pack" in c4s(
         home, "suite", "new", "x", "--out", tmp_path / "n", "-y", code=2
     )
+    folder = home / "packs/yard-things"
+    c4s(home, "suite", "new", folder, "--out", tmp_path / "again", "-y", "--environment", "outdoor")
+    assert "- again-pack" in (tmp_path / "again/suite.yaml").read_text(), "a path is a folder of meshes, not a pack"
     assert read_json(SuiteFolder(home / "suites/yard").sightings)["yard-01-move"][0]["pixels"] >= 400
