@@ -130,7 +130,7 @@ def _png(chart: NavigationMap) -> str:
 
 def _spot(target: Sequence[Any], least: float) -> Spot:
     label, fall, *box = target
-    x0, y0, x1, y1 = (float(part) for part in box)
+    x0, y0, x1, y1 = (float(part) for part in box[:4])
     width, depth = max(x1 - x0, least), max(y1 - y0, least)
     return Spot(str(label), str(fall), ((x0 + x1 - width) / 2, (y0 + y1 - depth) / 2, width, depth))
 
