@@ -69,7 +69,8 @@ def scene_part(site: SiteContext, board: Board, case: Row) -> ScenePart | None:
     judged_of = verdicts(site.warehouse, board, case["case_id"])
     compared = not is_construction(case["setting"]) and ("", TRUTH) in scenes
     files = {place: data_file(site, row["document"])[0] for place, row in scenes.items()}
-    told, shown, walks = [], [], {}
+    told, shown = [], []
+    walks: dict[str, str] = {}
     for configuration in board.order:
         for trial in case["scores"].get(configuration, []):
             place = (trial["trial_id"], SUBMISSION)
