@@ -33,7 +33,7 @@ from c4s.records.level import Level
 from c4s.records.navigation import LETTERS, NavigationEvidence
 
 
-class Inside:
+class InsideEditor:
     """Calls the editor's scripts in this process, as an engine does."""
 
     def call(self, function: str, /, *, timeout_s: float = 600.0, **given: Any) -> Any:
@@ -49,7 +49,7 @@ def probed(script: Path, trial: TrialFolder) -> tuple[NavigationEvidence, dict[s
         shutil.copytree(trial.attempts()[-1].submission, content)
         level = Level.read(next(content.rglob("*.level.json")))
         boot(packs_of(list(references(level))), content, start_map=level.package)
-        ours = probe_navigation(cast(Engine, Inside()), read_json(trial.evidence.snapshot))
+        ours = probe_navigation(cast(Engine, InsideEditor()), read_json(trial.evidence.snapshot))
         options = json.dumps({"settle_wait_s": 0.1})
         given = {"SCENE_REACHABILITY_OUTPUT": str(out), "SCENE_REACHABILITY_OPTIONS_JSON": options}
         exec(compile(script.read_text(), script.name, "exec"), {"__name__": "__main__", **given})
