@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from c4s.cli.hulls import Hulls, HullsOf, say_excess
+from c4s.cli.bringing import Hulls, HullsOf, LicenceFile, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars
@@ -151,6 +151,7 @@ def build(
     recentre: Annotated[
         bool, typer.Option("--recentre", help="move pivots that lie outside their mesh to the middle of its bottom")
     ] = False,
+    license_file: LicenceFile = None,
     replace: Annotated[
         bool, typer.Option("--replace", help="replace a pack of this id that is another, or was changed")
     ] = False,
@@ -177,6 +178,7 @@ def build(
             hulls=hulls,
             hulls_of=hulls_of or (),
             recentre=recentre,
+            license_file=license_file,
             replace=replace,
             progress=step,
         )

@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from c4s.cli import asking, auditing, requirements, selecting, workshop
-from c4s.cli.hulls import Hulls, HullsOf, say_excess
+from c4s.cli.bringing import Hulls, HullsOf, LicenceFile, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
@@ -230,6 +230,7 @@ def import_scene_file(
     ground: Annotated[bool, typer.Option("--ground", help="lay a flat ground under a scene that has none")] = False,
     hulls: Hulls = "auto",
     hulls_of: HullsOf = None,
+    license_file: LicenceFile = None,
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
@@ -255,6 +256,7 @@ def import_scene_file(
             ground=ground,
             hulls=hulls,
             hulls_of=hulls_of or (),
+            license_file=license_file,
             replace=replace,
             progress=step,
         )

@@ -1,6 +1,14 @@
 """Whether a body can use a scene: walkable space, targets, routes, the walker."""
 
-from c4s.navigation.measuring import NavigationEngine, NotBuilt, agree, approachable, measure, measure_snapshot
+from c4s.navigation.measuring import (
+    NavigationEngine,
+    NotBuilt,
+    agree,
+    approachable,
+    has_arrived,
+    measure,
+    measure_snapshot,
+)
 from c4s.navigation.mesh import NavigationMesh, SpaceMesh
 from c4s.navigation.settings import NavigationSettings
 from c4s.navigation.space import SpaceTooLarge, WalkableSpace, build_space, warm
@@ -18,6 +26,7 @@ __all__ = [
     "approachable",
     "build_space",
     "compiled",
+    "has_arrived",
     "judge_walk",
     "measure",
     "measure_snapshot",

@@ -12,14 +12,14 @@ from c4s.collision import scene_bodies
 from c4s.collision.mesh_body import Array
 from c4s.collision.scene import SceneBodies
 from c4s.navigation.mesh import NavigationMesh, SpaceMesh
-from c4s.navigation.picture import map_of
+from c4s.navigation.picture import floors_of, map_of
 from c4s.navigation.projection import Projection, project
-from c4s.navigation.selection import Route, Selection, select
+from c4s.navigation.selection import Route, Selection, half_extent_cm, select
 from c4s.navigation.settings import NavigationSettings
 from c4s.navigation.solids import navigation_bounds
 from c4s.navigation.space import SpaceTooLarge, build_space
 from c4s.navigation.targets import WalkTarget, pool, targets_of
-from c4s.navigation.walker import BodyWorld, walk
+from c4s.navigation.walker import BodyWorld, judge_walk, walk
 from c4s.protocol.navigation import (
     AGREED_A,
     AGREED_CELLS,
@@ -28,6 +28,7 @@ from c4s.protocol.navigation import (
     PROJECTION_PITCH_CM,
     STRATUM_CM,
     Withheld,
+    arrival_radius_cm,
 )
 from c4s.records.navigation import (
     LETTER,
@@ -36,6 +37,7 @@ from c4s.records.navigation import (
     BuildRecord,
     Fall,
     NavigationEvidence,
+    NavigationFloors,
     NavigationMap,
     TargetRecord,
     Triple,
@@ -165,6 +167,7 @@ def measure(
         small=chosen.small,
         walks=walks,
         map=_map(last),
+        floors=_floors(last),
     )
 
 
@@ -172,6 +175,14 @@ def approachable(falls: Sequence[Fall]) -> float | None:
     """A: the share of the floor-level pool that a way leads to; None without a pool (eq. eus-a)."""
     floor = [fall for fall in falls if fall not in SCENERY]
     return sum(fall == "connected" for fall in floor) / len(floor) if floor else None
+
+
+def has_arrived(evidence: NavigationEvidence, one: WalkRecord) -> bool:
+    """Whether a walk ended near its goal, by the radius of its scene."""
+    if evidence.bounds_cm is None:
+        return False
+    radius = arrival_radius_cm(half_extent_cm((np.array(evidence.bounds_cm[0]), np.array(evidence.bounds_cm[1]))))
+    return judge_walk(np.array(one.trace_cm), np.array(one.left_cm), np.array(one.goal_cm), radius).arrived
 
 
 def agree(before: BuildRecord, after: BuildRecord) -> bool:
@@ -241,6 +252,10 @@ def _walked(engine: NavigationEngine, route: Route) -> WalkRecord:
 
 def _map(last: Falls) -> NavigationMap | None:
     return map_of(last.mesh.space, last.main) if isinstance(last.mesh, SpaceMesh) else None
+
+
+def _floors(last: Falls) -> NavigationFloors | None:
+    return floors_of(last.mesh.space, last.main) if isinstance(last.mesh, SpaceMesh) else None
 
 
 def _target_record(target: WalkTarget) -> TargetRecord:

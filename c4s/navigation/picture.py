@@ -1,12 +1,13 @@
-"""A map of a walkable space from above, small enough for a record."""
+"""Drawings of a walkable space that are small enough for a record: a map from above, and its floors."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from c4s.collision.mesh_body import Array
+from c4s.navigation.rectangles import rectangles_of
 from c4s.navigation.space import WalkableSpace
-from c4s.records.navigation import ELSEWHERE, MAIN, NEAR, NavigationMap
+from c4s.records.navigation import ELSEWHERE, MAIN, NEAR, NavigationFloors, NavigationMap
 
 MOST_PIXELS = 320
 """Along the longer side."""
@@ -30,6 +31,18 @@ def map_of(space: WalkableSpace, main: Array) -> NavigationMap | None:
     pixels[pixel[space.region == region]] = MAIN
     low = (float(space.origin_cm[0]), float(space.origin_cm[1]))
     return NavigationMap.of(low, size * space.settings.cell_cm, columns, rows, pixels.tobytes())
+
+
+def floors_of(space: WalkableSpace, main: Array) -> NavigationFloors | None:
+    """Where one can walk as rectangles, with the component of ``main`` (points on it) apart."""
+    if space.bounds_cm() is None:
+        return None
+    region = _region_at(space, main)
+    largest = rectangles_of(space, np.array([region]))
+    others = rectangles_of(space, np.delete(np.arange(len(space.sizes)), region))
+    of_largest = np.arange(len(largest) + len(others)) < len(largest)
+    rows = np.column_stack([np.round(10 * np.concatenate([largest, others])), of_largest])
+    return NavigationFloors.of(rows.astype("<i4").tobytes())
 
 
 def _region_at(space: WalkableSpace, main: Array) -> int:

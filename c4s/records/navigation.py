@@ -25,6 +25,10 @@ NOWHERE, ELSEWHERE, MAIN, NEAR = 0, 1, 2, 3
 """Values of a map's pixels: not walkable, walkable in another component, in the largest, and within arm's length of a
 solid that keeps the body off."""
 
+FLOOR_BYTES: Final = 24
+MOST_FLOORS: Final = 20_000
+"""A scene whose floor falls into more rectangles has none in its record."""
+
 
 class TargetRecord(Record):
     """An actor, and why it is no target."""
@@ -106,6 +110,31 @@ class NavigationMap(Record):
         return found
 
 
+class NavigationFloors(Record):
+    """Where a body can walk, as flat rectangles, for views in three dimensions: all floors that lie over each other."""
+
+    count: Annotated[int, Field(ge=0, le=MOST_FLOORS)]
+    packed: str
+    """Six whole numbers of four bytes a rectangle (low x, low y, high x, high y and height in mm, and 1 where it is of
+    the largest component), low byte first, compressed with zlib, as base64."""
+
+    @classmethod
+    def of(cls, rows: bytes) -> Self | None:
+        """Pack rows of rectangles; None where they are more than a record holds."""
+        count = len(rows) // FLOOR_BYTES
+        if count > MOST_FLOORS:
+            return None
+        return cls(count=count, packed=base64.b64encode(zlib.compress(rows, 9)).decode())
+
+    def rows(self) -> bytes:
+        """The rows; ``ValueError`` where they are not as many as it says."""
+        size = FLOOR_BYTES * self.count
+        found = zlib.decompressobj().decompress(base64.b64decode(self.packed), size + 1)
+        if len(found) != size:
+            raise ValueError("there are other floors than it says")
+        return found
+
+
 class NavigationEvidence(Record):
     """``navigation.json``."""
 
@@ -134,6 +163,8 @@ class NavigationEvidence(Record):
     builds: list[BuildRecord] = Field(default_factory=list)
     walks: list[WalkRecord] = Field(default_factory=list)
     map: NavigationMap | None = None
+    floors: NavigationFloors | None = None
+    """None where they are not known, or are too many."""
     unknown: dict[str, str] = Field(default_factory=dict)
     """Actors whose collision is not known, and why."""
 

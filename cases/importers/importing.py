@@ -17,6 +17,7 @@ from cases.importers.scene import write_scene
 from cases.importers.sdf import read_sdf, scene_root
 from cases.importers.table import read_table
 from catalog.ingest.collision import How, HullChoice
+from catalog.ingest.licence import licence
 
 SDF, TREE, TABLE, BLEND = (".world", ".sdf"), (".gltf", ".glb", ".dae"), (".csv",), (".blend",)
 
@@ -34,6 +35,7 @@ def import_scene(
     ground: bool = False,
     hulls: How = "auto",
     hulls_of: Sequence[str] = (),
+    license_file: Path | None = None,
     replace: bool = False,
     progress: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
@@ -51,6 +53,7 @@ def import_scene(
         ground: lay a flat ground under all of it: tiles and islands stand on nothing else.
         hulls: how collision is made where the scene states none; ``auto`` also where that is far from the mesh.
         hulls_of: other choices for some things by the name of their mesh, as ``bench*=decompose``; the last that fits.
+        license_file: the file that tells the licence; found in and around the scene's folder when left out.
         replace: put the scene and its pack in the place of others of this name.
         progress: told what is being read.
 
@@ -99,7 +102,7 @@ def import_scene(
         scene,
         suite_id,
         source=source,
-        license_folder=folder,
+        told=licence(folder, [source], given=license_file),
         suites=suites,
         packs=packs,
         without=without,

@@ -25,7 +25,7 @@ from catalog.ingest.collision import AssetCollision, HullChoice
 from catalog.ingest.colours import colours_of
 from catalog.ingest.excess import excess_row, worst
 from catalog.ingest.hulls import hull
-from catalog.ingest.licence import licence
+from catalog.ingest.licence import Licence
 from catalog.ingest.surface import SourcePart, Surface
 from catalog.ingest.units import check_units, odd_sizes, words
 from catalog.ingest.vocabulary import kind_of, readable, search_words
@@ -74,7 +74,7 @@ def write_scene(
     suite_id: str,
     *,
     source: Path,
-    license_folder: Path,
+    told: Licence,
     suites: Path,
     packs: Path,
     without: Sequence[str] = (),
@@ -85,10 +85,10 @@ def write_scene(
 ) -> dict[str, Any]:
     """Write the pack ``packs/<suite_id>`` and ``suites/<suite_id>/scene.level.json``; returns the report.
 
-    ``without`` are patterns of actors' paths that are left out (a roof, say); ``scale`` is the factor that was applied,
-    in units of which another is proposed; ``ground`` lays a plate under all of it. The report is written beside the
-    level as ``import.json``. Raises ``BadInput`` when no actor is left; without ``replace`` also where another scene or
-    pack of this name is there.
+    ``told`` is the licence; ``without`` are patterns of actors' paths that are left out (a roof, say); ``scale`` is the
+    factor that was applied, in units of which another is proposed; ``ground`` lays a plate under all of it. The report
+    is written beside the level as ``import.json``. Raises ``BadInput`` when no actor is left; without ``replace`` also
+    where another scene or pack of this name is there.
     """
     kept = [actor for actor in scene.actors if not any(fnmatch(actor.path, pattern) for pattern in without)]
     if not kept:
@@ -100,7 +100,6 @@ def write_scene(
     for path, text in wild([(actor.path, actor.matrix) for actor in kept]).items():
         scene.note(path, text)
     count = Counter(actor.asset for actor in kept)
-    told = licence(license_folder)
     for text in told.notes:
         scene.note("", text)
     with PackWriter(suite_id, packs, replace=replace) as writer:

@@ -44,6 +44,7 @@ class Wishes:
     up: Up | None
     hulls: HullChoice
     recentre: bool
+    licence: Path | None
 
     def plain(self) -> list[object]:
         """As plain data."""
@@ -62,6 +63,7 @@ def ingest(
     hulls: How = "auto",
     hulls_of: Sequence[str] = (),
     recentre: bool = False,
+    license_file: Path | None = None,
     replace: bool = False,
     progress: Callable[[int, int, str], None] | None = None,
 ) -> dict[str, Any]:
@@ -78,6 +80,7 @@ def ingest(
         hulls: how collision is made where a file brings none.
         hulls_of: other choices for some files, as ``bench*=decompose``; the last that fits wins.
         recentre: move pivots that lie outside their mesh to the middle of its bottom.
+        license_file: the file that tells the licence; found in and around the folder when left out.
         replace: put the new pack in the place of another one of this id, when all is done.
         progress: told (files done, files, name).
 
@@ -88,12 +91,14 @@ def ingest(
             another pack of this id lies there, or one that was changed.
     """
     place = place_in(root, checked_id(pack_id, "pack"), "pack")
-    wishes = Wishes(ScaleChoice.parse(scale, scale_of), title, up, HullChoice.parse(hulls, hulls_of), recentre)
+    wishes = Wishes(
+        ScaleChoice.parse(scale, scale_of), title, up, HullChoice.parse(hulls, hulls_of), recentre, license_file
+    )
     check_written(Path(os.path.realpath(folder)))
     if pack_id in STARTER:
         raise BadInput("a shipped pack has this id", where=pack_id, todo="choose another --id")
     found = listing(folder)
-    told = licence(folder, found.files, [row.licence for row in table(folder)[0].values()])
+    told = licence(folder, found.files, [row.licence for row in table(folder)[0].values()], license_file)
     wanted = digest([sources_digest(), inputs_digest(folder), wishes.plain(), told.id, told.text, folder.name])
     stamp = place / STAMP
     known = read_json(stamp) if stamp.is_file() else {}
@@ -143,7 +148,7 @@ class _Build:
                     f"none of {len(self.files)} mesh files can be used; {first['file']}: {first['reason']}",
                     where=str(self.folder),
                 )
-            told = licence(self.folder, self.files, self.stated)
+            told = licence(self.folder, self.files, self.stated, self.wishes.licence)
             pack = writer.finish(
                 title=self.wishes.title or readable(Path(os.path.realpath(self.folder)).name),
                 license_id=told.id,

@@ -8,7 +8,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from c4s.errors import BadInput
 from c4s.files import read_plain
+from catalog.ingest.debian import packaged_licence
 from catalog.ingest.licence_words import UNKNOWN, AiUse, ai_use, licences_in
 
 FILES = re.compile(
@@ -34,17 +36,24 @@ class Licence:
     notes: tuple[str, ...] = ()
 
 
-def licence(folder: Path, files: Sequence[Path] = (), stated: Sequence[str] = ()) -> Licence:
+def licence(folder: Path, files: Sequence[Path] = (), stated: Sequence[str] = (), given: Path | None = None) -> Licence:
     """The licence of a folder.
 
-    Its own files decide; where they tell none, what tables and sidecar files state, then the folders of single meshes,
-    then up to ``MOST_ABOVE`` folders above, as far as the one that holds a ``.git``.
+    A file that is given decides alone. Else the folder's own files do; where they tell none, what tables and sidecar
+    files state, then the folders of single meshes, then the Debian package that installed the files, then up to
+    ``MOST_ABOVE`` folders above, as far as the one that holds a ``.git``.
 
     Args:
         folder: the folder.
         files: its mesh files; their own folders may name licences of single things.
         stated: what sidecar files say of single things.
+        given: the file that tells the licence.
+
+    Raises:
+        BadInput: ``given`` is no file, or tells no licence that is known.
     """
+    if given is not None:
+        return _given(given)
     names, text, notes = _told(folder)
     below: dict[str, str] = {}
     for place in dict.fromkeys(path.parent for path in files):
@@ -66,13 +75,38 @@ def licence(folder: Path, files: Sequence[Path] = (), stated: Sequence[str] = ()
     elif below:
         names, text = sorted(below), "\n\n".join(below[name] for name in sorted(below))
     else:
-        names, words, notes = _above(folder)
+        names, words, notes = _packaged(files) or _above(folder)
         text = "\n\n".join(one for one in (text, words) if one)
     name = " AND ".join(dict.fromkeys(names)) or UNKNOWN
     use, reason = ai_use(name, text)
     if name == UNKNOWN:
         notes.append("no file here tells the licence")
     return Licence(name, text[: 4 * MOST_TEXT], use, reason, tuple(notes))
+
+
+def _given(file: Path) -> Licence:
+    if not file.is_file():
+        raise BadInput("no such file", where=f"--license-file {file}")
+    text = read_plain(file)[:MOST_TEXT].decode("utf-8", errors="replace")
+    names = licences_in(text)[:1]
+    if not names:
+        raise BadInput(
+            "this file tells no licence that is known",
+            where=f"--license-file {file}",
+            todo="name it by its SPDX id: SPDX-License-Identifier: CC-BY-4.0",
+        )
+    use, reason = ai_use(names[0], text)
+    return Licence(names[0], text, use, reason, ("the licence is told by the file that was given",))
+
+
+def _packaged(files: Sequence[Path]) -> tuple[list[str], str, list[str]] | None:
+    """What the Debian package of some files says; None where there is none or it names no licence that is known."""
+    found = packaged_licence([Path(os.path.realpath(path)) for path in files])
+    if found is None:
+        return None
+    package, texts = found
+    names = [name for text in texts for name in licences_in(text)[:1]]
+    return (names, "\n\n".join(texts), [f"the licence is told by the Debian package {package}"]) if names else None
 
 
 def _above(folder: Path) -> tuple[list[str], str, list[str]]:

@@ -29,8 +29,13 @@ FALLS: Final = {
 _COLOURS: Final = {MAIN: (148, 205, 166), ELSEWHERE: (240, 196, 120), NEAR: (214, 220, 226)}
 _HASTE: Final = 4.0
 """The animation runs so many times as fast as the walk."""
+_MARGIN, _MARGIN_CM = 0.15, 200.0
 _LEAST: Final = 0.006
 """Targets are drawn at least this large, as a share of the map's longer side."""
+
+
+Box = tuple[float, float, float, float]
+"""x, y, width, height."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +59,7 @@ class Spot:
 
     label: str
     fall: str
-    box: tuple[float, float, float, float]
-    """x, y, width, height."""
+    box: Box
 
 
 @dataclass(frozen=True)
@@ -64,11 +68,11 @@ class WalkMap:
 
     status: str
     reason: str
-    view: tuple[float, float, float, float]
+    view: Box
     """x, y, width, height of the picture; zeros where there is none."""
     ground: str
     """The walkable area as a data URL of a PNG."""
-    place: tuple[float, float, float, float]
+    place: Box
     """Where it lies."""
     spots: Sequence[Spot]
     walks: Sequence[Walked]
@@ -90,25 +94,46 @@ def walk_of(document: Mapping[str, Any] | None) -> WalkMap | None:
     measured = document["measurements"]
     picture = measured.get("picture") or {}
     chart = None if not picture.get("map") else NavigationMap.parse(picture["map"])
-    place = (0.0, 0.0, 0.0, 0.0)
-    if chart is not None:
-        place = (*chart.low_cm, chart.columns * chart.pixel_cm, chart.rows * chart.pixel_cm)
+    place = view = (0.0, 0.0, 0.0, 0.0)
     anchor = picture.get("anchor")
     targets = picture.get("targets", [])
+    if chart is not None:
+        place = (*chart.low_cm, chart.columns * chart.pixel_cm, chart.rows * chart.pixel_cm)
+        view = _view(
+            place, [target[2:6] for target in targets], [*picture.get("traces", []), [anchor] if anchor else []]
+        )
     pairs = zip(picture.get("routes", []), picture.get("traces", []), measured.get("walks", []), strict=False)
     return WalkMap(
         status=str(document["status"]),
         reason=str(document.get("reason") or ""),
-        view=place,
+        view=view,
         ground="" if chart is None else _png(chart),
         place=place,
-        spots=[_spot(target, _LEAST * max(place[2:])) for target in targets] if chart is not None else [],
+        spots=[_spot(target, _LEAST * max(view[2:])) for target in targets] if chart is not None else [],
         walks=[_walked(route, trace, told) for route, trace, told in pairs],
         anchor=None if not anchor else (anchor[0], anchor[1]),
         counts=Counter(target[1] for target in targets),
         numbers={"EUS": document.get("score"), "A": measured.get("approachability"), "W": measured.get("completion")},
         advisories=document.get("advisories") or [],
     )
+
+
+def _view(place: Box, boxes: Sequence[Sequence[float]], lines: Sequence[Sequence[Sequence[float]]]) -> Box:
+    """What of a map is shown: targets and walks with a margin; of a plain around them no more than that."""
+    points = [
+        *(box[:2] for box in boxes),
+        *(box[2:] for box in boxes),
+        *(point[:2] for line in lines for point in line),
+    ]
+    if not points:
+        return place
+    low, high = np.min(points, axis=0), np.max(points, axis=0)
+    margin = max(_MARGIN * float(np.max(high - low)), _MARGIN_CM)
+    low = np.maximum(low - margin, place[:2])
+    high = np.minimum(high + margin, np.add(place[:2], place[2:]))
+    if not np.all(high > low):
+        return place
+    return float(low[0]), float(low[1]), float(high[0] - low[0]), float(high[1] - low[1])
 
 
 def astray(findings: Sequence[Row]) -> list[Row]:
@@ -130,7 +155,7 @@ def _png(chart: NavigationMap) -> str:
 
 def _spot(target: Sequence[Any], least: float) -> Spot:
     label, fall, *box = target
-    x0, y0, x1, y1 = (float(part) for part in box)
+    x0, y0, x1, y1 = (float(part) for part in box[:4])
     width, depth = max(x1 - x0, least), max(y1 - y0, least)
     return Spot(str(label), str(fall), ((x0 + x1 - width) / 2, (y0 + y1 - depth) / 2, width, depth))
 

@@ -251,7 +251,7 @@ def _changes(board: Board, table: Table) -> FigureBars:
     most = max((abs(float(row["change"])) for row in known), default=0.0) or 1.0
     rows = []
     for row in known:
-        change = float(row["change"])
+        change = round(float(row["change"]), 3) or 0.0
         length = 50 * abs(change) / most
         part = FigurePart("score" if change >= 0 else "mismatched", 50.0 - length * (change < 0), length)
         error = "" if row["se"] is None else f" ± {number(row['se'])}"

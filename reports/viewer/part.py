@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Final
 
+from c4s.protocol.baselines import NOOP, ORACLE
 from c4s.protocol.settings import is_construction
 from reports.frame import Board, SiteContext
 from reports.frame.asked import findings, verdicts
@@ -15,11 +16,14 @@ from reports.text import slug
 from reports.viewer.difference import Difference, differences
 from reports.viewer.files import data_file, json_file, scenes_of, shape_files, three_file
 from reports.viewer.said import PHYSICAL, Said, said_of_actors
+from reports.viewer.walks import walk_of_verdicts
 from warehouse.scenes import unpacked
 
 ROWS_SHOWN: Final = 40
 """Rows of a trial's table on the page; the list of the viewer has all."""
 START, TRUTH, SUBMISSION = "start", "truth", "submission"
+_STANDS: Final = {NOOP: START, ORACLE: TRUTH}
+"""Whose walks stand for those of the case's own scenes."""
 
 
 @dataclass(frozen=True)
@@ -66,6 +70,7 @@ def scene_part(site: SiteContext, board: Board, case: Row) -> ScenePart | None:
     compared = not is_construction(case["setting"]) and ("", TRUTH) in scenes
     files = {place: data_file(site, row["document"])[0] for place, row in scenes.items()}
     told, shown = [], []
+    walks: dict[str, str] = {}
     for configuration in board.order:
         for trial in case["scores"].get(configuration, []):
             place = (trial["trial_id"], SUBMISSION)
@@ -75,12 +80,17 @@ def scene_part(site: SiteContext, board: Board, case: Row) -> ScenePart | None:
             found = differences(documents["", TRUTH], documents[place], said.pairs) if compared else []
             one = _trial(configuration, trial, documents[place], found, said)
             shown.append(one)
-            told.append(_index(one, files[place], scenes[place]["views"], said))
+            walk = walk_of_verdicts(judged_of.get(trial["trial_id"], []))
+            walk_file = json_file(site, walk)[0] if walk else None
+            if walk_file and trial["client"] in _STANDS:
+                walks.setdefault(_STANDS[trial["client"]], walk_file)
+            told.append(_index(one, files[place], scenes[place]["views"], said) | {"walk": walk_file})
     index = {
         "compared": compared,
         "case": {role: files["", role] for role in (START, TRUTH) if ("", role) in scenes},
         "shapes": {sha256: name for sha256, (name, _) in shapes.items()},
         "trials": told,
+        "walks": walks,
     }
     name, path = json_file(site, index)
     three = three_file(site)

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from c4s.errors import BadInput
 from c4s.records.pack import Pack
+from catalog.ingest.debian import packaged_licence
 from catalog.ingest.folder import ingest
 from catalog.ingest.licence import licence
 from catalog.ingest.licence_words import ai_use, licences_in
@@ -316,3 +317,76 @@ def test_an_unknown_field_of_a_pack_is_not_written_where_nothing_is_known() -> N
     pack = Pack(pack_id="p", content_folder="P", title="", license="", assets=[])
     assert "ai_use" not in pack.plain(), "manifests of older packs keep their digest"
     assert ai_use("CC0-1.0", "")[0] == "allowed"
+
+
+DEP5 = """Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+Upstream-Name: things
+
+Files: *
+Copyright: 2020, Somebody
+License: BSD-3-Clause
+ Redistribution and use in source and binary forms, with or without
+ modification, are permitted.
+
+Files: Chairs/* Tables/*
+Copyright: 2021, Another
+License: CC-BY-3.0
+
+Files: debian/*
+Copyright: 2022, Packager
+License: GPL-2+
+
+License: CC-BY-3.0
+ Creative Commons Attribution 3.0 Unported
+"""
+
+
+@pytest.mark.parametrize(
+    ("installed", "copyright_file", "expected"),
+    [
+        (["walls/wall.obj"], DEP5, ["BSD-3-Clause"]),
+        (["Chairs/chair.obj"], DEP5, ["CC-BY-3.0"]),
+        (["walls/wall.obj", "Chairs/deep/chair.obj"], DEP5, ["BSD-3-Clause", "CC-BY-3.0"]),
+        (["debian/wall.obj"], DEP5, ["BSD-3-Clause"]),
+        (["wall.obj"], "It is licensed under the MIT license.\n", ["MIT"]),
+        (["wall.obj"], DEP5.replace("Files: *\n", "Files: other/*\n"), []),
+        (["wall.obj"], None, None),
+        ([], DEP5, None),
+    ],
+)
+def test_the_copyright_file_of_a_debian_package(
+    tmp_path: Path, installed: list[str], copyright_file: str | None, expected: list[str] | None
+) -> None:
+    paths = [tmp_path / "usr/share/things" / name for name in installed]
+    lists, docs = tmp_path / "var/lib/dpkg/info", tmp_path / "usr/share/doc/things"
+    for folder in (lists, docs):
+        folder.mkdir(parents=True)
+    (lists / "other.list").write_text("/.\n/usr/share\n")
+    (lists / "things:amd64.list").write_text("".join(f"/usr/share/things/{name}\n" for name in installed))
+    if copyright_file is not None:
+        (docs / "copyright").write_text(copyright_file)
+    found = packaged_licence(paths, tmp_path)
+    if expected is None:
+        assert found is None
+        return
+    assert found is not None and found[0] == "things"
+    assert [licences_in(text)[0] for text in found[1]] == expected
+
+
+def test_files_that_no_package_installed_have_no_copyright_file(tmp_path: Path) -> None:
+    (tmp_path / "usr/share").mkdir(parents=True)
+    assert packaged_licence([tmp_path / "usr/share/own.obj", tmp_path / "home/own.obj"], tmp_path) is None
+    assert packaged_licence([tmp_path / "own.obj"], tmp_path) is None
+
+
+def test_a_file_that_is_given_tells_the_licence_alone(tmp_path: Path) -> None:
+    folder, told = tmp_path / "pack", tmp_path / "terms.txt"
+    folder.mkdir()
+    (folder / "LICENSE.txt").write_text("MIT")
+    told.write_text("SPDX-License-Identifier: CC-BY-NC-4.0\nMay not be used for AI training: no AI.")
+    found = licence(folder, given=told)
+    assert (found.id, found.ai_use) == ("CC-BY-NC-4.0", "forbidden")
+    for wrong, says in ((tmp_path / "nowhere.txt", "no such file"), (tmp_path / "empty.txt", "tells no licence")):
+        (tmp_path / "empty.txt").write_text("Ask us.")
+        with pytest.raises(BadInput, match=says):
+            licence(folder, given=wrong)

@@ -14,7 +14,7 @@ import trimesh
 from scipy.spatial.transform import Rotation
 
 from c4s.engine.headless.glb.level import write_glb
-from c4s.engine.headless.glb.walkable import LARGEST, walkable_layers
+from c4s.engine.headless.glb.walkable import ASTRAY, LARGEST, REACHED, walkable_layers
 from c4s.engine.headless.pictures.lights import candela_of, kelvin_rgb, lights_of
 from c4s.engine.headless.process.boot import boot
 from c4s.engine.headless.world.state import world
@@ -168,19 +168,42 @@ def test_a_sun_in_real_lux_is_written_as_it_is(tmp_path: Path):
     assert light["intensity"] == 75_000.0
 
 
-def test_where_a_body_can_walk_is_a_layer_of_its_own(tmp_path: Path):
+def test_how_a_body_can_walk_is_layers_of_their_own(tmp_path: Path):
     unreal = boot([], tmp_path / "content")
     cube = unreal.load_asset("/Engine/BasicShapes/Cube")
-    plate = unreal.EditorLevelLibrary.spawn_actor_from_object(cube, unreal.Vector(0, 0, -50))
-    plate.set_actor_scale3d(unreal.Vector(10, 6, 1))
-    layers = walkable_layers()
-    report = write_glb(world(), tmp_path / "walk.glb", layers)
-    assert [layer.name for layer in layers] == [LARGEST] and report["actors"] == 1
-    nodes = {node["name"]: node for node in tree_of(tmp_path / "walk.glb")["nodes"]}
-    assert LARGEST in nodes and len(nodes) == 2
-    low, high = layers[0].points.min(axis=0), layers[0].points.max(axis=0)
-    assert 0 < low[1] == high[1] < 0.05, "on the plate's top"
-    assert np.all(low[[0, 2]] > [-5, -3]) and np.all(high[[0, 2]] > [4, 2]) and np.all(high[[0, 2]] < [5, 3])
-    corners = layers[0].points[layers[0].faces]
-    assert np.all(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 1] > 0), "looks up"
-    assert trimesh.load_scene(tmp_path / "walk.glb").bounds[1, 1] == pytest.approx(high[1])
+    spawn = unreal.EditorLevelLibrary.spawn_actor_from_object
+    plate = spawn(cube, unreal.Vector(0, 0, -50))
+    plate.set_actor_scale3d(unreal.Vector(30, 30, 1))
+    plate.set_actor_label("Floor")
+    for number in range(18):
+        crate = spawn(cube, unreal.Vector(-1200 + 480 * (number % 6), -900 + 800 * (number // 6), 30))
+        crate.set_actor_scale3d(unreal.Vector(0.6, 0.6, 0.6))
+        crate.set_actor_label(f"Crate {number}")
+    shut_in = spawn(cube, unreal.Vector(1300, 1300, 30))
+    shut_in.set_actor_scale3d(unreal.Vector(0.4, 0.4, 0.6))
+    for x, y, wide, deep in (
+        (1300, 1180, 2.6, 0.2),
+        (1300, 1420, 2.6, 0.2),
+        (1180, 1300, 0.2, 2.6),
+        (1420, 1300, 0.2, 2.6),
+    ):
+        wall = spawn(cube, unreal.Vector(x, y, 150))
+        wall.set_actor_label("Wall")
+        wall.set_actor_scale3d(unreal.Vector(wide, deep, 3))
+    layers = {layer.name: layer for layer in walkable_layers()}
+    report = write_glb(world(), tmp_path / "walk.glb", list(layers.values()))
+    assert report["actors"] == 24, "layers are not counted"
+    routes = [name for name in layers if name.startswith("Route ")]
+    assert [*layers] == [LARGEST, REACHED, ASTRAY, *routes] and len(routes) == 3
+    assert all(name.endswith(": arrived") for name in routes) and sum(" to Crate " in name for name in routes) >= 2
+    assert len(layers[ASTRAY].faces) == 8, "a frame of four strips: what is shut in, and no wall"
+    nodes = {node["name"] for node in tree_of(tmp_path / "walk.glb")["nodes"]}
+    assert layers.keys() <= nodes
+    area = layers[LARGEST].points
+    assert 0 < area[:, 1].min() == area[:, 1].max() < 0.05, "on the plate's top"
+    assert np.all(np.abs(area[:, [0, 2]]) < 15)
+    for layer in layers.values():
+        corners = layer.points[layer.faces]
+        assert np.all(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 1] > 0), "looks up"
+    ribbon = layers[routes[0]].points
+    assert np.linalg.norm(ribbon[0] - ribbon[3]) == pytest.approx(0.12, abs=1e-6)

@@ -38,6 +38,7 @@ judgement and of the published rows; the purpose of a view."""
 
 BACKENDS: dict[str, set[str]] = {
     "bench/attacks/trial.py": {"c4s.engine.headless.host.session"},
+    "bench/published_walk.py": {"c4s.engine.headless.process.boot", "c4s.engine.headless.world.documents"},
     "bench/blender_view.py": {
         "c4s.engine.headless.pictures.take",
         "c4s.engine.headless.process.boot",

@@ -251,6 +251,20 @@ CHEATS: dict[str, tuple[list[dict[str, Any]], str]] = {
         [WIDE, *spread(), *stuck_behind(), actor("Cover floor", (-390, -390, 60), (390, 390, 80))],
         "buried_targets",
     ),
+    "a floor under the floor": (
+        [
+            floor(2400, 2400),
+            *crates(20, y=1000, start=-1000, step=100, size=60),
+            *[
+                actor(
+                    f"Jam {n}", (n % 10 * 80 - 400, n // 10 * 80 - 400, 0), (n % 10 * 80 - 360, n // 10 * 80 - 360, 60)
+                )
+                for n in range(100)
+            ],
+            actor("Cellar slab", (-500, -500, -280), (500, 500, -260)),
+        ],
+        "raised_targets",
+    ),
     "collision off for the walls": (
         [WIDE, *spread(), *stuck_behind()[4:]]
         + [actor(f"Pen wall {n}", (-400, -400 + n, 0), (400, -380 + n, 300), collides=False) for n in range(4)],
@@ -291,5 +305,24 @@ def test_no_cheat_raises_the_score_unseen(cheat: str) -> None:
     assert code in notes(found), (found.score, [*notes(found)])
     told = notes(found)[code]
     assert told["actors"]
+    if "approachability_with" in told:
+        assert told["approachability_with"] < found.measurements["approachability"]
     if "approachability_without" in told and code != "giant_targets":
         assert told["approachability_without"] < found.measurements["approachability"]
+
+
+def test_a_plate_too_large_for_the_bounds_and_bodies_that_are_not_known_are_named() -> None:
+    plate = actor("Endless floor", (-15000, -15000, -20), (15000, 15000, 0))
+    found = notes(verdict(plate, *spread()))
+    assert found["left_out_of_bounds"]["actors"] == ["Endlessfloor"]
+    foreign = {**actor("Foreign", (0, 0, 0), (60, 60, 60)), "c4s": None}
+    told = notes(verdict(WIDE, *spread(), foreign))
+    assert told["collision_unknown"]["actors"] == ["Foreign"] and "left_out_of_bounds" not in told
+
+
+def test_a_clock_on_a_wall_and_a_vase_on_a_cupboard_are_scenery_and_no_cheat() -> None:
+    wall = actor("Long wall", (-500, 800, 0), (500, 820, 300))
+    clock = actor("Clock", (0, 790, 200), (30, 800, 230))
+    cupboard, vase = actor("Cupboard", (600, 600, 0), (700, 660, 220)), actor("Vase", (640, 620, 220), (660, 640, 250))
+    found = verdict(WIDE, *spread(), wall, clock, cupboard, vase)
+    assert found.measurements["targets"]["raised"] == 2 and "raised_targets" not in notes(found)

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 
+from c4s.protocol.baselines import NOOP
+from reports.site import build_site
 from tests.reports.watching import watched
+from warehouse.database import rebuild
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -58,3 +64,32 @@ def test_panels_of_navigation_are_shown_where_trials_were_walked(browser: Browse
         panel = section.locator("table[data-name=panel_text_to_scene]")
         assert panel.locator("tr[data-configuration=oracle] td.r").first.inner_text() != ""
         assert "No change against the matched input" in section.inner_text(), "nobody played noop"
+
+
+def test_changes_against_the_input_are_bars_to_both_sides_of_no_change(
+    browser: Browser, played_home: Path, tmp_path: Path
+) -> None:
+    """``random`` stands for the one that does nothing: what it saved is the input."""
+    shutil.copytree(played_home / "warehouse", tmp_path / "warehouse", ignore=shutil.ignore_patterns("*.duckdb"))
+    for path in tmp_path.glob("warehouse/*/**/configuration=random/**/*.parquet"):
+        table = pq.ParquetFile(path).read()
+        if "client" in table.column_names:
+            place = table.column_names.index("client")
+            noop = pa.array([NOOP] * table.num_rows, table.schema.field(place).type)
+            pq.write_table(table.set_column(place, table.schema.field(place), noop), path)
+    rebuild(tmp_path / "warehouse")
+    build_site(tmp_path / "warehouse", tmp_path / "site")
+    with watched(browser, diagnostics(tmp_path), fragment="#navigation") as page:
+        section = page.locator("#navigation")
+        bars = section.locator("table.bars tbody tr")
+        assert bars.count() >= 2 and not section.locator("tr[data-configuration=random] rect").count()
+        told = {}
+        for row in bars.all():
+            change = float(row.locator("td.r").inner_text().split()[0])
+            part = row.locator("rect").last
+            start, width = (float(str(part.get_attribute(name))) for name in ("x", "width"))
+            told[row.get_attribute("data-configuration")] = change
+            assert start + width == pytest.approx(50, abs=0.01) if change < 0 else start == pytest.approx(50, abs=0.01)
+        rows = section.locator("table[data-name^=change_] tbody tr")
+        tabled = {row.get_attribute("data-configuration"): row.locator("td.r").first.inner_text() for row in rows.all()}
+        assert {name: float(text) for name, text in tabled.items()} == pytest.approx(told, abs=0.0006)

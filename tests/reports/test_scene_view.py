@@ -168,3 +168,38 @@ def test_without_webgl_the_page_says_so(browser: Browser, home: Path) -> None:
         page.get_by_text("This browser draws nothing in three dimensions").wait_for()
         assert page.locator(".scene-view").is_hidden()
         assert page.locator("details.scene-table").count() == len(AGENTS) - 1, "the vandal saves no scene"
+
+
+def test_where_a_body_can_walk_is_drawn_over_the_scene_and_taken_off_again(browser: Browser, home: Path) -> None:
+    with opened(browser, home, TEXT) as page:
+        page.get_by_label("Submission by").select_option("planner~1")
+        shown(page, "Submission")
+        bare = colours(page)
+        before = page.evaluate("() => c4sScene.view.stage.idsOf(c4sScene.view.stage.panes[0], 160, 90)")
+        page.get_by_label("where a body can walk").check()
+        page.get_by_text("largest walkable area", exact=True).first.wait_for()
+        counts = page.evaluate("() => c4sScene.view.models[0].overlay.userData.counts")
+        assert counts["largest"] >= 1 and counts["reached"] + counts["astray"] > 0
+        assert len(colours(page) - bare) > 3, "it has colours of its own"
+        after = page.evaluate("() => c4sScene.view.stage.idsOf(c4sScene.view.stage.panes[0], 160, 90)")
+        assert before == after, "it is no actor: a click goes through it"
+        box = page.evaluate(
+            """() => { const made = new THREE.Box3().setFromObject(c4sScene.view.models[0].overlay);
+            const all = c4sScene.view.models[0].bounds();
+            return [made.min.toArray(), made.max.toArray(), all.min.toArray(), all.max.toArray()]; }"""
+        )
+        assert all(box[2][axis] - 0.1 <= box[0][axis] and box[1][axis] <= box[3][axis] + 0.1 for axis in (0, 2))
+        page.get_by_label("where a body can walk").uncheck()
+        page.wait_for_function("() => !c4sScene.view.models[0].overlay")
+        assert colours(page) == bare
+
+
+def test_a_scene_of_which_no_walk_is_known_says_so(browser: Browser, home: Path) -> None:
+    """No ``noop`` played, so nothing tells how one walks in the start."""
+    with opened(browser, home, REPAIR) as page:
+        page.get_by_label("where a body can walk").check()
+        shown(page, "Start")
+        page.get_by_text("Where a body can walk is not known of this scene.").wait_for()
+        shown(page, "Truth")
+        page.get_by_text("largest walkable area", exact=True).first.wait_for()
+        assert complaints(page) == []

@@ -10,7 +10,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, Final
 
 from c4s.navigation import approachable
-from c4s.protocol.navigation import PLATE_CM, TOWER_CM
+from c4s.protocol.navigation import BELOW_CM, PLATE_CM, TOWER_CM
 from c4s.records.navigation import LETTERS, Fall, NavigationEvidence, TargetRecord
 from c4s.verify.actors.collision import bodied_meshes, is_switched_off
 
@@ -19,6 +19,8 @@ TINY_CM: Final = 15.0
 GIANT_CM: Final = 3000.0
 """A target with a longer side is reached somewhere in nearly every scene."""
 PLACE_CM: Final = 100.0
+FLOOR_CM: Final = 200.0
+"""What is at least so wide both ways is a floor to stand on, whatever it is called."""
 CROWD_SHARE: Final = 0.5
 """Targets of which fewer than this share stand in places of their own, a metre apart, are a crowd."""
 NAMED_SHARE: Final = 0.05
@@ -49,6 +51,7 @@ def advisories_of(
             falls,
             {row for row, fall in enumerate(falls) if fall == "buried"},
         ),
+        _undermined(evidence, pool, falls),
         _names(
             "named_out",
             "a name or tag alone makes these solid actors no target",
@@ -116,6 +119,36 @@ def _crowded(pool: Sequence[TargetRecord]) -> set[int]:
             more.add(row)
         seen.add(place)
     return more if len(more) > CROWD_SHARE * len(pool) else set()
+
+
+def _undermined(evidence: NavigationEvidence, pool: Sequence[TargetRecord], falls: Sequence[Fall]) -> dict[str, Any]:
+    """Scenery that stands on a floor of its own: nobody can stand near it there, but somebody can far below."""
+    floors = [target for target in evidence.targets if target.left == "surface" or _is_wide(target)]
+    rows = [
+        row
+        for row, (target, fall) in enumerate(zip(pool, falls, strict=False))
+        if fall == "raised" and any(_carries(floor, target) for floor in floors if floor.index != target.index)
+    ]
+    if not rows:
+        return {}
+    counted: list[Fall] = ["unreached" if row in set(rows) else fall for row, fall in enumerate(falls)]
+    share = approachable(counted)
+    text = (
+        "these stand on a floor, yet the only walkable area near them is more than 150 cm below, so they count as "
+        f"scenery; a floor under the floor takes them out of the pool; with them approachability is {share or 0.0:.3f}"
+    )
+    names = [pool[row].name for row in rows]
+    return {"code": "raised_targets", "text": text, "actors": names, "approachability_with": share}
+
+
+def _is_wide(target: TargetRecord) -> bool:
+    return min(high - low for low, high in zip(target.low_cm[:2], target.high_cm[:2], strict=True)) >= FLOOR_CM
+
+
+def _carries(floor: TargetRecord, target: TargetRecord) -> bool:
+    middle = [(low + high) / 2 for low, high in zip(target.low_cm[:2], target.high_cm[:2], strict=True)]
+    over = all(low <= part <= high for low, part, high in zip(floor.low_cm[:2], middle, floor.high_cm[:2], strict=True))
+    return over and abs(target.low_cm[2] - floor.high_cm[2]) <= BELOW_CM
 
 
 def _oversize(evidence: NavigationEvidence) -> dict[str, Any]:

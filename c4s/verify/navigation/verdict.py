@@ -118,9 +118,14 @@ def _picture(evidence: NavigationEvidence, pool: Sequence[TargetRecord], falls: 
     """What a map of the walks is drawn from: whole centimetres."""
     return {
         "map": None if evidence.map is None else evidence.map.plain(),
+        "floors": None if evidence.floors is None else evidence.floors.plain(),
         "anchor": None if evidence.anchor_cm is None else [round(part) for part in evidence.anchor_cm],
         "targets": [
-            [target.label or target.name, fall, *(round(part) for part in (*target.low_cm[:2], *target.high_cm[:2]))]
+            [
+                target.label or target.name,
+                fall,
+                *(round(part) for part in (*target.low_cm[:2], *target.high_cm[:2], target.low_cm[2])),
+            ]
             for target, fall in zip(pool, falls, strict=True)
         ],
         "routes": [[[round(part) for part in point] for point in walk.route_cm] for walk in evidence.walks],

@@ -113,6 +113,13 @@
       this.group.add(made);
     }
 
+    /** Draw something over the scene that is no part of it, in place of what was; null for nothing. */
+    cover(overlay) {
+      if (this.overlay) this.group.remove(this.overlay);
+      this.overlay = overlay;
+      if (overlay) this.group.add(overlay);
+    }
+
     /** Colour each actor of a flat model. */
     paint(colourOf) {
       const colour = new THREE.Color();

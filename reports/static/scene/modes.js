@@ -54,6 +54,11 @@
       return [flat, ghost];
     }
 
+    /** The name of the file that tells where one can walk in the first model of a mode; null where none does. */
+    walk(mode, trial) {
+      return (mode in this.index.case ? this.index.walks[mode] : trial?.walk) || null;
+    }
+
     /** The side that a model of a mode is of. */
     side(mode, model) {
       if (mode === "difference") return model.base ? "truth" : "submission";

@@ -2,7 +2,7 @@
 (function () {
   "use strict";
   const scene = (window.c4sScene = {});
-  const PARTS = ["data", "meshes", "orbit", "cameras", "model", "stage", "list", "panel", "modes", "view"];
+  const PARTS = ["data", "meshes", "orbit", "cameras", "model", "walk", "stage", "list", "panel", "modes", "view"];
   const held = new Map();
   const asked = new Map();
 

@@ -177,6 +177,12 @@
       this.panes.flat().forEach((model) => (model.group.visible = pane.includes(model)));
     }
 
+    /** Show or hide what is no actor. */
+    #aside(pane, visible) {
+      this.helpers.visible = visible;
+      for (const { overlay } of pane) if (overlay) overlay.visible = visible;
+    }
+
     /**
      * Ids of a pane drawn at this size, row by row from the bottom: 0 where nothing is, else one more than the actor's.
      * Glass is seen through, as in the masks of the evidence.
@@ -185,7 +191,7 @@
       const target = new THREE.WebGLRenderTarget(width, height);
       const { background } = this.world;
       this.#only(pane);
-      this.helpers.visible = false;
+      this.#aside(pane, false);
       this.world.background = null;
       const shown = pane.flatMap((model) => model.meshes).map((mesh) => [mesh, mesh.material]);
       for (const [mesh] of shown) mesh.material = mesh.userData.seenThrough.map((glass) => (glass ? this.none : this.ids));
@@ -200,7 +206,7 @@
       target.dispose();
       for (const [mesh, material] of shown) mesh.material = material;
       this.world.background = background;
-      this.helpers.visible = true;
+      this.#aside(pane, true);
       return Array.from({ length: width * height }, (_, at) => data[4 * at] | (data[4 * at + 1] << 8) | (data[4 * at + 2] << 16));
     }
 

@@ -17,7 +17,7 @@
 
   class View {
     constructor(section, root, index) {
-      Object.assign(this, { section, index, chosen: null, lines: [] });
+      Object.assign(this, { section, root, index, chosen: null, lines: [] });
       this.modes = new scene.Modes(root, index, colours(section));
       this.#build();
       this.stage = new scene.Stage(this.canvas);
@@ -40,6 +40,7 @@
       this.camera = make("select", {});
       this.beside = make("input", { type: "checkbox" });
       this.eyes = make("input", { type: "checkbox" });
+      this.walk = make("input", { type: "checkbox" });
       this.cut = make("input", { type: "range", min: "0", max: "100", value: "100" });
       this.all = make("input", { type: "checkbox" });
       this.canvas = make("canvas", { tabindex: "0", role: "img", "aria-label": "The scene in three dimensions. " + HELP });
@@ -53,12 +54,13 @@
         labelled("Camera", this.camera),
         this.index.case.truth ? make("label", {}, this.beside, " beside the truth") : "",
         make("label", {}, this.eyes, " evidence cameras"),
+        Object.keys(this.index.walks).length || this.index.trials.some((trial) => trial.walk) ? make("label", {}, this.walk, " where a body can walk") : "",
         labelled("Cut off above", this.cut));
       const side = make("div", { class: "scene-side" }, this.panel, make("label", {}, this.all, " list all actors"), this.list.root);
       const place = this.section.querySelector(".scene-view");
       place.replaceChildren(bar, make("div", { class: "scene-body" }, make("div", { class: "scene-stage" }, this.canvas, this.legend, make("p", { class: "dim" }, HELP)), side));
       place.hidden = false;
-      for (const one of [...this.switches, this.beside]) one.addEventListener("change", () => this.show());
+      for (const one of [...this.switches, this.beside, this.walk]) one.addEventListener("change", () => this.show());
       this.which.addEventListener("change", () => { this.#cameras(); this.show(); });
       this.camera.addEventListener("change", () => this.stand());
       this.eyes.addEventListener("change", () => this.#help());
@@ -104,17 +106,35 @@
       const turn = (this.turn = (this.turn || 0) + 1);
       const models = await this.modes.models(this.mode, this.trial);
       const other = this.beside.checked && this.mode !== "truth" ? await this.modes.models("truth", this.trial) : null;
+      const walks = await Promise.all([this.#walked(this.mode), other ? this.#walked("truth") : null]);
       if (turn !== this.turn) return;
+      for (const model of this.models.concat(this.others || [])) model.cover(null);
+      [models, other].forEach((shown, place) => shown?.[0].cover(walks[place] && scene.walkOverlay(walks[place], this.modes.colours)));
       this.models = models;
+      this.others = other;
       this.stage.show(other ? [models, other] : [models]);
-      this.section.dataset.shown = [this.mode, this.trial?.key].join(" ");
       this.#fill();
       this.#cutting();
       const kept = this.chosen && models.some((model) => model.numbers.has(this.chosen.name)) ? this.chosen : null;
       if (kept) this.choose(kept.name, this.modes.side(this.mode, models.find((model) => model.numbers.has(kept.name))), false);
       else this.#forget();
       const named = this.mode === "difference" ? scene.legendOf(this.index.compared) : {};
-      this.legend.replaceChildren(...Object.entries(named).map(([kind, text]) => make("li", {}, make("span", { class: "swatch " + kind }), " " + text)));
+      const entries = Object.entries(walks[0] ? { ...named, ...scene.WALKED } : named).map(([kind, text]) => make("li", {}, make("span", { class: "swatch " + kind }), " " + text));
+      this.legend.replaceChildren(...entries, ...this.#untold(walks[0]).map((text) => make("li", {}, text)));
+      this.section.dataset.shown = [this.mode, this.trial?.key].join(" ");
+    }
+
+    /** Where one can walk in what a mode shows, where that is wanted and known. */
+    async #walked(mode) {
+      const name = this.walk.checked && this.modes.walk(mode, this.trial);
+      return name ? scene.document(this.root, name) : null;
+    }
+
+    /** What of a walk is asked for and not drawn. */
+    #untold(walk) {
+      if (!this.walk.checked) return [];
+      if (!walk) return ["Where a body can walk is not known of this scene."];
+      return walk.floors ? [] : ["The walkable area is not drawn: its verdict does not tell it."];
     }
 
     #fill() {
@@ -197,7 +217,7 @@
 
   function colours(section) {
     const style = getComputedStyle(section);
-    const names = ["same", "missing", "extra", "moved", "changed", "repaired", "met", "unmet", "physical", "chosen", "eye"];
+    const names = ["same", "missing", "extra", "moved", "changed", "repaired", "met", "unmet", "physical", "chosen", "eye", "largest", "other", "reached", "astray"];
     return Object.fromEntries(names.map((name) => [name, style.getPropertyValue("--" + name).trim()]));
   }
 

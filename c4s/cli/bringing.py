@@ -1,8 +1,9 @@
-"""The options that choose how collision is made of meshes."""
+"""The options of what comes in: how collision is made of meshes, and which file tells the licence."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
 import typer
@@ -18,6 +19,13 @@ Hulls: TypeAlias = Annotated[
 ]
 HullsOf: TypeAlias = Annotated[
     list[str] | None, typer.Option(help="another choice for some files, once for each: 'bench*=decompose'")
+]
+LicenceFile: TypeAlias = Annotated[
+    Path | None,
+    typer.Option(
+        "--license-file",
+        help="file that tells the licence; sought beside the meshes, above, and in their Debian package when left out",
+    ),
 ]
 
 
