@@ -12,17 +12,19 @@ TENS: Final = ("", "", "twenty", "thirty", "forty", "fifty", "sixty", "seventy",
 
 
 def numeral(count: int) -> str:
-    """A count as prose writes it: in words below a hundred and for whole hundreds below a thousand, else in figures."""
+    """A count as prose writes it: in words below a thousand, else in figures."""
     if count < 20:
         return UNITS[count]
     if count < 100:
         tens, rest = divmod(count, 10)
         return TENS[tens] + (f"-{UNITS[rest]}" if rest else "")
-    hundreds, rest = divmod(count, 100)
-    return f"{UNITS[hundreds]} hundred" if not rest and hundreds < 10 else str(count)
+    if count < 1000:
+        hundreds, rest = divmod(count, 100)
+        return f"{UNITS[hundreds]} hundred" + (f" and {numeral(rest)}" if rest else "")
+    return f"{count:,}"
 
 
 def rounded(count: int) -> int:
-    """A count as one says it at a glance: the nearest five below fifty, the nearest ten below two hundred, else fifty."""
+    """A count as one says it at a glance: to fives below fifty, to tens below two hundred, else to fifties."""
     step = 1 if count < 13 else 5 if count < 50 else 10 if count < 200 else 50
-    return max(1, round(count / step) * step)
+    return round(count / step) * step

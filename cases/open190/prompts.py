@@ -110,7 +110,7 @@ def reviewed(found: Worded, place: StagedPlace) -> ReviewedBindings:
     bound = bind(requirements, catalog_of(place)).entities
     said: dict[str, ReviewedEntity] = {}
     for identity, entity in requirements.entities.items():
-        key = entity.names[0].replace(" ", "_")
+        key = entity.names[0]
         wanted = {path_of(place, thing) for thing in meant_things(place, found.things.get(key, ()))}
         chosen = set(bound[identity].assets)
         if chosen != wanted:

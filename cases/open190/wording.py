@@ -22,13 +22,23 @@ from cases.graphs.quotes import places
 from cases.open190.numerals import numeral, rounded
 from cases.requirements import EntitySpec, PredicateSpec, Quantity, RequirementSpec
 
-DETERMINERS: Final = frozenset({"a", "an", "the", "its", "their", "this", "another", "and"})
+DETERMINERS: Final = frozenset(
+    {"a", "an", "the", "its", "their", "this", "another", "and", "of", "them", "or", "in", "all"}
+)
 VAGUE: Final = frozenset({"several", "few", "many", "dozens", "some", "numerous"})
 LAYOUTS: Final = {
     "row": "in_row", "rows": "in_rows", "grid": "in_grid", "ring": "in_ring", "cluster": "clustered",
     "scattered": "scattered", "regular": "regular",
 }  # fmt: skip
 """Words of the notation for how like things lie, with their relation in a bundle."""
+RELATIONS: Final = {
+    "apart": "apart_from",
+    "north": "north_of",
+    "south": "south_of",
+    "east": "east_of",
+    "west": "west_of",
+}
+"""Relations that the notation has a shorter word for."""
 SURROUNDINGS: Final = ("lighting", "atmosphere", "condition")
 WHOLES: Final = ("layout", "density", "style")
 SCENE: Final = "scene"
@@ -124,7 +134,7 @@ class _Reader:
         self._until("}")
         words = self._text[start:]
         for spec in specs:
-            self._said.append(_Said(start, len(self._text), self._claim(spec, words, start)))
+            self._said.append(_Said(start, len(self._text), self._claim([_key(one) for one in spec], words, start)))
 
     def _claim(self, spec: Sequence[str], words: str, start: int) -> Callable[[str, int], PredicateSpec]:
         kind, *rest = spec
@@ -140,6 +150,7 @@ class _Reader:
         if not rest:
             raise BadInput(f"{' '.join(spec)!r} before {words!r} says nothing")
         relation, *references = rest
+        relation = RELATIONS.get(relation, relation)
         if relation in LAYOUTS:
             return lambda text, at: PredicateSpec(
                 "distribution", f"{kind} {LAYOUTS[relation]}", text, kind, relation=LAYOUTS[relation], occurrence=at
@@ -173,7 +184,7 @@ class _Reader:
         self._place = close + 1
         nouns = tuple(things.split("+")) if things != "@" else ()
         words = phrase.split()
-        key = named[0] if named else words[-1].lower()
+        key = _key(named[0] if named else words[-1].removeprefix("'").lower())
         meant = self._meant(nouns) if nouns else Meant(0, (), False)
         if nouns and not meant.count:
             raise BadInput(f"no {things} stands in the place")
@@ -186,7 +197,7 @@ class _Reader:
         self._spans[key], self._things[key] = span, nouns
         kind = "region" if not nouns else "surface" if meant.ground else "object"
         aliases = tuple(dict.fromkeys(meant.names))
-        self._made[key] = lambda text, at: EntitySpec(key.replace("_", " "), text, aliases, kind, many, at)
+        self._made[key] = lambda text, at: EntitySpec(key, text, aliases, kind, many, at)
         if not nouns:
             return
         if quantity is None:
@@ -244,6 +255,10 @@ class _Reader:
 
 def _worded(made: PredicateSpec, text: str, occurrence: int) -> PredicateSpec:
     return PredicateSpec(made.type, made.name, text, made.subject, qualifiers=made.qualifiers, occurrence=occurrence)
+
+
+def _key(written: str) -> str:
+    return written.replace("_", " ")
 
 
 def _kind_of(word: str) -> str:
