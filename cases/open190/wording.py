@@ -124,10 +124,15 @@ class _Reader:
         if close:
             raise BadInput(f"a {close!r} is missing in {self._marked[:60]!r}")
 
+    def _upto(self, close: str) -> str:
+        end = self._marked.find(close, self._place)
+        if end < 0:
+            raise BadInput(f"a {close!r} is missing behind {self._marked[self._place :][:40]!r}")
+        found, self._place = self._marked[self._place : end], end + 1
+        return found
+
     def _claims(self) -> None:
-        bar = self._marked.find("|", self._place)
-        claims = [_spaced(part.split()) for part in self._marked[self._place : bar].split(";")]
-        self._place = bar + 1
+        claims = [_spaced(part.split()) for part in self._upto("|").split(";")]
         start = len(self._text)
         self._until("}")
         span, words = (start, len(self._text)), self._text[start:]
@@ -137,9 +142,10 @@ class _Reader:
             self._predicates.append((span, _claimed(claim, words)))
 
     def _entity(self) -> None:
-        close = self._marked.find("]", self._place)
-        phrase, things, *named = self._marked[self._place : close].split("|")
-        self._place = close + 1
+        marks = self._upto("]")
+        if not re.fullmatch(r"[^|]*[^|\s][^|]*\|[^|]+(\|[^|]+)?", marks):
+            raise BadInput(f"{marks!r} is no [words|things] or [words|things|name]")
+        phrase, things, *named = marks.split("|")
         nouns, words = tuple(things.split("+")), phrase.split()
         (key,) = _spaced(named or [words[-1].removeprefix("'").lower()])
         meant = self._meant(nouns)
@@ -190,7 +196,7 @@ class _Reader:
 
 def _claimed(claim: Sequence[str], words: str) -> PredicateSpec:
     """What a claim before some words asks for: ``id``, a word for the whole, or a thing, how, and to what."""
-    subject, *rest = claim
+    subject, *rest = claim or [""]
     if subject == "id":
         return PredicateSpec("scene_identity", f"it is {words}", "", SCENE)
     if subject in (*SURROUNDINGS, *WHOLES):
