@@ -64,7 +64,7 @@ class RepairSubject:
 
     @cached_property
     def bases(self) -> dict[str, Scene]:
-        """Submissions: nothing done, half of it, half of it and the rest askew, all of it."""
+        """Submissions: nothing done, half of it with the rest lifted into the air, all of it."""
         done = set(self.targets[::2])
         new = {one["stable_actor_id"]: one for one in self.truth["actors"]}
         half = [
@@ -76,7 +76,7 @@ class RepairSubject:
         halfway = scene([*half, *(new[name] for name in missing)], self.start)
         rest = set(self.targets[1::2])
         askew = changed(halfway, lambda one: one["stable_actor_id"] in rest, lambda one: shifted(one, (0, 0, 70)))
-        return {"start": self.start, "half": halfway, "askew": askew, "truth": self.truth}
+        return {"start": self.start, "askew": askew, "truth": self.truth}
 
 
 @dataclass(frozen=True)
