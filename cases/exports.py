@@ -57,10 +57,13 @@ def scene(
     changed: Mapping[str, Sequence[Target]],
     out: Path,
     progress: Callable[[str], None],
+    *,
+    overview: bool = True,
 ) -> Exported:
     """Export a scene into ``out``: one engine for the original and its pictures, one for all other levels.
 
     ``changed``: what each corrupted level changes; held-out cameras are planned to see it in the original.
+    ``overview``: whether the original is pictured from the evaluator's four overview cameras too.
     """
     content = out / "content"
     truth.write(content / f"{truth.package.lstrip('/')}.level.json")
@@ -75,7 +78,7 @@ def scene(
         for case_id, wanted in views.items():
             known = [camera(view) for view in wanted]
             targets[case_id] = target_cameras(things, changed[case_id], known, probe)
-        return Shots([*cameras, *overview_plan(snapshot, probe).cameras])
+        return Shots([*cameras, *(overview_plan(snapshot, probe).cameras if overview else ())])
 
     export_and_look(
         engine=DEFAULT_ENGINE,
@@ -96,7 +99,7 @@ def scene(
         inputs,
         pictures,
         starts,
-        [captures / f"overview-{number}.png" for number in range(1, OVERVIEW_VIEWS + 1)],
+        [captures / f"overview-{number}.png" for number in range(1, OVERVIEW_VIEWS + 1)] if overview else [],
         targets,
     )
 

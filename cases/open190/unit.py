@@ -1,0 +1,269 @@
+"""A unit of the suite: the repairs of one half of one source scene, drawn, looked at and written.
+
+A half of a scene has an original, names and ids of its own, all of them from its seed: who has the public half knows
+nothing of where things stand in the private one. A unit's folder holds ``agent/`` and ``withheld/`` as a suite does,
+``sightings.json`` and ``unit.json`` (``Unit``), which is written last.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections import Counter
+from collections.abc import Callable, Sequence
+from contextlib import closing
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any, Final
+
+from c4s.errors import BadInput
+from c4s.evidence.masks import Tracer
+from c4s.files import digest, read_json, write_json
+from c4s.packs.store import PackStore
+from c4s.records.level import Level
+from c4s.records.pack import MANIFEST, Pack
+from c4s.records.suite import SuiteFolder
+from cases import exports
+from cases.admissible import (
+    Glanced,
+    Looked,
+    Refusal,
+    TargetSighting,
+    looked_at,
+    score_refusals,
+    seen_by,
+    sight_refusals,
+    sightings,
+)
+from cases.applying import apply
+from cases.audit import MOST_F1, audit_repair
+from cases.boxes import boxes_of
+from cases.checks import check_repair
+from cases.corruption import with_identities
+from cases.model import SourceScene
+from cases.natural import lived_in, rounded
+from cases.open190.changes import Changeable
+from cases.open190.difficulty import Hardness, hardness
+from cases.open190.drafts import Draft, draft
+from cases.open190.layout import StagedPlace
+from cases.open190.lookouts import Lookout, lookouts, traced
+from cases.open190.plan import Wanted
+from cases.packaging import CaseWriter, truth_package
+from cases.recipe import Operation
+from cases.standing import settled, snapshot_of
+from cases.veil import Veil
+from cases.views import changed
+
+UNIT: Final = "unit.json"
+DRAFTS, ROUNDS = 400, 24
+"""Draws for one repair before a round gives up on it, and rounds; in each round every repair is drawn once."""
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Made:
+    """A repair that passed: its draft, its levels under the veil, and its operations in their words."""
+
+    draft: Draft
+    start: Level
+    operations: list[Operation]
+
+
+@dataclass
+class UnitBuilder:
+    """Builds the repairs of one half of a scene.
+
+    Args:
+        place: the scene as it is laid out.
+        wanted: what its repairs are to be; all of one visibility.
+        seed: of this half.
+        packs: where the packs lie; that of the scene is there.
+    """
+
+    place: StagedPlace
+    title: str
+    wanted: Sequence[Wanted]
+    seed: str
+    packs: Path
+    progress: Progress
+    refused: Counter[str] = field(default_factory=Counter)
+    """Why drafts were not taken, and how often."""
+
+    def __post_init__(self) -> None:
+        first = self.wanted[0]
+        self.scene_id, self.environment = first.scene_id, first.environment
+        self.folders = [self.packs / self.place.pack_id]
+        self.pack = Pack.read(self.folders[0] / MANIFEST)
+        self.boxes = boxes_of(self.pack.assets)
+        self.store = PackStore(self.folders)
+        self.veil = Veil(digest([self.seed, self.scene_id, first.visibility, self.place.level().plain()]))
+        self.chance = self.veil.chance(f"{self.scene_id}|draws")
+
+    def build(self, out: Path) -> None:
+        """Write the unit into ``out``; ``BadInput`` where a repair cannot be made."""
+        authored = rounded(with_identities(self.place.level(), self.scene_id)).model_copy(
+            update={"package": truth_package(self.scene_id)}
+        )
+        self.progress(f"{self.name}: an original of {len(authored.actors)} actors")
+        disturbed = lived_in(authored, self.boxes, self.veil.chance(self.scene_id))
+        original = settled(authored, disturbed, self.folders)
+        snapshot = snapshot_of(original, self.folders)
+        scene = Changeable(original, self.scene_id, snapshot, self.boxes, self.store, self.place.relations)
+        pool = lookouts(self.place, self.environment, scene.things, Tracer(snapshot, self.folders), self.chance)
+        self.progress(f"{self.name}: {len(scene.things)} things to change, {len(pool)} views")
+        if not pool:
+            raise BadInput("no view of this scene shows anything to change", where=self.scene_id)
+        self._original, self._scene, self._pool = original, scene, pool
+        self._veiled = self.veil.over(self.scene_id, original)
+        self._truth = self._veiled.level(original)
+        self._written(out)
+
+    @property
+    def name(self) -> str:
+        """The unit in words."""
+        return f"{self.scene_id} ({self.wanted[0].visibility})"
+
+    def _written(self, out: Path) -> None:
+        folder = SuiteFolder(out)
+        writer = CaseWriter(folder, {self.pack.pack_id: self.pack}, self.veil, {})
+        source = SourceScene(self.scene_id, self.environment, self.title, self._original, (self.pack.pack_id,))
+        seen, hard = dict[str, list[TargetSighting]](), dict[str, Hardness]()
+        ready: dict[str, Made] = {}
+        for number in range(ROUNDS):
+            missing = [one for one in self.wanted if one.case_id not in ready and one.case_id not in seen]
+            if missing:
+                ready |= self._drawn(missing, number)
+            if len(ready) + len(seen) == len(self.wanted):
+                self._pictured(ready, writer, source, seen, hard)
+                ready = {}
+            if len(seen) == len(self.wanted):
+                break
+        else:
+            left = [one for one in self.wanted if one.case_id not in seen]
+            told = ", ".join(f"{reason} ({count})" for reason, count in self.refused.most_common(3))
+            raise BadInput(
+                f"no good repair found for {len(left)} of {len(self.wanted)}: {told}",
+                where=", ".join(f"{one.case_id} {one.group} {one.chain} {one.tier}" for one in left),
+            )
+        write_json(folder.sightings, {name: list(map(asdict, rows)) for name, rows in sorted(seen.items())})
+        write_json(
+            out / UNIT,
+            {
+                "cases": {one.case_id: {**asdict(one), "difficulty": hard[one.case_id].plain()} for one in self.wanted},
+                "refused": dict(self.refused.most_common()),
+            },
+        )
+
+    # drawing, and a first look without light
+
+    def _drawn(self, wanted: Sequence[Wanted], number: int) -> dict[str, Made]:
+        """One draft of each wanted repair that passes all but its pictures."""
+        drafts: dict[str, Made] = {}
+        for one in wanted:
+            made = self._draft(one, number)
+            if made is not None:
+                drafts[one.case_id] = made
+        if not drafts:
+            return {}
+        good = {}
+        with tempfile.TemporaryDirectory(prefix="c4s-unit-") as scratch:
+            levels = {"": self._truth, **{name: made.start for name, made in drafts.items()}}
+            with closing(exports.snapshots(self.folders, levels, Path(scratch))) as exported:
+                truth = next(exported)[1]
+                before = Tracer(truth, self.folders)
+                for case_id, snapshot in exported:
+                    refusal = self._glanced(drafts[case_id], before, truth, snapshot)
+                    if refusal is None:
+                        good[case_id] = drafts[case_id]
+                    else:
+                        self.refused[refusal.kind] += 1
+                        self.progress(f"  {case_id}: {refusal.reason}")
+        return good
+
+    def _draft(self, wanted: Wanted, number: int) -> Made | None:
+        chance = self.veil.chance(f"{wanted.case_id}|{number}")
+        place = list(self.wanted).index(wanted)
+        for attempt in range(DRAFTS):
+            first = self._pool[(place + attempt + 5 * number) % len(self._pool)]
+            made = draft(wanted, self._scene, self._pool, first, chance)
+            if made is None or self._hardness(made, self._expected(made, first)).tier != wanted.tier:
+                continue
+            package = self.veil.start_map(wanted.case_id)
+            corrupted = apply(self._original, made.case.operations, package)
+            try:
+                check_repair(made.case, made.case.operations, self._original, corrupted)
+            except BadInput:
+                self.refused["unreachable"] += 1
+                continue
+            start = self._veiled.level(corrupted)
+            operations = self.veil.operations(self.scene_id, made.case.operations, start)
+            return Made(made, start, operations)
+        self.refused["nothing to draw"] += 1
+        return None
+
+    def _glanced(self, made: Made, before: Tracer, truth: dict[str, Any], start: dict[str, Any]) -> Refusal | None:
+        """Why a draft is no good, as far as can be told without its pictures."""
+        case = made.draft.case
+        after = Tracer(start, self.folders)
+        looks = []
+        for view in case.views:
+            pictures = [seen_by(traced(tracer, view), tracer.names) for tracer in (before, after)]
+            looks.append(Glanced(view.name, *pictures))
+        seen = sightings(made.operations, self._truth, made.start, looks, {})
+        for refusal in sight_refusals(case, made.operations, self._truth, made.start, truth, start, seen, {}):
+            return refusal
+        tier = self._hardness(made.draft, seen).tier
+        if tier != case.difficulty:
+            return Refusal(case.case_id, "seen", f"it is {tier} and not {case.difficulty}")
+        for refusal in score_refusals(case.case_id, case.setting, truth, start, self.store, {}):
+            return refusal
+        way, f1 = audit_repair(case.case_id, made.start, start, truth, self.boxes).best
+        if f1 > MOST_F1:
+            return Refusal(case.case_id, "guessed", f"{way!r} repairs it without a look at a picture (F1 {f1:.2f})")
+        return None
+
+    def _expected(self, made: Draft, first: Lookout) -> list[TargetSighting]:
+        """How well the targets of a draft are likely to be seen."""
+        return [TargetSighting(name, (), first.pixels[name], None, None) for name in made.targets]
+
+    def _hardness(self, made: Draft, seen: Sequence[TargetSighting]) -> Hardness:
+        things = self._scene.things
+        places = [things[name].origin for name in made.targets]
+        return hardness(made.case.corruptions, places, made.related, seen)
+
+    # pictures
+
+    def _pictured(
+        self,
+        made: dict[str, Made],
+        writer: CaseWriter,
+        source: SourceScene,
+        seen: dict[str, list[TargetSighting]],
+        hard: dict[str, Hardness],
+    ) -> None:
+        """Take the pictures of drafts, and write those that pass."""
+        with tempfile.TemporaryDirectory(prefix="c4s-unit-") as scratch:
+            starts = {name: one.start for name, one in made.items()}
+            views = {name: list(one.draft.case.views) for name, one in made.items()}
+            told = {name: changed(self._truth, level, self.boxes) for name, level in starts.items()}
+            exported = exports.scene(
+                self.folders, self._truth, starts, views, told, Path(scratch), self.progress, overview=False
+            )
+            truth = read_json(exported.truth)
+            for case_id, one in made.items():
+                case = one.draft.case
+                pairs = zip(case.views, exported.views[case_id], exported.start_views[case_id], strict=True)
+                looks: list[Looked] = [looked_at(view.name, before, after) for view, before, after in pairs]
+                sighted = sightings(one.operations, self._truth, one.start, looks, {})
+                start = read_json(exported.inputs[case_id])
+                against = sight_refusals(
+                    case, one.operations, self._truth, one.start, truth, start, sighted, {}
+                ) + score_refusals(case_id, case.setting, truth, start, self.store, {})
+                found = self._hardness(one.draft, sighted)
+                if found.tier != case.difficulty:
+                    against.append(Refusal(case_id, "seen", f"it is {found.tier} and not {case.difficulty}"))
+                if against:
+                    self.refused[against[0].kind] += 1
+                    self.progress(f"  {case_id}: {against[0].reason}")
+                    continue
+                writer.repair(case, source, self._truth, one.start, one.operations, exported)
+                seen[case_id], hard[case_id] = sighted, found
