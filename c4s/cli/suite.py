@@ -57,20 +57,47 @@ def build_starter_visibly(*, replace: bool = False) -> Suite:
     return suite
 
 
+def build_open190_visibly(*, replace: bool = False) -> Suite:
+    """Build the suite open-190, or what of it is not there yet; with progress."""
+    from cases.open190.suite import build_open190
+
+    with bars() as progress:
+        task = progress.add_task("open-190", total=None)
+
+        def step(message: str) -> None:
+            progress.update(task, description=f"building {message.strip():42.42}")
+            step_line(message)
+
+        def done(made: int, whole: int) -> None:
+            progress.update(task, completed=made, total=whole)
+
+        suite = build_open190(suites_root() / "open-190", packs_root(), step, done, replace=replace)
+        progress.update(task, description=f"{'open-190 ready':51}")
+    return suite
+
+
+SHIPPED = MappingProxyType({"starter": build_starter_visibly, "open-190": build_open190_visibly})
+"""How each suite that ships is built."""
+
+
 @app.command()
 def build(
-    name: Annotated[str, typer.Argument(metavar="FILE", help="`starter`, a suite.yaml, or the folder of one")],
+    name: Annotated[
+        str, typer.Argument(metavar="FILE", help="`starter`, `open-190`, a suite.yaml, or the folder of one")
+    ],
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Build a suite: the one that ships with its packs, or that of a suite file."""
+    """Build a suite: one that ships with its packs, or that of a suite file.
+
+    A build of open-190 that was stopped goes on where it was."""
     if _is_file(name):
         suite = workshop.build_file(Path(name), replace=replace, json_output=json_output)
         _tell(suite, suites_root() / suite.suite_id, json_output)
         return
-    if name != "starter":
-        raise unknown("shipped suite", name, ["starter"], todo="or give a suite.yaml")
-    _tell(build_starter_visibly(replace=replace), suites_root() / name, json_output)
+    if name not in SHIPPED:
+        raise unknown("shipped suite", name, list(SHIPPED), todo="or give a suite.yaml")
+    _tell(SHIPPED[name](replace=replace), suites_root() / name, json_output)
 
 
 @app.command("list")

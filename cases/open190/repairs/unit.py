@@ -2,7 +2,7 @@
 
 A half of a scene has an original, names and ids of its own, all of them from its seed: who has the public half knows
 nothing of where things stand in the private one. A unit's folder holds ``agent/`` and ``withheld/`` as a suite does,
-``sightings.json`` and ``unit.json`` (``Unit``), which is written last.
+``sightings.json`` and ``unit.json``, which is written last.
 """
 
 from __future__ import annotations
@@ -41,14 +41,15 @@ from cases.checks import check_repair
 from cases.corruption import with_identities
 from cases.model import SourceScene
 from cases.natural import lived_in, rounded
-from cases.open190.changes import Changeable
-from cases.open190.difficulty import Hardness, hardness
-from cases.open190.drafts import Draft, draft
 from cases.open190.layout import StagedPlace
-from cases.open190.lookouts import Lookout, lookouts, traced
-from cases.open190.plan import Wanted
+from cases.open190.repairs.changes import Changeable
+from cases.open190.repairs.difficulty import Hardness, hardness
+from cases.open190.repairs.drafts import Draft, draft
+from cases.open190.repairs.lookouts import Lookout, lookouts, traced
+from cases.open190.repairs.plan import Wanted
 from cases.packaging import CaseWriter, truth_package
 from cases.recipe import Operation
+from cases.sharing import share_equal
 from cases.standing import settled, snapshot_of
 from cases.veil import Veil
 from cases.views import changed
@@ -98,8 +99,8 @@ class UnitBuilder:
         self.veil = Veil(digest([self.seed, self.scene_id, first.visibility, self.place.level().plain()]))
         self.chance = self.veil.chance(f"{self.scene_id}|draws")
 
-    def build(self, out: Path) -> None:
-        """Write the unit into ``out``; ``BadInput`` where a repair cannot be made."""
+    def build(self, out: Path) -> dict[str, Any]:
+        """Write the unit into ``out`` and return what is to be noted; ``BadInput`` where a repair cannot be made."""
         authored = rounded(with_identities(self.place.level(), self.scene_id)).model_copy(
             update={"package": truth_package(self.scene_id)}
         )
@@ -115,14 +116,14 @@ class UnitBuilder:
         self._original, self._scene, self._pool = original, scene, pool
         self._veiled = self.veil.over(self.scene_id, original)
         self._truth = self._veiled.level(original)
-        self._written(out)
+        return self._written(out)
 
     @property
     def name(self) -> str:
         """The unit in words."""
         return f"{self.scene_id} ({self.wanted[0].visibility})"
 
-    def _written(self, out: Path) -> None:
+    def _written(self, out: Path) -> dict[str, Any]:
         folder = SuiteFolder(out)
         writer = CaseWriter(folder, {self.pack.pack_id: self.pack}, self.veil, {})
         source = SourceScene(self.scene_id, self.environment, self.title, self._original, (self.pack.pack_id,))
@@ -145,13 +146,11 @@ class UnitBuilder:
                 where=", ".join(f"{one.case_id} {one.group} {one.chain} {one.tier}" for one in left),
             )
         write_json(folder.sightings, {name: list(map(asdict, rows)) for name, rows in sorted(seen.items())})
-        write_json(
-            out / UNIT,
-            {
-                "cases": {one.case_id: {**asdict(one), "difficulty": hard[one.case_id].plain()} for one in self.wanted},
-                "refused": dict(self.refused.most_common()),
-            },
-        )
+        share_equal(out / "withheld")
+        return {
+            "cases": {one.case_id: {**asdict(one), "difficulty": hard[one.case_id].plain()} for one in self.wanted},
+            "refused": dict(self.refused.most_common()),
+        }
 
     # drawing, and a first look without light
 

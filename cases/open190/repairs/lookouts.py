@@ -18,7 +18,7 @@ from cases.generate import SoundThing
 from cases.model import CaseView
 from cases.open190.eyes import block, views
 from cases.open190.layout import StagedPlace
-from cases.open190.plan import Environment
+from cases.open190.repairs.plan import Environment
 from cases.views import camera
 
 WIDTH, HEIGHT = 320, 180

@@ -14,9 +14,9 @@ from c4s.geometry.transform import affine, look_at
 from c4s.records.level import Vector
 from cases.corruption import Author, Corruption
 from cases.model import CaseView, Group, RepairCase
-from cases.open190.changes import Changeable, Inside, joined
-from cases.open190.lookouts import Lookout, second
-from cases.open190.plan import Wanted
+from cases.open190.repairs.changes import Changeable, Inside, joined
+from cases.open190.repairs.lookouts import Lookout, second
+from cases.open190.repairs.plan import Wanted
 from cases.recipe import Kind, Operation, SpawnActor
 
 KINDS: Final[Mapping[Group, Sequence[Sequence[Kind]]]] = {

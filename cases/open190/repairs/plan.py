@@ -92,6 +92,17 @@ def planned(
     return [wanted for environment in scenes for wanted in _dealt(environment, scenes[environment], visibility, seed)]
 
 
+def planned_texts(texts: Sequence[str]) -> dict[str, tuple[Visibility, int]]:
+    """The half that each text belongs to, and the smallest nested set that it is in."""
+    chance = random.Random(f"{PUBLIC_SEED}|texts")
+    order = chance.sample(list(texts), len(texts))
+    sets: list[int] = []
+    for size, counts in NESTED.items():
+        sets += [size] * (counts["text"] - len(sets))
+    sets += [190] * (len(order) - len(sets))
+    return {name: ("public" if size <= 95 else "private", size) for name, size in zip(order, sets, strict=True)}
+
+
 def _dealt(environment: Environment, scenes: Sequence[str], visibility: Visibility, seed: str) -> Iterator[Wanted]:
     halves = _halves(environment)
     kinds, chance = list(halves[visibility]), random.Random(f"{seed}|{environment}|{visibility}")

@@ -70,7 +70,7 @@ class Changeable:
             if relation.kind in ("around", "in_row", "in_grid") and relation.subject in mesh:
                 groups[relation.reference, mesh[relation.subject]].append(relation.subject)
         self.mates = {
-            name: sorted(set(group) - {name}, key=lambda other: self._far(name, other))
+            name: sorted(set(group) - {name}, key=lambda other: (self._far(name, other), other))
             for group in groups.values()
             for name in group
             if len(set(group)) > 1
