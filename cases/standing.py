@@ -13,6 +13,7 @@ from c4s.evidence import export_level
 from c4s.files import read_json
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
+from c4s.verify.physics.surfaces import MeshSource
 from c4s.verify.physics.verdict import verify_physics
 
 ASIDE_CM = 1e7
@@ -36,13 +37,16 @@ def unsound(snapshot: dict[str, Any]) -> set[str]:
     return _faulty(snapshot, ("near_bodies",))
 
 
-def losing(snapshot: dict[str, Any]) -> set[str]:
-    """Those that would lose points if they were edited: also what the published rule of support calls floating."""
-    return _faulty(snapshot, ("floating", "near_bodies"))
+def losing(snapshot: dict[str, Any], meshes: MeshSource | None = None) -> set[str]:
+    """Those that would lose points if they were edited: also what the published rule of support calls floating.
+
+    With ``meshes`` that rule looks at triangles, as a trial's does; else at collision bodies.
+    """
+    return _faulty(snapshot, ("floating", "near_bodies"), meshes)
 
 
-def _faulty(snapshot: dict[str, Any], tellers: Sequence[str]) -> set[str]:
-    measured = _alone(snapshot)
+def _faulty(snapshot: dict[str, Any], tellers: Sequence[str], meshes: MeshSource | None = None) -> set[str]:
+    measured = _alone(snapshot, meshes)
     leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
     return {
         *(
@@ -60,12 +64,14 @@ def unscored(snapshot: dict[str, Any]) -> set[str]:
     return {name for name, role in _alone(snapshot)["roles"].items() if role != "scored_solid"}
 
 
-def _alone(snapshot: dict[str, Any]) -> dict[str, Any]:
+def _alone(snapshot: dict[str, Any], meshes: MeshSource | None = None) -> dict[str, Any]:
     """What physics measures of each actor as if it alone were edited."""
     aside = copy.deepcopy(snapshot)
     for actor in aside["actors"]:
         actor["transform"]["location_cm"][0] += ASIDE_CM
-    measured: dict[str, Any] = verify_physics("image-to-scene/indoor", snapshot, aside, alone=True).measurements
+    measured: dict[str, Any] = verify_physics(
+        "image-to-scene/indoor", snapshot, aside, meshes=meshes, alone=True
+    ).measurements
     return measured
 
 

@@ -13,6 +13,7 @@ import argparse
 from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import Any, Final
 
@@ -141,6 +142,7 @@ def build_units(
         MachineryFault: the engine failed.
     """
     places, finished = _Places(packs, progress, replace), 0
+    _how()
 
     def build(mine: Sequence[UnitPlan]) -> list[Path]:
         nonlocal finished
@@ -200,6 +202,7 @@ def _text(plan: UnitPlan, place: StagedPlace, out: Path, packs: Path, progress: 
     return {"cases": {case.case_id: {"visibility": plan.visibility, "nested": plan.nested}}}
 
 
+@cache
 def _how() -> str:
     """The digest of how units are made of what is given."""
     own = ("changes.py", "difficulty.py", "drafts.py", "lookouts.py", "plan.py", "unit.py")

@@ -92,13 +92,14 @@ class Changeable:
         return math.dist(self.things[one].origin, self.things[other].origin)
 
     def _things(self) -> dict[str, SoundThing]:
-        bad = losing(dict(self.snapshot)) | unscored(dict(self.snapshot))
+        snapshot = dict(self.snapshot)
+        bad = losing(snapshot, self.store.recorded_mesh) | unscored(snapshot)
         simple = [
             actor
             for actor in self.level.actors
             if actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1 and actor.name not in bad
         ]
-        no_target = unfit(simple, dict(self.snapshot))
+        no_target = unfit(simple, snapshot)
         found = {}
         for actor in simple:
             low, high = (side[self.rows[actor.name]] for side in (self.placed.low, self.placed.high))

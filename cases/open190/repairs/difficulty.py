@@ -67,7 +67,7 @@ def hardness(
     spread = max((math.dist(a, b) for a in places_cm for b in places_cm), default=0.0)
     shares = [min(1.0, max(0.0, _faint(one))) for one in seen]
     return Hardness(
-        targets=min(1.0, (len(targets) - 1) / (MOST_TARGETS - 1)),
+        targets=min(1.0, max(0, len(targets) - 1) / (MOST_TARGETS - 1)),
         extent=min(1.0, spread / MOST_EXTENT_CM),
         coupling=min(1.0, (len(operations) - len(changes)) / 3),
         relations=min(1.0, related / 4),
