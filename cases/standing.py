@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -75,13 +75,16 @@ def _alone(snapshot: dict[str, Any], meshes: MeshSource | None = None) -> dict[s
     return measured
 
 
-def settled(authored: Level, disturbed: Level, packs: Sequence[Path]) -> Level:
-    """The disturbed level, with those actors as they were authored that neither stand nor fit as they are now."""
+def settled(authored: Level, disturbed: Level, export: Callable[[Level], dict[str, Any]]) -> Level:
+    """The disturbed level, with those actors as they were authored that neither stand nor fit as they are now.
+
+    ``export`` gives the snapshot of a level.
+    """
     was = {actor.name: actor for actor in authored.actors}
     touched = {actor.name for actor in disturbed.actors if actor != was[actor.name]}
     level = disturbed
     while touched:
-        bad = unsound(snapshot_of(level, packs)) & touched
+        bad = unsound(export(level)) & touched
         if not bad:
             break
         touched -= bad

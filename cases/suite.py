@@ -15,6 +15,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 
 from c4s.errors import BadInput
@@ -48,9 +49,10 @@ from cases.natural import lived_in, plans_of, rebased, rounded, settled_spawns
 from cases.packaging import CaseWriter, truth_package
 from cases.recipe import Operation, SpawnActor
 from cases.settle import to_build
+from cases.sharing import share_equal
 from cases.sifting import MadeCase, sifted
 from cases.stamp import STAMP
-from cases.standing import settled
+from cases.standing import settled, snapshot_of
 from cases.veil import Veil
 from cases.views import changed
 
@@ -101,6 +103,7 @@ def build_suite(
                 where=f"{builder.refused[0].case_id}: {builder.refused[0].reason}",
                 todo="give another --seed, or fewer --changes",
             )
+        share_equal(folder.root / "withheld")
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
         refused = [one.plain() for one in builder.refused]
@@ -183,7 +186,7 @@ class _Builder:
         boxes = boxes_of(assets.values())
         packs = [self.packs_root / pack_id for pack_id in scene.packs]
         plans = plans_of([operation for case in repairs for operation in case.operations], authored)
-        original = settled(authored, lived_in(authored, boxes, chance, plans), packs)
+        original = settled(authored, lived_in(authored, boxes, chance, plans), partial(snapshot_of, packs=packs))
         damaged, usable = [original], list[RepairCase]()
         for case in repairs:
             operations = rebased(case.operations, authored, original, chance)
@@ -224,16 +227,14 @@ class _Builder:
     ) -> dict[str, Level]:
         """The corrupted levels of the first good cases, as many as are wanted."""
         settings = {case.case_id: case.setting for case in repairs}
-        with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
-            levels = {"": truth, **corrupted}
-            with closing(exports.snapshots(folders, levels, Path(scratch))) as exported:
-                original = next(exported)[1]
-                candidates = (
-                    MadeCase(case_id, settings[case_id], corrupted[case_id], snapshot, original)
-                    for case_id, snapshot in exported
-                )
-                most = math.ceil(SPARE * (self.definition.most or len(repairs)))
-                good, refused = sifted(candidates, boxes, PackStore(folders), most, self.progress)
+        with closing(exports.snapshots(folders, {"": truth, **corrupted})) as exported:
+            original = next(exported)[1]
+            candidates = (
+                MadeCase(case_id, settings[case_id], corrupted[case_id], snapshot, original)
+                for case_id, snapshot in exported
+            )
+            most = math.ceil(SPARE * (self.definition.most or len(repairs)))
+            good, refused = sifted(candidates, boxes, PackStore(folders), most, self.progress)
         self.refused += refused
         return {case_id: corrupted[case_id] for case_id in good}
 

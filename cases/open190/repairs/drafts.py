@@ -48,6 +48,8 @@ KINDS: Final[Mapping[Group, Sequence[Sequence[Kind]]]] = {
 TOGETHER: Final = {"easy": 0.0, "medium": 0.2, "hard": 0.4}
 """How often an entry changes several things of a set, by tier."""
 MOST_TOGETHER = 3
+ASKED = 12
+"""So many things are asked for a change of a kind before another kind, or another view, is."""
 TITLES: Final[Mapping[Group, str]] = {
     "Restore": "Bring back what is missing",
     "Lifecycle": "Undo what was added or exchanged",
@@ -140,7 +142,7 @@ def _entry(
     seen: set[str],
 ) -> tuple[Corruption, list[str]] | None:
     """An entry of a chain and whom it changes: one thing, or some that were put together."""
-    for name in ready:
+    for name in ready[:ASKED]:
         change = scene.change(kind, name, author, chance, inside)
         if change is None:
             continue

@@ -10,7 +10,6 @@ from __future__ import annotations
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Sequence
-from contextlib import closing
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Final
@@ -22,6 +21,8 @@ from c4s.packs.store import PackStore
 from c4s.records.level import Level
 from c4s.records.pack import MANIFEST, Pack
 from c4s.records.suite import SuiteFolder
+from c4s.semantics.inventory import inventory
+from c4s.semantics.sight import target_cameras
 from cases import exports
 from cases.admissible import (
     Glanced,
@@ -50,9 +51,9 @@ from cases.open190.repairs.plan import Wanted
 from cases.packaging import CaseWriter, truth_package
 from cases.recipe import Operation
 from cases.sharing import share_equal
-from cases.standing import settled, snapshot_of
+from cases.standing import settled
 from cases.veil import Veil
-from cases.views import changed
+from cases.views import camera, changed
 
 UNIT: Final = "unit.json"
 DRAFTS, ROUNDS = 400, 24
@@ -106,17 +107,20 @@ class UnitBuilder:
         )
         self.progress(f"{self.name}: an original of {len(authored.actors)} actors")
         disturbed = lived_in(authored, self.boxes, self.veil.chance(self.scene_id))
-        original = settled(authored, disturbed, self.folders)
-        snapshot = snapshot_of(original, self.folders)
-        scene = Changeable(original, self.scene_id, snapshot, self.boxes, self.store, self.place.relations)
-        pool = lookouts(self.place, self.environment, scene.things, Tracer(snapshot, self.folders), self.chance)
-        self.progress(f"{self.name}: {len(scene.things)} things to change, {len(pool)} views")
-        if not pool:
-            raise BadInput("no view of this scene shows anything to change", where=self.scene_id)
-        self._original, self._scene, self._pool = original, scene, pool
-        self._veiled = self.veil.over(self.scene_id, original)
-        self._truth = self._veiled.level(original)
-        return self._written(out)
+        with exports.bench(self.folders) as self._bench:
+            original = settled(authored, disturbed, self._bench.snapshot)
+            snapshot = self._bench.snapshot(original)
+            scene = Changeable(original, self.scene_id, snapshot, self.boxes, self.store, self.place.relations)
+            pool = lookouts(self.place, self.environment, scene.things, Tracer(snapshot, self.folders), self.chance)
+            self.progress(f"{self.name}: {len(scene.things)} things to change, {len(pool)} views")
+            if not pool:
+                raise BadInput("no view of this scene shows anything to change", where=self.scene_id)
+            self._original, self._scene, self._pool = original, scene, pool
+            self._veiled = self.veil.over(self.scene_id, original)
+            self._truth = self._veiled.level(original)
+            self._snapshot = self._bench.snapshot(self._truth)
+            self._tracer = Tracer(self._snapshot, self.folders)
+            return self._written(out)
 
     @property
     def name(self) -> str:
@@ -164,18 +168,13 @@ class UnitBuilder:
         if not drafts:
             return {}
         good = {}
-        with tempfile.TemporaryDirectory(prefix="c4s-unit-") as scratch:
-            levels = {"": self._truth, **{name: made.start for name, made in drafts.items()}}
-            with closing(exports.snapshots(self.folders, levels, Path(scratch))) as exported:
-                truth = next(exported)[1]
-                before = Tracer(truth, self.folders)
-                for case_id, snapshot in exported:
-                    refusal = self._glanced(drafts[case_id], before, truth, snapshot)
-                    if refusal is None:
-                        good[case_id] = drafts[case_id]
-                    else:
-                        self.refused[refusal.kind] += 1
-                        self.progress(f"  {case_id}: {refusal.reason}")
+        for case_id, made in drafts.items():
+            refusal = self._glanced(made, self._bench.snapshot(made.start))
+            if refusal is None:
+                good[case_id] = made
+            else:
+                self.refused[refusal.kind] += 1
+                self.progress(f"  {case_id}: {refusal.reason}")
         return good
 
     def _draft(self, wanted: Wanted, number: int) -> Made | None:
@@ -199,13 +198,13 @@ class UnitBuilder:
         self.refused["nothing to draw"] += 1
         return None
 
-    def _glanced(self, made: Made, before: Tracer, truth: dict[str, Any], start: dict[str, Any]) -> Refusal | None:
+    def _glanced(self, made: Made, start: dict[str, Any]) -> Refusal | None:
         """Why a draft is no good, as far as can be told without its pictures."""
-        case = made.draft.case
+        case, truth = made.draft.case, self._snapshot
         after = Tracer(start, self.folders)
         looks = []
         for view in case.views:
-            pictures = [seen_by(traced(tracer, view), tracer.names) for tracer in (before, after)]
+            pictures = [seen_by(traced(tracer, view), tracer.names) for tracer in (self._tracer, after)]
             looks.append(Glanced(view.name, *pictures))
         seen = sightings(made.operations, self._truth, made.start, looks, {})
         for refusal in sight_refusals(case, made.operations, self._truth, made.start, truth, start, seen, {}):
@@ -241,13 +240,7 @@ class UnitBuilder:
     ) -> None:
         """Take the pictures of drafts, and write those that pass."""
         with tempfile.TemporaryDirectory(prefix="c4s-unit-") as scratch:
-            starts = {name: one.start for name, one in made.items()}
-            views = {name: list(one.draft.case.views) for name, one in made.items()}
-            told = {name: changed(self._truth, level, self.boxes) for name, level in starts.items()}
-            exported = exports.scene(
-                self.folders, self._truth, starts, views, told, Path(scratch), self.progress, overview=False
-            )
-            truth = read_json(exported.truth)
+            exported = self._exported(made, Path(scratch))
             for case_id, one in made.items():
                 case = one.draft.case
                 pairs = zip(case.views, exported.views[case_id], exported.start_views[case_id], strict=True)
@@ -255,8 +248,8 @@ class UnitBuilder:
                 sighted = sightings(one.operations, self._truth, one.start, looks, {})
                 start = read_json(exported.inputs[case_id])
                 against = sight_refusals(
-                    case, one.operations, self._truth, one.start, truth, start, sighted, {}
-                ) + score_refusals(case_id, case.setting, truth, start, self.store, {})
+                    case, one.operations, self._truth, one.start, self._snapshot, start, sighted, {}
+                )
                 found = self._hardness(one.draft, sighted)
                 if found.tier != case.difficulty:
                     against.append(Refusal(case_id, "seen", f"it is {found.tier} and not {case.difficulty}"))
@@ -266,3 +259,23 @@ class UnitBuilder:
                     continue
                 writer.repair(case, source, self._truth, one.start, one.operations, exported)
                 seen[case_id], hard[case_id] = sighted, found
+
+    def _exported(self, made: dict[str, Made], scratch: Path) -> exports.Exported:
+        """Snapshots and pictures of the original and of the start scenes of drafts."""
+        views = {name: list(one.draft.case.views) for name, one in made.items()}
+        self.progress(f"{self.name}: {sum(map(len, views.values()))} pictures of the original")
+        write_json(scratch / "truth.json", self._bench.snapshot(self._truth))
+        things = inventory(self._snapshot, {})
+        shown, held_out = {}, {}
+        for name, one in made.items():
+            cameras = [camera(view) for view in views[name]]
+            shown[name] = self._bench.pictures(cameras)
+            told = changed(self._truth, one.start, self.boxes)
+            held_out[name] = target_cameras(things, told, cameras, self._bench.probe)
+        inputs, starts = {}, {}
+        for name, one in made.items():
+            self.progress(f"  {name}: snapshot and pictures of the start scene")
+            inputs[name] = scratch / f"{name}.json"
+            write_json(inputs[name], self._bench.snapshot(one.start))
+            starts[name] = self._bench.pictures([exports.reduced(view) for view in views[name]])
+        return exports.Exported(scratch / "truth.json", inputs, shown, starts, [], held_out)
