@@ -18,7 +18,7 @@ from c4s.errors import BadInput
 from c4s.evidence.masks import Tracer
 from c4s.files import digest, read_json, write_json
 from c4s.packs.store import PackStore
-from c4s.records.level import Level
+from c4s.records.level import Level, Vector
 from c4s.records.pack import MANIFEST, Pack
 from c4s.records.suite import SuiteFolder
 from c4s.semantics.inventory import inventory
@@ -58,6 +58,8 @@ from cases.views import camera, changed
 UNIT: Final = "unit.json"
 DRAFTS, ROUNDS = 400, 24
 """Draws for one repair before a round gives up on it, and rounds; in each round every repair is drawn once."""
+FEWEST_VIEWS: Final = 6
+"""Views that no other repair of the unit has are enough for one; where there are fewer, all are."""
 Progress = Callable[[str], None]
 
 
@@ -116,6 +118,7 @@ class UnitBuilder:
             if not pool:
                 raise BadInput("no view of this scene shows anything to change", where=self.scene_id)
             self._original, self._scene, self._pool = original, scene, pool
+            self._views: dict[str, list[Vector]] = {}
             self._veiled = self.veil.over(self.scene_id, original)
             self._truth = self._veiled.level(original)
             self._snapshot = self._bench.snapshot(self._truth)
@@ -180,9 +183,12 @@ class UnitBuilder:
     def _draft(self, wanted: Wanted, number: int) -> Made | None:
         chance = self.veil.chance(f"{wanted.case_id}|{number}")
         place = list(self.wanted).index(wanted)
+        taken = {view for case_id, views in self._views.items() if case_id != wanted.case_id for view in views}
+        pool = [one for one in self._pool if one.view.location_cm not in taken]
+        pool = pool if len(pool) >= FEWEST_VIEWS else self._pool
         for attempt in range(DRAFTS):
-            first = self._pool[(place + attempt + 5 * number) % len(self._pool)]
-            made = draft(wanted, self._scene, self._pool, first, chance)
+            first = pool[(place + attempt + 5 * number) % len(pool)]
+            made = draft(wanted, self._scene, pool, first, chance)
             if made is None or self._hardness(made, self._expected(made, first)).tier != wanted.tier:
                 continue
             package = self.veil.start_map(wanted.case_id)
@@ -192,6 +198,7 @@ class UnitBuilder:
             except BadInput:
                 self.refused["unreachable"] += 1
                 continue
+            self._views[wanted.case_id] = [view.location_cm for view in made.case.views]
             start = self._veiled.level(corrupted)
             operations = self.veil.operations(self.scene_id, made.case.operations, start)
             return Made(made, start, operations)
