@@ -18,8 +18,7 @@ from c4s.engine import DEFAULT_ENGINE, Engine, open_engine
 from c4s.engine.answers import ask
 from c4s.engine.bridge import FAILED
 from c4s.errors import MachineryFault
-from c4s.evidence import Shots, export_and_look, take_pictures
-from c4s.evidence.pictures import TIMEOUT_S, plain
+from c4s.evidence import Shots, export_and_look, glimpses, take_pictures
 from c4s.evidence.shots import Glimpse, Probe, Snapshot
 from c4s.files import write_json
 from c4s.protocol.rules import OVERVIEW_VIEWS
@@ -119,7 +118,8 @@ class Bench:
 
     def probe(self, cameras: Sequence[Mapping[str, Any]]) -> Sequence[Glimpse]:
         """What cameras would see of the level that is open."""
-        told: Sequence[Glimpse] = ask(self._engine, "capture.probe_views", cameras=plain(cameras), timeout_s=TIMEOUT_S)
+        told = glimpses(self._engine, cameras)
+        assert told is not None
         return told
 
     def pictures(self, cameras: Sequence[Mapping[str, Any]]) -> list[Path]:

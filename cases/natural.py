@@ -41,14 +41,14 @@ DIGITS = 3
 
 
 @dataclass
-class Placed:
+class StandingBoxes:
     """World boxes of a level's actors, a row an actor; NaN where it shows no mesh."""
 
     low: Array
     high: Array
 
     @classmethod
-    def of(cls, actors: Sequence[LevelActor], boxes: Boxes) -> Placed:
+    def of(cls, actors: Sequence[LevelActor], boxes: Boxes) -> StandingBoxes:
         """The boxes of some actors in their order."""
         rows = [world_box(actor, actor.transform, boxes) for actor in actors]
         return cls(np.array([low for low, _ in rows]), np.array([high for _, high in rows]))
@@ -107,7 +107,7 @@ def lived_in(
     """
     parents = {actor.parent for actor in level.actors}
     actors = [_rounded(actor) for actor in level.actors]
-    placed = Placed.of(actors, boxes)
+    placed = StandingBoxes.of(actors, boxes)
     for row, actor in enumerate(actors):
         simple = actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1
         own = id_of(actor) or ""
@@ -172,7 +172,7 @@ def _disturbed(
     actor: LevelActor,
     now: Transform,
     boxes: Boxes,
-    placed: Placed,
+    placed: StandingBoxes,
     row: int,
     chance: random.Random,
     factor: float | None,

@@ -11,9 +11,9 @@ from typing import Any
 from c4s.engine import DEFAULT_ENGINE
 from c4s.evidence import export_level
 from c4s.files import read_json
+from c4s.packs.store import PackStore
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
-from c4s.verify.physics.surfaces import MeshSource
 from c4s.verify.physics.verdict import verify_physics
 
 ASIDE_CM = 1e7
@@ -37,16 +37,16 @@ def unsound(snapshot: dict[str, Any]) -> set[str]:
     return _faulty(snapshot, ("near_bodies",))
 
 
-def losing(snapshot: dict[str, Any], meshes: MeshSource | None = None) -> set[str]:
+def losing(snapshot: dict[str, Any], store: PackStore | None = None) -> set[str]:
     """Those that would lose points if they were edited: also what the published rule of support calls floating.
 
-    With ``meshes`` that rule looks at triangles, as a trial's does; else at collision bodies.
+    With the packs of the scene that rule looks at triangles, as a trial's does; else at collision bodies.
     """
-    return _faulty(snapshot, ("floating", "near_bodies"), meshes)
+    return _faulty(snapshot, ("floating", "near_bodies"), store)
 
 
-def _faulty(snapshot: dict[str, Any], tellers: Sequence[str], meshes: MeshSource | None = None) -> set[str]:
-    measured = _alone(snapshot, meshes)
+def _faulty(snapshot: dict[str, Any], tellers: Sequence[str], store: PackStore | None = None) -> set[str]:
+    measured = _alone(snapshot, store)
     leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
     return {
         *(
@@ -64,13 +64,13 @@ def unscored(snapshot: dict[str, Any]) -> set[str]:
     return {name for name, role in _alone(snapshot)["roles"].items() if role != "scored_solid"}
 
 
-def _alone(snapshot: dict[str, Any], meshes: MeshSource | None = None) -> dict[str, Any]:
+def _alone(snapshot: dict[str, Any], store: PackStore | None = None) -> dict[str, Any]:
     """What physics measures of each actor as if it alone were edited."""
     aside = copy.deepcopy(snapshot)
     for actor in aside["actors"]:
         actor["transform"]["location_cm"][0] += ASIDE_CM
     measured: dict[str, Any] = verify_physics(
-        "image-to-scene/indoor", snapshot, aside, meshes=meshes, alone=True
+        "image-to-scene/indoor", snapshot, aside, meshes=None if store is None else store.recorded_mesh, alone=True
     ).measurements
     return measured
 

@@ -13,7 +13,6 @@ import argparse
 from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, replace
-from functools import cache
 from pathlib import Path
 from typing import Any, Final
 
@@ -31,10 +30,11 @@ from cases.open190.build import source_scene, sources
 from cases.open190.layout import StagedPlace
 from cases.open190.library import SCENES
 from cases.open190.prompts import text_case
-from cases.open190.repairs.plan import NESTED, PUBLIC_SEED, Environment, Wanted, planned, planned_texts
-from cases.open190.repairs.unit import UNIT, UnitBuilder
+from cases.open190.repairs.plan import NESTED, PUBLIC_SEED, Environment, WantedRepair, planned, planned_texts
+from cases.open190.repairs.unit import DRAWING_VERSION, UNIT, UnitBuilder
 from cases.open190.scenes import SceneSpec
 from cases.open190.secret import private_seed
+from cases.open190.words import WORDS
 from cases.settle import to_build
 from cases.sharing import link_tree
 from cases.stamp import STAMP
@@ -58,7 +58,7 @@ class UnitPlan:
     spec: SceneSpec
     visibility: Visibility
     seed: str
-    wanted: tuple[Wanted, ...] = ()
+    wanted: tuple[WantedRepair, ...] = ()
     """Its repairs; none of a text."""
     nested: int = 0
     """The smallest nested set that a text is in."""
@@ -142,7 +142,6 @@ def build_units(
         MachineryFault: the engine failed.
     """
     places, finished = _Places(packs, progress, replace), 0
-    _how()
 
     def build(mine: Sequence[UnitPlan]) -> list[Path]:
         nonlocal finished
@@ -166,13 +165,14 @@ def build_units(
 def _unit(plan: UnitPlan, places: _Places, packs: Path, progress: Progress) -> Path:
     out = cache_root() / SUITE_ID / plan.name
     pack = places.pack(plan.spec)
-    quick = digest([_how(), sources(), pack.sha256(), digest(plan.seed), [asdict(one) for one in plan.wanted]])
+    dealt = [digest(plan.seed), [asdict(one) for one in plan.wanted]]
+    made_by = [DRAWING_VERSION, BUILDER_VERSION]
+    quick = digest([made_by, sources(), pack.sha256(), dealt, _said(plan)])
     noted = read_json(out / UNIT) if (out / UNIT).is_file() else {}
     if noted.get("quick") == quick:
         return out
     place = places.of(plan.spec)
-    asked = [_texts(plan, place), digest(plan.seed), [asdict(one) for one in plan.wanted]]
-    whole = digest([_how(), place.level().plain(), pack.sha256(), asked])
+    whole = digest([made_by, place.level().plain(), _relations(place), pack.sha256(), dealt, _texts(plan, place)])
     if noted.get("whole") == whole:
         write_json(out / UNIT, {**noted, "quick": quick})
         return out
@@ -189,6 +189,16 @@ def _unit(plan: UnitPlan, places: _Places, packs: Path, progress: Progress) -> P
     return out
 
 
+def _said(plan: UnitPlan) -> str:
+    """What decides the prompt of a text; nothing of a repair."""
+    own = [digest_file(Path(__file__).with_name(name)) for name in ("numerals.py", "prompts.py", "wording.py")]
+    return "" if plan.wanted else digest([own, WORDS.get(plan.spec.scene_id, "")])
+
+
+def _relations(place: StagedPlace) -> list[list[str]]:
+    return [[one.kind, one.subject, one.reference] for one in place.relations]
+
+
 def _texts(plan: UnitPlan, place: StagedPlace) -> str:
     return "" if plan.wanted else repr(text_case(plan.spec, place))
 
@@ -200,14 +210,6 @@ def _text(plan: UnitPlan, place: StagedPlace, out: Path, packs: Path, progress: 
     definition = SuiteDefinition(SUITE_ID, TITLE, DESCRIPTION, scene.packs, (scene,), (case,))
     build_suite(definition, out, packs, progress)
     return {"cases": {case.case_id: {"visibility": plan.visibility, "nested": plan.nested}}}
-
-
-@cache
-def _how() -> str:
-    """The digest of how units are made of what is given."""
-    own = ("changes.py", "difficulty.py", "drafts.py", "lookouts.py", "plan.py", "unit.py")
-    files = [(name, digest_file(Path(__file__).parent / "repairs" / name)) for name in own]
-    return digest([BUILDER_VERSION, files])
 
 
 def build_open190(

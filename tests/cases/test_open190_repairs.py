@@ -24,7 +24,7 @@ from cases.admissible import LEAST_PIXELS, TargetSighting, score_refusals
 from cases.open190.build import sources
 from cases.open190.library import SCENES
 from cases.open190.repairs.difficulty import Hardness, hardness
-from cases.open190.repairs.plan import NESTED, PUBLIC_SEED, Wanted, histogram, planned, planned_texts
+from cases.open190.repairs.plan import NESTED, PUBLIC_SEED, WantedRepair, histogram, planned, planned_texts
 from cases.open190.repairs.unit import UNIT
 from cases.open190.secret import VARIABLE, private_seed
 from cases.open190.suite import UnitPlan, build_units, unit_plans
@@ -34,11 +34,11 @@ from catalog.build import build_pack
 ROOMS = {kind: [name for name, spec in SCENES.items() if spec.kind == kind] for kind in ("indoor", "outdoor")}
 SEED = "a secret of the operator, 0123456789"
 SCENE = "loft"
-PUBLIC = Wanted("loft-1", SCENE, "indoor", "Restore", 1, "easy", "public", 61)
-PRIVATE = Wanted("loft-3", SCENE, "indoor", "Layout", 1, "easy", "private", 190)
+PUBLIC = WantedRepair("loft-1", SCENE, "indoor", "Restore", 1, "easy", "public", 61)
+PRIVATE = WantedRepair("loft-3", SCENE, "indoor", "Layout", 1, "easy", "private", 190)
 
 
-def plan(seed: str = SEED) -> list[Wanted]:
+def plan(seed: str = SEED) -> list[WantedRepair]:
     """Both halves."""
     return [*planned(ROOMS, "public"), *planned(ROOMS, "private", seed)]  # type: ignore[arg-type]
 
@@ -143,7 +143,7 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         yield root
 
 
-def unit(wanted: Wanted, seed: str) -> UnitPlan:
+def unit(wanted: WantedRepair, seed: str) -> UnitPlan:
     """A unit of one repair."""
     return UnitPlan(SCENES[SCENE], wanted.visibility, seed, (wanted,))
 

@@ -16,7 +16,7 @@ from cases.corruption import Author, Corruption
 from cases.model import CaseView, Group, RepairCase
 from cases.open190.repairs.changes import Changeable, Inside, joined
 from cases.open190.repairs.lookouts import Lookout, second
-from cases.open190.repairs.plan import Wanted
+from cases.open190.repairs.plan import WantedRepair
 from cases.recipe import Kind, Operation, SpawnActor
 
 KINDS: Final[Mapping[Group, Sequence[Sequence[Kind]]]] = {
@@ -64,7 +64,7 @@ INSIDE = 0.86
 
 
 @dataclass(frozen=True)
-class Draft:
+class RepairDraft:
     """A repair before it was looked at."""
 
     case: RepairCase
@@ -75,8 +75,8 @@ class Draft:
 
 
 def draft(
-    wanted: Wanted, scene: Changeable, pool: Sequence[Lookout], first: Lookout, chance: random.Random
-) -> Draft | None:
+    wanted: WantedRepair, scene: Changeable, pool: Sequence[Lookout], first: Lookout, chance: random.Random
+) -> RepairDraft | None:
     """Draw a repair before a view; None where its things allow none.
 
     Args:
@@ -128,7 +128,7 @@ def draft(
         "image-to-scene/indoor" if wanted.environment == "indoor" else "image-to-scene/outdoor",
         visibility=wanted.visibility,
     )
-    return Draft(case, tuple(names), sum(name in scene.related for name in names))
+    return RepairDraft(case, tuple(names), sum(name in scene.related for name in names))
 
 
 def _entry(

@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from c4s.evidence.masks import Tracer
+from c4s.evidence import Tracer
 from c4s.render import Picture
 from c4s.render.masks import glimpse
 from cases.admissible import FULL

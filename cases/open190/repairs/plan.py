@@ -57,7 +57,7 @@ NESTED: Final[Mapping[int, Mapping[str, int]]] = {
 
 
 @dataclass(frozen=True)
-class Wanted:
+class WantedRepair:
     """What a repair of a scene is to be."""
 
     case_id: str
@@ -81,7 +81,7 @@ class _Kind:
 
 def planned(
     scenes: Mapping[Environment, Sequence[str]], visibility: Visibility, seed: str = PUBLIC_SEED
-) -> list[Wanted]:
+) -> list[WantedRepair]:
     """The repairs of a half of the suite, scene by scene.
 
     Args:
@@ -103,7 +103,9 @@ def planned_texts(texts: Sequence[str]) -> dict[str, tuple[Visibility, int]]:
     return {name: ("public" if size <= 95 else "private", size) for name, size in zip(order, sets, strict=True)}
 
 
-def _dealt(environment: Environment, scenes: Sequence[str], visibility: Visibility, seed: str) -> Iterator[Wanted]:
+def _dealt(
+    environment: Environment, scenes: Sequence[str], visibility: Visibility, seed: str
+) -> Iterator[WantedRepair]:
     halves = _halves(environment)
     kinds, chance = list(halves[visibility]), random.Random(f"{seed}|{environment}|{visibility}")
     chance.shuffle(kinds)
@@ -121,7 +123,7 @@ def _dealt(environment: Environment, scenes: Sequence[str], visibility: Visibili
     for name in scenes:
         first = 1 if visibility == "public" else public[name] + 1
         for number, kind in enumerate(hands[name], first):
-            yield Wanted(
+            yield WantedRepair(
                 f"{name}-{number}", name, environment, kind.group, kind.chain, kind.tier, visibility, next(nested)
             )
 
@@ -162,7 +164,7 @@ def _nested(environment: Environment, visibility: Visibility, chance: random.Ran
     return sets
 
 
-def histogram(wanted: Sequence[Wanted], environment: Environment) -> dict[str, Counter[object]]:
+def histogram(wanted: Sequence[WantedRepair], environment: Environment) -> dict[str, Counter[object]]:
     """Groups, chains, tiers and nested sets of the repairs of an environment."""
     rows = [one for one in wanted if one.environment == environment]
     return {

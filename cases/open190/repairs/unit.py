@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from c4s.errors import BadInput
-from c4s.evidence.masks import Tracer
+from c4s.evidence import Tracer
 from c4s.files import digest, read_json, write_json
 from c4s.packs.store import PackStore
 from c4s.records.level import Level, Vector
@@ -45,9 +45,9 @@ from cases.natural import lived_in, rounded
 from cases.open190.layout import StagedPlace
 from cases.open190.repairs.changes import Changeable
 from cases.open190.repairs.difficulty import Hardness, hardness
-from cases.open190.repairs.drafts import Draft, draft
+from cases.open190.repairs.drafts import RepairDraft, draft
 from cases.open190.repairs.lookouts import Lookout, lookouts, traced
-from cases.open190.repairs.plan import Wanted
+from cases.open190.repairs.plan import WantedRepair
 from cases.packaging import CaseWriter, truth_package
 from cases.recipe import Operation
 from cases.sharing import share_equal
@@ -56,6 +56,8 @@ from cases.veil import Veil
 from cases.views import camera, changed
 
 UNIT: Final = "unit.json"
+DRAWING_VERSION: Final = 1
+"""Part of a unit's digest: raise it when the same plan is drawn into other repairs."""
 DRAFTS, ROUNDS = 400, 24
 """Draws for one repair before a round gives up on it, and rounds; in each round every repair is drawn once."""
 FEWEST_VIEWS: Final = 6
@@ -67,7 +69,7 @@ Progress = Callable[[str], None]
 class Made:
     """A repair that passed: its draft, its levels under the veil, and its operations in their words."""
 
-    draft: Draft
+    draft: RepairDraft
     start: Level
     operations: list[Operation]
 
@@ -85,7 +87,7 @@ class UnitBuilder:
 
     place: StagedPlace
     title: str
-    wanted: Sequence[Wanted]
+    wanted: Sequence[WantedRepair]
     seed: str
     packs: Path
     progress: Progress
@@ -161,7 +163,7 @@ class UnitBuilder:
 
     # drawing, and a first look without light
 
-    def _drawn(self, wanted: Sequence[Wanted], number: int) -> dict[str, Made]:
+    def _drawn(self, wanted: Sequence[WantedRepair], number: int) -> dict[str, Made]:
         """One draft of each wanted repair that passes all but its pictures."""
         drafts: dict[str, Made] = {}
         for one in wanted:
@@ -180,7 +182,7 @@ class UnitBuilder:
                 self.progress(f"  {case_id}: {refusal.reason}")
         return good
 
-    def _draft(self, wanted: Wanted, number: int) -> Made | None:
+    def _draft(self, wanted: WantedRepair, number: int) -> Made | None:
         chance = self.veil.chance(f"{wanted.case_id}|{number}")
         place = list(self.wanted).index(wanted)
         taken = {view for case_id, views in self._views.items() if case_id != wanted.case_id for view in views}
@@ -226,11 +228,11 @@ class UnitBuilder:
             return Refusal(case.case_id, "guessed", f"{way!r} repairs it without a look at a picture (F1 {f1:.2f})")
         return None
 
-    def _expected(self, made: Draft, first: Lookout) -> list[TargetSighting]:
+    def _expected(self, made: RepairDraft, first: Lookout) -> list[TargetSighting]:
         """How well the targets of a draft are likely to be seen."""
         return [TargetSighting(name, (), first.pixels[name], None, None) for name in made.targets]
 
-    def _hardness(self, made: Draft, seen: Sequence[TargetSighting]) -> Hardness:
+    def _hardness(self, made: RepairDraft, seen: Sequence[TargetSighting]) -> Hardness:
         things = self._scene.things
         places = [things[name].origin for name in made.targets]
         return hardness(made.case.corruptions, places, made.related, seen)
