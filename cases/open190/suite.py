@@ -157,8 +157,8 @@ def build_units(
     for plan in plans:
         grouped.setdefault(plan.spec.scene_id, []).append(plan)
     with ThreadPoolExecutor(AT_ONCE) as pool:
-        made = list(pool.map(build, grouped.values()))
-    by_name = {folder.name: folder for folders in made for folder in folders}
+        running = [pool.submit(build, mine) for mine in grouped.values()]
+    by_name = {folder.name: folder for one in running for folder in one.result()}
     return [by_name[plan.name] for plan in plans]
 
 

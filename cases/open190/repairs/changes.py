@@ -34,6 +34,8 @@ LIKE = (0.55, 1.7)
 LOPSIDED = 0.03
 """Mean way (of the size) from a shape's points to the mirrored or turned shape: what has less is symmetrical."""
 SAMPLED = 1500
+PATTERN_CM, LEVEL_WEIGHT = 500.0, 40.0
+"""Like things so near to each other make a pattern; a difference of height counts so many times."""
 Inside = Callable[[Vector], bool]
 """Whether a place can be seen."""
 
@@ -56,6 +58,8 @@ class Changeable:
     """What may be changed, by name: it stands, fits, carries nothing and is no part of a building."""
     mates: dict[str, list[str]] = field(init=False)
     """The others that were put with a thing: around a table, in a row, in a grid."""
+    alike: set[str] = field(init=False)
+    """What stands near enough to two others of its look at one height to make a pattern with them."""
     related: set[str] = field(init=False)
     """What stands in a relation to another thing."""
 
@@ -76,6 +80,7 @@ class Changeable:
             if len(set(group)) > 1
         }
         self.related = {relation.subject for relation in self.relations}
+        self.alike = self._among_their_like()
         self.ids = {actor.name: id_of(actor) or "" for actor in self.level.actors}
         self._symmetry: dict[tuple[str, str], float] = {}
 
@@ -110,6 +115,17 @@ class Changeable:
             if not self.placed.carried(self.rows[actor.name]):
                 middle, half = (low + high) / 2, (high - low) / 2
                 found[actor.name] = SoundThing(actor.name, _vector(middle), _vector(half), mesh)
+        return found
+
+    def _among_their_like(self) -> set[str]:
+        looks: dict[str, list[SoundThing]] = defaultdict(list)
+        for thing in self.things.values():
+            looks[thing.mesh].append(thing)
+        found = set()
+        for like in looks.values():
+            places = np.array([[*thing.origin[:2], LEVEL_WEIGHT * thing.origin[2]] for thing in like])
+            near = cKDTree(places).query_ball_point(places, PATTERN_CM)
+            found |= {thing.name for thing, others in zip(like, near, strict=True) if len(others) > 2}
         return found
 
     # what a change needs

@@ -106,7 +106,7 @@ def draft(
             ready = [name for name in left if name not in taken and looks.allow(kind, scene.things[name].mesh)]
             ready = [name for name in ready if first.pixels[name] >= SHOWN.get(kind, 0)]
             if pattern and kind in ("move", "rotate", "removal"):
-                ready = [name for name in ready if name in scene.mates]
+                ready = [name for name in ready if name in scene.mates or name in scene.alike]
             made = _entry(kind, ready, scene, author, chance, inside, TOGETHER[wanted.tier], set(left) - taken)
             if made is not None:
                 change, changed = made
