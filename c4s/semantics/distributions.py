@@ -24,6 +24,8 @@ PARALLEL, NOT_PARALLEL = 0.7, 0.25
 EVEN, UNEVEN = 0.35, 1.2
 """Coefficient of variation of the ways to the nearest neighbours."""
 RING_VARIATION, RING_GAP_DEG = 0.3, 120.0
+NO_SCATTER = 0.15
+"""Up to this variation of its radii a ring is drawn, and not the rim of something that things are scattered around."""
 _TIES = 6
 """Neighbours that are measured to find the nearest: on a grid several are equally near but for rounding."""
 
@@ -138,7 +140,7 @@ def cluster(things: Sequence[Thing]) -> tuple[bool | None, str, float]:
 
 
 def scattered(things: Sequence[Thing]) -> tuple[bool | None, str, float]:
-    """Spread out without order: no row, no ring, no grid, and a nearest-neighbour ratio in [0.6, 1.6].
+    """Spread out without order: no row, no drawn ring, no grid, and a nearest-neighbour ratio in [0.6, 1.6].
 
     The ratio is Clark and Evans', with Donnelly's border correction over the points' rectangle (its sides lengthened by
     (n + 1) / (n - 1), as the range of n points is too short): about 1 at random, under 0.6 clustered, 2 on a grid.
@@ -150,7 +152,8 @@ def scattered(things: Sequence[Thing]) -> tuple[bool | None, str, float]:
         return False, "clark_evans", 0.0
     expected = 0.5 * math.sqrt(float(sides.prod()) / n) + (0.0514 + 0.041 / math.sqrt(n)) * 2 * float(sides.sum()) / n
     ratio = float(nearest(points).mean()) / expected
-    if row(things)[0] or ring(things)[0] or grid(things)[0]:
+    ringed, _, variation = ring(things)
+    if row(things)[0] or (ringed and variation <= NO_SCATTER) or grid(things)[0]:
         return False, "clark_evans", ratio
     return (True if 0.6 <= ratio <= 1.6 else False if ratio < 0.2 else None), "clark_evans", ratio
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, Final
 
 from c4s.protocol.bundle import Entity, Requirements
 from c4s.records.binding import Binding
@@ -13,6 +13,9 @@ from c4s.semantics.decision import Decision, decided, unknown
 from c4s.semantics.inventory import Thing, catalog_path, landscapes, placed, unmeshed
 from c4s.semantics.kinds import Facts, ThingKind, leaf
 from c4s.semantics.substance import Substance, substance
+
+SURFACE: Final = "surface"
+"""Kind of an entity that others stand on."""
 
 
 class Grounding:
@@ -85,6 +88,10 @@ class Grounding:
     def collective(self, ids: Sequence[str]) -> bool:
         """Whether any of the entities is a collection."""
         return any(entity.collection for entity in self.entities(ids))
+
+    def laid(self, ids: Sequence[str]) -> bool:
+        """Whether all of the entities are surfaces: a ground of many tiles is one thing to stand on."""
+        return all(entity.kind == SURFACE for entity in self.entities(ids))
 
     def present(self, entity_ids: Sequence[str]) -> tuple[list[Thing], Decision | None]:
         """Things of the entities, or the decision when there are none."""

@@ -71,7 +71,7 @@ class Spatial:
         holding = [subjects[place] for place in np.flatnonzero(surely).tolist()]
         made = shared(subjects, holding, f"{relation} {len(others)} reference(s)", any_suffices=individual)
         if made.status == "MATCH":
-            apiece = not individual and self._grounding.collective(sides[1])
+            apiece = not individual and self._grounding.collective(sides[1]) and not self._grounding.laid(sides[1])
             crowded = taken(relation, holding, others) if apiece else None
             if crowded is not None and crowded.sum() < SHARE * min(len(holding), len(others)):
                 return unknown(f"{relation} a few of {len(others)} references only", made.actors)

@@ -28,8 +28,8 @@ CARPETS: Final = ("ground", "floor")
 MOST_CARPETS: Final = 4
 MINIMUM_ACTORS: Final = 20
 RELATING: Final = ("spatial_relation", "distribution")
-EASY_BELOW: Final = 60
-MEDIUM_BELOW: Final = 80
+EASY_BELOW: Final = 70
+MEDIUM_BELOW: Final = 86
 """Limits of a text's load, such that a third of the suite's texts is of each difficulty."""
 
 

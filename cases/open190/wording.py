@@ -1,16 +1,17 @@
 """Prompts with their requirements written into them: a sentence says once what it asks for and which things it means.
 
-``[# striped market_stalls|*Stall]`` speaks of things: here all whose noun ends in ``Stall``, of which as many stand in
-the place as the number says that is put for ``#`` (``~``: about as many, rounded). Its adjectives are requirements; one
-behind a ``'`` is not. ``{stalls along road; stalls row|line the road}`` says how they stand. Both may be nested; what is
-left when the marks are gone is the prompt. ``cases/DESIGN.md`` has the whole notation.
+``[# striped market_stalls|*Stall|stalls]`` speaks of things (``cases.open190.prompts`` says which) and calls them
+``stalls``. For ``#`` the number is put of how many stand in the place, for ``~`` a round one with a word like *about*.
+Adjectives are requirements, but for one behind a ``'``; ``_`` joins words to one. ``{stalls along road; stalls row|they
+line the road}`` says how things stand, and both may hold others of their kind. What is left when the marks are gone is
+the prompt. Things of which nothing else is said are asked to be there. ``cases/DESIGN.md`` has all words of it.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from c4s.errors import BadInput
@@ -22,32 +23,31 @@ from cases.graphs.quotes import places
 from cases.open190.numerals import numeral, rounded
 from cases.requirements import EntitySpec, PredicateSpec, Quantity, RequirementSpec
 
-DETERMINERS: Final = frozenset(
-    {"a", "an", "the", "its", "their", "this", "another", "and", "of", "them", "or", "in", "all"}
-)
-VAGUE: Final = frozenset({"several", "few", "many", "dozens", "some", "numerous"})
+NO_ADJECTIVES: Final = frozenset(WORDS) | {"the", "its", "their", "and", "of", "them", "or", "in"}
 LAYOUTS: Final = {
-    "row": "in_row", "rows": "in_rows", "grid": "in_grid", "ring": "in_ring", "cluster": "clustered",
-    "scattered": "scattered", "regular": "regular",
-}  # fmt: skip
-"""Words of the notation for how like things lie, with their relation in a bundle."""
-RELATIONS: Final = {
-    "apart": "apart_from",
-    "north": "north_of",
-    "south": "south_of",
-    "east": "east_of",
-    "west": "west_of",
+    "row": "in_row",
+    "rows": "in_rows",
+    "grid": "in_grid",
+    "ring": "in_ring",
+    "scattered": "scattered",
+    "regular": "regular",
 }
+"""Words of the notation for how like things lie, with their relation in a bundle."""
+RELATIONS: Final = {"apart": "apart_from"}
 """Relations that the notation has a shorter word for."""
 SURROUNDINGS: Final = ("lighting", "atmosphere", "condition")
 WHOLES: Final = ("layout", "density", "style")
+LOOKS: Final = ("color", "material", "attribute")
 SCENE: Final = "scene"
-_MATERIALS: Final = frozenset().union(*MATERIAL_WORDS.values()) | {"thatched", "tiled", "gravel", "plastered", "straw"}
+ABOUT: Final = ("about", "some", "roughly")
+"""Words before a rounded number, in turn."""
+LONGEST_NAME: Final = 60
+_MATERIALS: Final = frozenset().union(*MATERIAL_WORDS.values()) | {"tiled", "gravel"}
 
 
 @dataclass(frozen=True)
 class Meant:
-    """The things that an entity of a prompt means: how many stand there, what they are called, whether one walks on them."""
+    """The things that an entity of a prompt means: how many stand there, their names, whether one walks on them."""
 
     count: int
     names: tuple[str, ...]
@@ -69,47 +69,45 @@ class Worded:
         return RequirementSpec(self.entities, self.predicates, "c4s open-190")
 
 
-@dataclass
-class _Said:
-    """A predicate before the prompt is whole: its span instead of its words."""
-
-    start: int
-    end: int
-    make: Callable[[str, int], PredicateSpec]
+Span = tuple[int, int]
 
 
 class _Reader:
-    """Reads a marked prompt from left to right."""
+    """Reads a marked prompt from left to right. Words and occurrences are put in when the prompt is whole."""
 
     def __init__(self, marked: str, meant: Callable[[Sequence[str]], Meant]) -> None:
         self._marked, self._meant = marked, meant
         self._place = 0
         self._text = ""
-        self._said: list[_Said] = []
-        self._spans: dict[str, tuple[int, int]] = {}
-        self._made: dict[str, Callable[[str, int], EntitySpec]] = {}
+        self._predicates: list[tuple[Span, PredicateSpec]] = []
+        self._entities: dict[str, tuple[Span, EntitySpec]] = {}
         self._things: dict[str, tuple[str, ...]] = {}
+        self._guesses = len(marked)
 
     def read(self) -> Worded:
         """The whole prompt."""
         self._until("")
-        done = Worded(text=self._text, things=self._things)
-        for key, make in self._made.items():
-            done.entities.append(make(*self._quoted(*self._spans[key])))
-        for said in sorted(self._said, key=lambda one: (one.start, one.end)):
-            done.predicates.append(said.make(*self._quoted(said.start, said.end)))
-        for predicate in done.predicates:
-            for key in (predicate.subject, predicate.reference, *predicate.references):
-                if key is not None and key not in self._made:
-                    raise BadInput(f"{predicate.name!r} speaks of {key!r}, which the prompt does not mark")
-        return done
+        entities, found = [], []
+        for span, entity in self._entities.values():
+            words, occurrence = self._quoted(span)
+            entities.append(replace(entity, text=words, occurrence=occurrence))
+        for span, spec in sorted(self._predicates, key=lambda row: row[0]):
+            words, occurrence = self._quoted(span)
+            found.append(replace(spec, text=words, occurrence=occurrence))
+        told = {spec.subject for spec in found if spec.type != "existence"}
+        kept = [spec for spec in found if spec.type != "existence" or spec.subject not in told]
+        for spec in kept:
+            for key in (spec.subject, spec.reference, *spec.references):
+                if key is not None and key not in self._entities:
+                    raise BadInput(f"{spec.name!r} speaks of {key!r}, which the prompt does not mark")
+        return Worded(self._text, entities, kept, self._things)
 
-    def _quoted(self, start: int, end: int) -> tuple[str, int]:
-        words = self._text[start:end]
+    def _quoted(self, span: Span) -> tuple[str, int]:
+        words = self._text[slice(*span)]
         starts = [quote.start for quote in places(self._text, words)]
-        if start not in starts:
+        if span[0] not in starts:
             raise BadInput(f"{words!r} is cut out of a word")
-        return words, starts.index(start)
+        return words, starts.index(span[0])
 
     def _until(self, close: str) -> None:
         while self._place < len(self._marked):
@@ -120,113 +118,54 @@ class _Reader:
             if letter == "[":
                 self._entity()
             elif letter == "{":
-                self._relation()
+                self._claims()
             else:
                 self._text += letter
         if close:
             raise BadInput(f"a {close!r} is missing in {self._marked[:60]!r}")
 
-    def _relation(self) -> None:
-        bar = self._marked.find("|", self._place)
-        specs = [part.split() for part in self._marked[self._place : bar].split(";")]
-        self._place = bar + 1
+    def _upto(self, close: str) -> str:
+        end = self._marked.find(close, self._place)
+        if end < 0:
+            raise BadInput(f"a {close!r} is missing behind {self._marked[self._place :][:40]!r}")
+        found, self._place = self._marked[self._place : end], end + 1
+        return found
+
+    def _claims(self) -> None:
+        claims = [_spaced(part.split()) for part in self._upto("|").split(";")]
         start = len(self._text)
         self._until("}")
-        words = self._text[start:]
-        for spec in specs:
-            self._said.append(_Said(start, len(self._text), self._claim([_key(one) for one in spec], words, start)))
-
-    def _claim(self, spec: Sequence[str], words: str, start: int) -> Callable[[str, int], PredicateSpec]:
-        kind, *rest = spec
-        if kind == "id":
-            self._spans[SCENE] = start, len(self._text)
-            self._made[SCENE] = lambda text, at: EntitySpec(SCENE, text, (), "region", occurrence=at)
-            return lambda text, at: PredicateSpec("scene_identity", f"it is {text}", text, SCENE, occurrence=at)
-        if kind in SURROUNDINGS or kind in WHOLES:
-            type_ = "environment" if kind in SURROUNDINGS else "composition"
-            return lambda text, at: PredicateSpec(
-                type_, f"{kind}: {text}"[:60], text, SCENE, qualifiers=((kind, text),), occurrence=at
-            )
-        if not rest:
-            raise BadInput(f"{' '.join(spec)!r} before {words!r} says nothing")
-        relation, *references = rest
-        relation = RELATIONS.get(relation, relation)
-        if relation in LAYOUTS:
-            return lambda text, at: PredicateSpec(
-                "distribution", f"{kind} {LAYOUTS[relation]}", text, kind, relation=LAYOUTS[relation], occurrence=at
-            )
-        if relation in ("color", "material", "attribute"):
-            told = [one for one in tokens(words) if _kind_of(one) == relation] if relation != "attribute" else [words]
-            return lambda text, at: PredicateSpec(
-                "material" if relation == "material" else "attribute",
-                f"{kind} {relation} {' '.join(told)}"[:60],
-                text,
-                kind,
-                qualifiers=tuple((relation, one) for one in told),
-                occurrence=at,
-            )
-        if not references:
-            raise BadInput(f"{' '.join(spec)!r} before {words!r} names no reference")
-        return lambda text, at: PredicateSpec(
-            "spatial_relation",
-            f"{kind} {relation} {' '.join(references)}",
-            text,
-            kind,
-            references[0],
-            relation,
-            occurrence=at,
-            references=tuple(references[1:]),
-        )
+        span, words = (start, len(self._text)), self._text[start:]
+        for claim in claims:
+            if claim == ["id"]:
+                self._entities[SCENE] = span, EntitySpec(SCENE, "", entity_type="region")
+            self._predicates.append((span, _claimed(claim, words)))
 
     def _entity(self) -> None:
-        close = self._marked.find("]", self._place)
-        phrase, things, *named = self._marked[self._place : close].split("|")
-        self._place = close + 1
-        nouns = tuple(things.split("+")) if things != "@" else ()
-        words = phrase.split()
-        key = _key(named[0] if named else words[-1].removeprefix("'").lower())
-        meant = self._meant(nouns) if nouns else Meant(0, (), False)
-        if nouns and not meant.count:
+        marks = self._upto("]")
+        if not re.fullmatch(r"[^|]*[^|\s][^|]*\|[^|]+(\|[^|]+)?", marks):
+            raise BadInput(f"{marks!r} is no [words|things] or [words|things|name]")
+        phrase, things, *named = marks.split("|")
+        nouns, words = tuple(things.split("+")), phrase.split()
+        (key,) = _spaced(named or [words[-1].removeprefix("'").lower()])
+        meant = self._meant(nouns)
+        if not meant.count:
             raise BadInput(f"no {things} stands in the place")
-        if key in self._made:
+        if key in self._entities:
             raise BadInput(f"{key!r} is marked twice")
         start = len(self._text)
         quantity, adjectives = self._phrase(words, meant)
         span = start, len(self._text)
         many = quantity is not None or re.search(r"[^s]s$", words[-1]) is not None or meant.ground
-        self._spans[key], self._things[key] = span, nouns
-        kind = "region" if not nouns else "surface" if meant.ground else "object"
         aliases = tuple(dict.fromkeys(meant.names))
-        self._made[key] = lambda text, at: EntitySpec(key, text, aliases, kind, many, at)
-        if not nouns:
-            return
-        if quantity is None:
-            self._said.append(_Said(*span, lambda text, at: PredicateSpec("existence", key, text, key, occurrence=at)))
-        else:
-            self._said.append(
-                _Said(
-                    *span,
-                    lambda text, at: PredicateSpec(
-                        "quantity", f"count of {key}", text, key, quantity=quantity, occurrence=at
-                    ),
-                )
-            )
-        self._looks(key, adjectives, span)
-
-    def _looks(self, key: str, adjectives: Sequence[str], span: tuple[int, int]) -> None:
-        by_kind: dict[tuple[str, str], list[str]] = {}
-        for word in adjectives:
-            kind = _kind_of(word)
-            by_kind.setdefault((kind, word if kind == "attribute" else ""), []).append(word)
-        for (kind, _), told in by_kind.items():
-            made = PredicateSpec(
-                "material" if kind == "material" else "attribute",
-                f"{key} {' '.join(told)}",
-                "",
-                key,
-                qualifiers=tuple((kind, one) for one in told),
-            )
-            self._said.append(_Said(*span, lambda text, at, made=made: _worded(made, text, at)))  # type: ignore[misc]
+        self._things[key] = nouns
+        self._entities[key] = span, EntitySpec(key, "", aliases, "surface" if meant.ground else "object", many)
+        amount = (
+            PredicateSpec("existence", key, "", key)
+            if quantity is None
+            else PredicateSpec("quantity", f"count of {key}", "", key, quantity=quantity)
+        )
+        self._predicates += [(span, spec) for spec in (amount, *_looks(key, adjectives))]
 
     def _phrase(self, words: Sequence[str], meant: Meant) -> tuple[Quantity | None, list[str]]:
         """Write a phrase; returns its quantity and the adjectives that it asks for."""
@@ -236,29 +175,70 @@ class _Reader:
         for number, word in enumerate(words):
             if word in ("#", "~"):
                 count = meant.count if word == "#" else rounded(meant.count)
-                quantity = Quantity("exact" if word == "#" else "approximately", count)
-                adjectives = []
-                word = numeral(count)
-            elif word.lower() in VAGUE:
-                quantity = Quantity("qualitative", qualitative=word.lower())
-            elif number < len(words) - 1:
-                plain = word.strip(",").lower()
-                if not word.startswith("'") and plain not in DETERMINERS and plain not in WORDS:
-                    adjectives.append(plain)
+                exact = count == meant.count
+                quantity, adjectives = Quantity("exact" if exact else "approximately", count), []
+                shown.append(numeral(count) if exact else f"{self._about()} {numeral(count)}")
+                continue
+            plain = word.strip(",").lower()
+            if number < len(words) - 1 and not word.startswith("'") and plain not in NO_ADJECTIVES:
+                adjectives.append(plain)
             shown.append(word.removeprefix("'").replace("_", " "))
         phrase = " ".join(shown)
-        if not self._text or re.search(r"[.!?:]\s$", self._text) or self._text.endswith("\n\n"):
+        if re.search(r"(^|[.!?]\s|\n)$", self._text):
             phrase = phrase[0].upper() + phrase[1:]
         self._text += phrase
         return quantity, adjectives
 
+    def _about(self) -> str:
+        self._guesses += 1
+        return ABOUT[self._guesses % len(ABOUT)]
 
-def _worded(made: PredicateSpec, text: str, occurrence: int) -> PredicateSpec:
-    return PredicateSpec(made.type, made.name, text, made.subject, qualifiers=made.qualifiers, occurrence=occurrence)
+
+def _claimed(claim: Sequence[str], words: str) -> PredicateSpec:
+    """What a claim before some words asks for: ``id``, a word for the whole, or a thing, how, and to what."""
+    subject, *rest = claim or [""]
+    if subject == "id":
+        return PredicateSpec("scene_identity", f"it is {words}", "", SCENE)
+    if subject in (*SURROUNDINGS, *WHOLES):
+        name = f"{subject}: {words}"[:LONGEST_NAME]
+        kind = (subject, words)
+        if subject in WHOLES:
+            return PredicateSpec("composition", name, "", SCENE, qualifiers=(kind,))
+        return PredicateSpec("environment", name, "", SCENE, qualifiers=(kind,))
+    if not rest:
+        raise BadInput(f"{subject!r} before {words!r} says nothing")
+    how, *references = rest
+    if how in LAYOUTS:
+        return PredicateSpec("distribution", f"{subject} {LAYOUTS[how]}", "", subject, relation=LAYOUTS[how])
+    if how in LOOKS:
+        told = [words] if how == "attribute" else [word for word in tokens(words) if _kind_of(word) == how]
+        return _looking(subject, how, told)
+    if not references:
+        raise BadInput(f"{' '.join(claim)!r} before {words!r} names no reference")
+    name = f"{subject} {how} {' '.join(references)}"
+    first, *more = references
+    return PredicateSpec("spatial_relation", name, "", subject, first, RELATIONS.get(how, how), references=tuple(more))
 
 
-def _key(written: str) -> str:
-    return written.replace("_", " ")
+def _looks(subject: str, adjectives: Sequence[str]) -> list[PredicateSpec]:
+    """One requirement for the colours of a thing, one for its materials, one for each other adjective."""
+    by_kind: dict[tuple[str, str], list[str]] = {}
+    for word in adjectives:
+        kind = _kind_of(word)
+        by_kind.setdefault((kind, word if kind == "attribute" else ""), []).append(word)
+    return [_looking(subject, kind, told) for (kind, _), told in by_kind.items()]
+
+
+def _looking(subject: str, kind: str, told: Sequence[str]) -> PredicateSpec:
+    name = f"{subject} {' '.join(told)}"[:LONGEST_NAME]
+    qualifiers = tuple((kind, word) for word in told)
+    if kind == "material":
+        return PredicateSpec("material", name, "", subject, qualifiers=qualifiers)
+    return PredicateSpec("attribute", name, "", subject, qualifiers=qualifiers)
+
+
+def _spaced(written: Sequence[str]) -> list[str]:
+    return [word.replace("_", " ") for word in written]
 
 
 def _kind_of(word: str) -> str:

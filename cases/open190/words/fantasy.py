@@ -9,14 +9,14 @@ WORDS = {
     small round of 'cobbles|CobblePavement|cobbles]}. {stalls around fountain; stalls ring|[# stalls|*Stall]
     surround it}, {stalls attribute|hung with violet and blue cloth}, selling [spices|SpiceStall],
     [fruit|FruitStall], [pottery|PotteryStall] and [flowers|FlowerStall]. {lamps around fountain; lamps ring|A wider
-    ring of [# lantern lamp_posts|LampPost|lamps] glows behind them}, and {paths near fountain|[flagstone
+    ring of [# lantern lamp_posts|LampPost|lamps] glows behind them}, and {layout|[flagstone
     paths|FlagstonePavement|paths] run out like the spokes of a wheel}.
 
-    {houses around fountain; houses ring|Two rings of houses follow, [# 'in all|/house|houses]}, some {houses
-    attribute|crooked and steep-roofed}. {towers apart fountain|Among the outer ones rise [# slender
-    towers|/tower|towers]}, [# bell_towers|BellTower] and [# spire_towers|SpireTower]. {barrels near
-    stalls|[Barrels|Barrel]}, [oak wine_casks|WineCask|casks], [pine chests|Chest], [a heavy cauldron|Cauldron] and
-    [# banner_poles|BannerPole|poles] make {density|the middle busy}.
+    {houses around fountain|Two rings of houses follow, [# 'in all|/house|houses]}, some {houses attribute|crooked
+    and steep-roofed}. {towers apart fountain|Among the outer ones rise [# slender towers|/tower|towers]}, [#
+    bell_towers|BellTower] and [# spire_towers|SpireTower]. {barrels near stalls|[Barrels|Barrel]}, [oak
+    wine_casks|WineCask|casks], [pine chests|Chest], [a heavy cauldron|Cauldron] and [#
+    banner_poles|BannerPole|poles] make {density|the middle busy}.
 
     {mushrooms scattered|Between and behind the houses sprout [~ giant mushrooms|GiantMushroom]}, {mushrooms
     attribute|taller than a man, in yellow, red, violet and teal}, and {crystals scattered|[~
@@ -27,22 +27,21 @@ WORDS = {
     [grass|GrassGround]}.
     """,
     "crystal-camp": """
-    {atmosphere|Smoky, raw, glittering}: {id|a camp of crystal miners} {ground under tents|on [black
+    {atmosphere|Smoky, raw, glittering}: {id|a camp of crystal miners} {tents on ground|on [black
     cinder|CinderGround|ground]}. {logs around cauldron; logs ring|At its heart [# fallen logs|FallenLog] circle [a
     cauldron|Cauldron]}. {tents around cauldron; tents ring|[# striped tents|/tent] form the next ring}, and {poles
     around tents; poles ring|[# banner_poles|BannerPole|poles] the one after}. {crane apart cauldron|To one side
     works [a treadwheel_crane|TreadwheelCrane|crane]}, {keep apart crane|to the other stands [a square keep|Keep]}.
-    {hearth near anvils|A smithy has [a forge_hearth|ForgeHearth|hearth], [# heavy anvils|Anvil], [#
+    {hearth apart crane|A smithy has [a forge_hearth|ForgeHearth|hearth], [# heavy anvils|Anvil], [#
     bellows|Bellows] and [a grindstone|Grindstone]}.
 
     {crystals near boulders|Farther out lie four diggings, rings of [~ boulders|Boulder] and [~
     great_boulders|GreatBoulder|rocks] with [~ crystal_clusters|CrystalCluster|crystals] inside}, {crystals
-    color|violet} for the most part. {crates near boulders|[Apple_crates|AppleCrate|crates]}, [#
-    handcarts|Handcart], [barrels|Barrel] and [trunks|Trunk] wait around each. {mushrooms scattered|[~ giant
-    mushrooms|GiantMushroom] and [~ thin 'trees|/tree|trees] are scattered between}. {palisades rows|[Plank
-    palisades|PlankFence|palisades] close the camp on two sides}. {density|The middle is cluttered with tools}: [#
-    wheelbarrows|Wheelbarrow], [plank_stacks|PlankStack|planks], [ladders|Ladder] and
-    [flour_sacks|FlourSacks|sacks].
+    color|violet} for the most part. {crates on ground|[Apple_crates|AppleCrate|crates]}, [# handcarts|Handcart],
+    [barrels|Barrel] and [trunks|Trunk] wait around each. {mushrooms scattered|[~ giant mushrooms|GiantMushroom] and
+    [~ thin 'trees|/tree|trees] are scattered between}. {palisades rows|[Plank palisades|PlankFence|palisades] close
+    the camp on two sides}. {density|The middle is cluttered with tools}: [# wheelbarrows|Wheelbarrow],
+    [plank_stacks|PlankStack|planks], [ladders|Ladder] and [flour_sacks|FlourSacks|sacks].
     """,
     "elf-river": """
     {id|The elves have built their town along both banks of a river}, and {layout|each bank mirrors the other}.
@@ -55,13 +54,12 @@ WORDS = {
     lamps along river|with [# lanterns|LampPost|lamps]} and {planters on paving; planters along river|[#
     flower_planters|FlowerPlanter|planters] alternating upon it}.
 
-    {houses rows; houses along river|Behind the paving stand two long rows of houses, [# 'in all|/house|houses]},
-    {houses attribute|with blue and green roofs}: [# tall merchant_houses|MerchantHouse|merchants], [#
-    town_houses|TownHouse], [# cottages|Cottage] and [# longhouses|Longhouse]. {spires near houses|[#
-    spire_towers|SpireTower|spires]} and {belfries near houses|[# bell_towers|BellTower|belfries] break the
-    roofline}.
+    {houses rows|Behind the paving stand two long rows of houses, [# 'in all|/house|houses]}, {houses attribute|with
+    blue and green roofs}: [# tall merchant_houses|MerchantHouse|merchants], [# town_houses|TownHouse], [#
+    cottages|Cottage] and [# longhouses|Longhouse]. {spires near houses|[# spire_towers|SpireTower|spires]} and
+    {belfries near houses|[# bell_towers|BellTower|belfries] break the roofline}.
 
-    {fountains inside hedges|Farther back every quarter has its formal gardens, [# 'of them, each round a
+    {fountains inside hedges|Farther back every quarter has its formal gardens, [# 'of 'them, 'each 'round a
     fountain|Fountain|fountains]}, [# marble|Fountain:Marble|marble_fountains] and [#
     limestone|Fountain:Limestone|stone_fountains]. {hedges around fountains|[Clipped hedges|ClippedHedge] border
     them}, {gravel near fountains|[gravel|GravelGround] paths cross in them}, {benches near fountains|[#
@@ -80,44 +78,42 @@ WORDS = {
     {id|A toy town}, {style|bright, rounded and friendly as a picture book}. Put {fountain inside stands|[a granite
     fountain|Fountain] exactly in the centre}. {layout|Then draw circles around it.}
 
-    Circle one: {stands ring; stands around fountain|[# sweet_stalls and kiosks|*Stall+/kiosk|stands]}, {stalls near
-    kiosks|[# stalls|*Stall|stalls] and [# kiosks|/kiosk|kiosks] in turn}. Circle two: {houses around
+    {layout|Circle one}: {stands around fountain|[# sweet stalls and kiosks|*Stall+/kiosk|stands]}, {stalls near
+    kiosks|[# stalls|*Stall|stalls] and [# kiosks|/kiosk|kiosks] in turn}. {layout|Circle two}: {houses around
     fountain|houses, [# 'in town counting the outskirts|/house|houses]}, {houses attribute|plastered blue, green,
-    white and pink}, [# of_them bungalows|Bungalow] and [# cottages|Cottage]. Circle three: {cars ring; cars around
-    fountain|[# toy cars|/car] chase each other round}, bumper to bumper: {vans near cars|[# red
-    vans|DeliveryVan|vans]}, {pickups near cars|[# pickup_trucks|PickupTruck|pickups]}, {hatchbacks near cars|[#
-    hatchbacks|HatchbackCar]}, {estates near cars|[# sky-blue estates|EstateCar]} and {taxi near cars|[a yellow
-    taxi|TaxiCab]}. {lamps ring; lamps around cars|[# globe lamp_posts|LampPost:Globe|lamps] stand in a ring just
-    behind them}. Circle four: {towers around fountain|[# spired towers|SpireTower]}, {mills apart fountain|[#
-    windmills|Windmill|mills]} and the bigger houses.
+    white and pink}, [# of them bungalows|Bungalow] and [# cottages|Cottage]. {layout|Circle three}: {cars ring|[#
+    toy cars|/car] chase each other round, bumper to bumper}: [# red vans|DeliveryVan|vans], [#
+    pickup_trucks|PickupTruck|pickups], [# hatchbacks|HatchbackCar], [# estates|EstateCar] and [a yellow
+    taxi|TaxiCab]. {lamps ring|[# globe lamp_posts|LampPost:Globe|lamps] stand in a ring just behind them}.
+    {layout|Circle four}: {towers apart fountain|[# spired towers|SpireTower]}, {mills apart fountain|[#
+    windmills|Windmill|mills]}.
 
     {train on rails; train row|Along the bottom edge [a red steam_locomotive|SteamLocomotive|engine] pulls [#
     coaches|PassengerCoach|train]} on {rails row|[a straight track|TrackGround|rails]}. {circus apart fountain|One
     corner belongs to [a green striped circus_tent|CircusTent|circus]}. {slide near picket|The opposite one is a
     playground: [an orange slide|Slide], [a swing|Swing], [a seesaw|Seesaw], [a sandbox|Sandbox], [a pink
-    climbing_frame|ClimbingFrame|frame] and [a roundabout|Roundabout]} inside {picket around slide|[a grey
+    climbing_frame|ClimbingFrame|frame] and [a roundabout|Roundabout]} inside {slide inside picket|[a grey
     picket_fence|PicketFence|picket]} {slide on rubber|on [soft rubber|RubberGround|rubber]}.
 
-    {animals scattered|Let [# animals|/animal] stroll about}: {dogs scattered|[# dogs|Dog]}, [# brown cats|Cat], [#
-    grey goats|Goat] and [# sheep|Sheep]. {flags scattered|Scatter [# little flags|FlagPole]}, {planters
-    scattered|[# flower_planters|FlowerPlanter|planters]}, {benches scattered|[# benches|Bench]} and {mushrooms
-    scattered|[# giant mushrooms|GiantMushroom]} in the gaps. {trees scattered|Round trees, [~ 'or so|/tree|trees]},
-    {bushes scattered|[~ bushes|/bush]} and {poppies scattered|[poppies|Poppies], [daisies|Daisies] and
-    [marigolds|Marigolds] fill [the lawn|GrassGround|lawn]}. {density|No empty corner!} {lighting|Noon, blue sky.}
+    {animals scattered|Let [# animals|/animal] stroll about}: [# dogs|Dog], [# brown cats|Cat], [# grey goats|Goat]
+    and [# sheep|Sheep]. {flags scattered|Scatter [# little flags|FlagPole]}, [#
+    flower_planters|FlowerPlanter|planters], [# benches|Bench] and [# giant mushrooms|GiantMushroom] in the gaps.
+    {trees scattered|Round trees, [~ 'or so|/tree|trees]}, [~ bushes|/bush], [poppies|Poppies], [daisies|Daisies]
+    and [marigolds|Marigolds] fill [the lawn|GrassGround|lawn]. {density|No empty corner!} {lighting|Noon, blue
+    sky.}
     """,
     "winter-village": """
-    {condition|Deep snow has closed the pass} above {id|this mountain village}. {houses along stalls; houses on
-    snow|[# houses|/house] with snowy roofs stand in two rows}, {houses rows|gable beside gable} on [white
-    snow|SnowGround|snow]; between them opens [a cobbled square|CobblePavement|square]. {fir on square|In its middle
-    grows [one 'great fir|FirTree:Tall|fir]}, {benches around fir; benches ring|ringed by [# benches|Bench]}.
-    {stalls near fir|Left and right of the tree lies the Christmas market}: {stalls on square; stalls grid|[#
-    stalls|*Stall] in red and green stripes}, with [pottery|PotteryStall], [fish|FishStall], [spices|SpiceStall] and
-    [fruit|FruitStall], {crates near stalls|[apple_crates|AppleCrate|crates]}, [barrels|Barrel] and
-    [fruit_baskets|FruitBasket|baskets]. {lamps rows; lamps along houses|[# lanterns|LampPost|lamps] burn along both
-    rows of houses}, {wood near lamps|between [wood_piles|WoodPile|wood], [firewood|Firewood] and [#
-    handcarts|Handcart]}. {well apart fir|[A limestone well|DrawWell]} is frozen over. {dogs scattered|[#
-    dogs|Dog]}, [# white goats|Goat], [# horses|Horse] and [# banner_poles|BannerPole|poles] share the space. {hills
-    apart fir|[# snowy hills|TerrainHill]} shut off the view, and {conifers scattered; conifers apart fir|[~
+    {condition|Deep snow has closed the pass} above {id|this mountain village}. {houses on snow|[# houses|/house]
+    with snowy roofs stand in two rows}, {houses rows|gable beside gable} on [white snow|SnowGround|snow];
+    {layout|between them opens [a cobbled square|CobblePavement|square]}. {layout|In its middle grows [one 'great
+    fir|FirTree|fir]}, {benches ring|ringed by [# benches|Bench]}. {layout|Left and right of the tree lies the
+    Christmas market}: {stalls on square; stalls grid|[# stalls|*Stall] in red and green stripes}, with
+    [pottery|PotteryStall], [fish|FishStall], [spices|SpiceStall] and [fruit|FruitStall], {crates near
+    stalls|[apple_crates|AppleCrate|crates]}, [barrels|Barrel] and [fruit_baskets|FruitBasket|baskets]. {lamps
+    rows|[# lanterns|LampPost|lamps] burn along both rows of houses}, {layout|between [wood_piles|WoodPile|wood],
+    [firewood|Firewood] and [# handcarts|Handcart]}. {well apart houses|[A limestone well|DrawWell] is frozen over}.
+    {dogs scattered|[# dogs|Dog], [# white goats|Goat], [# horses|Horse] and [# banner_poles|BannerPole|poles] share
+    the space}. {hills apart square|[# snowy hills|TerrainHill] shut off the view}, and {conifers apart stalls|[~
     conifers|/conifer] climb towards them}, {spruces scattered|[~ spruces|SpruceTree]}, [~ pines|PineTree] and firs,
     {boulders scattered|with [~ boulders|Boulder] and [great_boulders|GreatBoulder]}. {lighting|Low winter sun},
     {atmosphere|amber windows, frost}.

@@ -7,34 +7,33 @@ WORDS = {
     {id|Rush hour at a big city crossing}. {density|Nothing stands still here}, {layout|and everything follows the
     cross of two avenues}.
 
-    The roads: {roads under buses|[straight carriageways|RoadStraight|roads] meet from four sides} {middle under
-    zebras|on [a square of 'asphalt|AsphaltRoad|middle]}; {zebras on middle; zebras around middle|[# zebra
-    crossings|RoadZebraCrossing|zebras] frame it}, and {signals near zebras|[#
-    traffic_signals|TrafficSignal|signals] watch the corners}. {pavement along roads|[Stone
+    The roads: {layout|[straight carriageways|RoadStraight|roads] meet from four sides} {zebras on middle|on [a
+    'square of asphalt|AsphaltRoad|middle]}; {zebras ring|[# zebra crossings|RoadZebraCrossing|zebras] frame it},
+    and {signals near zebras|[# traffic_signals|TrafficSignal|signals] watch the corners}. {layout|[Stone
     paving|StonePavement|pavement] runs along every kerb}.
 
-    The traffic: {buses on roads|[# city_buses|CityBus|buses]}, [# of_them yellow|CityBus:Yellow|yellow_buses];
+    The traffic: {buses on roads|[# city_buses|CityBus|buses]}, [# of them yellow|CityBus:Yellow|yellow_buses];
     {taxis on roads|[# yellow taxis|TaxiCab]}; {vans on roads|[# delivery_vans|DeliveryVan|vans], mostly white};
     {pickups on roads|[# teal pickup_trucks|PickupTruck|pickups]}; {estates on roads|[#
     estate_cars|EstateCar|estates]}; {hatchbacks on roads|[# blue hatchbacks|HatchbackCar]}; {police on roads|[#
-    white police_cars|PoliceCar|police]}. {cars along pavement|Park or queue them, [~ cars|/car] together, along the
+    white police_cars|PoliceCar|police]}. {cars on roads|Park or queue them, [~ cars|/car] together, along the
     kerbs}.
 
-    The buildings: {shops row; shops along pavement|[# shops|/shop] with their fronts on the street}, among them
-    {tea_houses near shops|[# tea_houses|TeaHouse]}, [# pharmacies|Pharmacy], [a bakery|Bakery], [a bank|Bank] and
-    [a tailor_shop|TailorShop|tailor]; and {blocks apart statue|[# tall blocks|/block]}, {offices
-    attribute|flat-roofed} [# office_blocks|OfficeBlock|offices], [# apartment_blocks|ApartmentBlock|apartments] and
-    [a red brick hospital|Hospital].
+    The buildings: {shops near pavement|[# shops|/shop] with their fronts on the street}, among them {tea_houses
+    near shops|[# tea_houses|TeaHouse]}, [# pharmacies|Pharmacy], [a bakery|Bakery], [a bank|Bank] and [a
+    tailor_shop|TailorShop|tailor]; and {blocks apart statue|[# tall blocks|/block]}, [# flat-roofed
+    office_blocks|OfficeBlock|offices], [# apartment_blocks|ApartmentBlock|apartments] and [a red brick
+    hospital|Hospital].
 
-    The pavement: {lamps along roads; lamps on pavement; lamps regular|[# lamp_posts|LampPost|lamps] at even
-    distances}, {trees on pavement; trees along roads|[# street_trees|/tree|trees] between them}. {density|Clutter
-    everywhere}: {meters on pavement|[# parking_meters|ParkingMeter|meters]}, {booths on pavement|[# red
-    phone_booths|PhoneBooth|booths]}, {bins on pavement|[# waste_bins|WasteBin|bins]}, {planters on pavement|[#
-    flower_planters|FlowerPlanter|planters]}, {benches on pavement|[# garden benches|Bench]}, {bicycles on
-    pavement|[# bicycles|*Bicycle]}, {signs on pavement|[# street_name_signs|StreetNameSign|signs]}, {parking on
-    pavement|[# parking_signs|ParkingSign|parking]} and {boxes on pavement|[# green
-    electric_boxes|ElectricBox|boxes]}. {statue apart signals|On one corner [a lion|LionStatue|statue] looks down on
-    it all}. {lighting|Hazy daylight}, {atmosphere|noise, haste}.
+    The pavement: {lamps on pavement; lamps regular|[# lamp_posts|LampPost|lamps] at even distances}, {trees on
+    pavement|[# street_trees|/tree|trees] between them}. {density|Clutter everywhere}: {meters on pavement|[#
+    parking_meters|ParkingMeter|meters]}, {booths on pavement|[# red phone_booths|PhoneBooth|booths]}, {bins on
+    pavement|[# waste_bins|WasteBin|bins]}, {planters on pavement|[# flower_planters|FlowerPlanter|planters]},
+    {benches on pavement|[# garden benches|Bench]}, {bicycles on pavement|[# bicycles|*Bicycle]}, {signs on
+    pavement|[# street_name_signs|StreetNameSign|signs]}, {parking on pavement|[#
+    parking_signs|ParkingSign|parking]} and {boxes on pavement|[# green electric_boxes|ElectricBox|boxes]}. {statue
+    apart signals|On one corner [a lion|LionStatue|statue] looks down on it all}. {lighting|Hazy daylight},
+    {atmosphere|noise, haste}.
     """,
     "tram-street": """
     {id|Take the tram down the shopping street}! {rails rows|Two straight [tracks|TrackGround|rails] run side by
@@ -43,19 +42,19 @@ WORDS = {
     {shelters near rails; shelters along rails|At the stops wait [# steel shelters|TramShelter]}, {boards near
     shelters|with [# timetable_boards|TimetableBoard|boards] beside them}.
 
-    {shops rows; shops along rails|Shop fronts line the street on both sides, [~ 'in all|/shop|shops]}: [#
-    butcheries|Butchery], [# bakeries|Bakery], [# tailors|TailorShop], [# barbers|BarberShop], [#
-    bookshops|Bookshop], [# cafes|Cafe] and [# flower_shops|FlowerShop]. {blocks apart rails|Behind them rise taller
-    houses}, [# apartment_blocks|ApartmentBlock|blocks] and [# pink hotels|Hotel|hotels].
+    {shops rows|Shop fronts line the street on both sides, [~ 'in all|/shop|shops]}: [# butcheries|Butchery], [#
+    bakeries|Bakery], [# tailors|TailorShop], [# barbers|BarberShop], [# bookshops|Bookshop], [# cafes|Cafe] and [#
+    flower_shops|FlowerShop]. {blocks apart rails|Behind them rise taller houses}, [#
+    apartment_blocks|ApartmentBlock|blocks] and [# pink hotels|Hotel|hotels].
 
     {chairs around tables; chairs near tables|People sit outside: [~ metal chairs|MetalChair] gather round [#
-    parasol_tables|ParasolTable|tables]}, {tables rows; tables along shops|which stand in front of the windows}.
-    {trees rows|[# street_trees|/tree|trees]}, {lamps along rails|[# lamp_posts|LampPost|lamps]} and {planters near
-    lamps|[~ flower_planters|FlowerPlanter|planters] form a line on either side of the rails}. {benches on paving;
+    parasol_tables|ParasolTable|tables]}, {tables rows; tables near shops|which stand in front of the windows}.
+    {trees rows|[# street_trees|/tree|trees]}, {lamps along rails|[# lamp_posts|LampPost|lamps]} and {planters on
+    paving|[~ flower_planters|FlowerPlanter|planters] form a line on either side of the rails}. {benches on paving;
     benches scattered|[# garden benches|Bench]}, {bins scattered|[# recycling_bins|RecyclingBin|bins]}, {boxes
     scattered|[# electric_boxes|ElectricBox|boxes]}, {notices scattered|[# red notice_boards|NoticeBoard|notices]},
-    {hydrants scattered|[# red hydrants|Hydrant]} and [# cargo_bicycles|CargoBicycle|bicycles] are
-    {density|sprinkled over the pavement}. {lighting|A sunny Saturday}, {atmosphere|lively but unhurried}.
+    [# red hydrants|Hydrant] and [# cargo_bicycles|CargoBicycle|bicycles] are {density|sprinkled over the pavement}.
+    {lighting|A sunny Saturday}, {atmosphere|lively but unhurried}.
     """,
     "bus-terminal": """
     {id|A suburban bus terminal}, {layout|long and orderly}. {buses rows|[# city_buses|CityBus|buses] wait in lines}
@@ -66,19 +65,19 @@ WORDS = {
     {building apart buses|At the head stands [a grey terminal_building|TerminalBuilding|building] of two storeys};
     {tickets near building|before it [# ticket_machines|TicketMachine|tickets], [a
     vending_machine|VendingMachine|vending]} and {kiosks near building|[# kiosks|/kiosk]}. {shops rows|[# small
-    shops|/shop] close both sides} in two rows. {taxis rows; taxis near lamps|[# yellow taxis|TaxiCab] queue} under
-    [# lamp_posts|LampPost|lamps]. {cars on bays; cars rows|At the front spreads a car park with [~ cars|/car]} on
-    [marked parking_bays|RoadParkingBays|bays]: [# pickup_trucks|PickupTruck|pickups], [#
-    estate_cars|EstateCar|estates], [# hatchbacks|HatchbackCar] and [# white saloon_cars|SaloonCar|saloons]. {trees
-    near signs|[# trees|/tree] and [# parking_signs|ParkingSign|signs] edge it}. {asphalt under buses|The rest is
-    [bare asphalt|AsphaltRoad|asphalt]}, {lighting|grey morning light}, {atmosphere|functional}.
+    shops|/shop] close both sides} in two rows. {taxis on asphalt|[# yellow taxis|TaxiCab] queue} under [#
+    lamp_posts|LampPost|lamps]. {cars on bays|At the front spreads a car park with [~ cars|/car]} on [marked
+    parking_bays|RoadParkingBays|bays]: [# pickup_trucks|PickupTruck|pickups], [# estate_cars|EstateCar|estates], [#
+    hatchbacks|HatchbackCar] and [# white saloon_cars|SaloonCar|saloons]. {layout|[# trees|/tree] and [#
+    parking_signs|ParkingSign|signs] edge it}. {buses on asphalt|The rest is [bare asphalt|AsphaltRoad|asphalt]},
+    {lighting|grey morning light}, {atmosphere|functional}.
     """,
     "country-station": """
     {id|A railway halt deep in the country, in the age of steam}. {lighting|Bright, breezy weather.} {coaches row;
     coaches on track|On the nearer track [a yellow steam_locomotive|SteamLocomotive|engine] has pulled in [#
     passenger_coaches|PassengerCoach|coaches]}; {engine near coaches|steam up}, {engine on track|it blocks [the
-    line|TrackGround|track]}. {wagons on track; wagons row|On the second stand goods wagons}: [#
-    flat_wagons|FlatWagon|wagons], [# box_wagons|BoxWagon|boxes] and [a red tank_wagon|TankWagon|tank].
+    line|TrackGround|track]}. {wagons on track|On the second stand goods wagons}: [# flat_wagons|FlatWagon|wagons],
+    [# box_wagons|BoxWagon|boxes] and [a red tank_wagon|TankWagon|tank].
 
     {platform along track; platform row|[A long platform|StationPlatform] of five pieces lies beside the rails}.
     {benches on platform|It carries [# benches|Bench]}, {planters on platform|[#
@@ -91,18 +90,17 @@ WORDS = {
     near track|[# white level_crossing_barriers|LevelCrossingBarrier|barriers]} guard {lane apart tower|[a soil
     lane|SoilGround|lane]} that crosses it.
 
-    {cottages along lane; cottages rows|Along this lane lie the houses of the village, [# 'all
-    told|House+Longhouse+Cottage|cottages]}, {cottages material|in red brick}. {carts row|[# carts|/cart]} and
-    {bicycles near carts|[# bicycles|*Bicycle] stand by [the gravel|GravelGround|gravel] path to the station}.
+    {cottages rows|Along this lane lie the houses of the village, [# 'all told|House+Longhouse+Cottage|cottages]},
+    {cottages material|in red brick}. {carts row|[# carts|/cart]} and {bicycles near carts|[# bicycles|*Bicycle]
+    stand by [the gravel|GravelGround|gravel] path to the station}.
 
     Around it, farmland. {wheat rows; wheat on furrows|[Wheat|WheatRow]} and {cabbages rows; cabbages on
     furrows|[cabbages|CabbageRow] grow in rows on [furrows|FurrowsGround]}. {horses inside rails|[# brown
-    horses|Horse]}, {cows inside rails|[# cream cows|Cow]} and {sheep inside rails|[# brown sheep|Sheep]} share a
-    paddock {rails around horses|behind [split rails|RailFence|rails]}. {planks along track|[A plank
-    fence|PlankFence|planks] follows the tracks}. {trees scattered|[~ trees|/tree] make scattered woods}, {limes
-    scattered|[~ limes|LimeTree]}, {oaks scattered|[~ oaks|OakTree]} and [~ ashes|AshTree], {bushes scattered|with
-    [~ bushes|Bush] and [~ yellow rose_bushes|YellowRoseBush|roses] beneath}. {atmosphere|Nobody hurries};
-    {density|meadow everywhere}, {trees on grass|[green grass|GrassGround|grass]}.
+    horses|Horse], [# cream cows|Cow] and [# brown sheep|Sheep] share a paddock behind [split
+    rails|RailFence|rails]}. {planks along track|[A plank fence|PlankFence|planks] follows the tracks}. {trees
+    scattered|[~ trees|/tree] make scattered woods}, [~ limes|LimeTree], [~ oaks|OakTree] and [~ ashes|AshTree],
+    {bushes scattered|with [~ bushes|Bush] and [~ yellow rose_bushes|YellowRoseBush|roses] beneath}.
+    {atmosphere|Nobody hurries}; {density|meadow everywhere}, {trees on grass|[green grass|GrassGround|grass]}.
     """,
     "airfield": """
     {id|A small airfield} {lighting|on a hot dry afternoon}. {planes grid; planes on apron|[#
@@ -112,9 +110,9 @@ WORDS = {
     {hangars row; hangars near apron|[# hangars|Hangar] open towards the apron}; {tower near terminal|next in line
     come [a square control_tower|ControlTower|tower]} and [a concrete terminal|Terminal], {chairs around
     tables|where [~ shell_chairs|ShellChair|chairs] stand about [# parasol_tables|ParasolTable|tables]}. {trucks
-    row; trucks near apron|[# silver tanker_trucks|TankerTruck|trucks]} and {pickups near trucks|[#
+    row; trucks near apron|[# silver tanker_trucks|TankerTruck|trucks]} and {pickups near apron|[#
     pickup_trucks|PickupTruck|pickups]} serve the machines; {tanks row; tanks apart hangars|[# horizontal
-    fuel_tanks|HorizontalTank|tanks] lie in a row at the end}. {flags near signs|[# flag_poles|FlagPole|flags] and
+    fuel_tanks|HorizontalTank|tanks] lie in a row at the end}. {flags row|[# flag_poles|FlagPole|flags] and
     [warning_signs|WarningSign|signs] mark the taxiway}. {pallets on apron|[Pallets|/pallet]}, [#
     oil_drums|OilDrum|drums], [crates|Crate] and [# orange portable_toilets|PortableToilet|toilets] lie about.
     {fence row|[An iron fence|IronFence|fence] closes the grounds}, {trees scattered|[~ trees|/tree] are scattered
