@@ -26,6 +26,7 @@ from c4s.protocol.rules import (
 from c4s.protocol.settings import Setting
 from c4s.records.verdict import Verdict
 from c4s.verify.physics.advisories import hidden_by_edits, scene_advisories, support_oddities, switched_off
+from c4s.verify.physics.dilution import diluted
 from c4s.verify.physics.evidence import (
     contacts_of,
     given_contacts,
@@ -134,7 +135,12 @@ def _judged(scene: PhysicsScene, contacts: ContactsRecord, support: SupportRecor
             actors, chosen, scored, judged, {*contacts["with_bodies"], *unknown}, (floating, solid)
         )
         + switched_off(scene, chosen)
-        + (support_oddities(scene, scored) if whole else hidden_by_edits(support)),
+        + (
+            support_oddities(scene, scored)
+            + diluted(actors, scored, judged.violators, floating.get("floating_actors") or [])
+            if whole
+            else hidden_by_edits(support)
+        ),
     )
 
 

@@ -159,6 +159,15 @@ def _of_the_outcome(result: RepairResult) -> list[dict[str, Any]]:
         for i in sorted(result.removed_targets)
         if case.start_index.get(case.targets[i].key) in case.replaced
     ]
+    wrecked = [case.targets[i].label for i in sorted(result.removed_targets)]
+    if wrecked and len(result.losses) > len(case.targets):
+        found.append(
+            _advisory(
+                "removed-with-the-rest",
+                f"these count as removed, and {len(result.losses)} actors that should have stayed are gone too",
+                wrecked,
+            )
+        )
     if cleared:
         found.append(
             _advisory(
