@@ -2,7 +2,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 STAMP := .venv/.installed
 
-.PHONY: setup demo test test-clients lint bench lock
+.PHONY: setup demo docs test test-clients lint bench lock
 
 setup: $(STAMP)
 
@@ -16,6 +16,9 @@ $(STAMP): requirements.lock pyproject.toml
 
 demo: setup
 	@$(BIN)/c4s demo
+
+docs: setup
+	@$(BIN)/python -m manual --out .c4s/manual
 
 test: setup
 	$(BIN)/python -m pytest --numprocesses auto --dist loadscope

@@ -28,7 +28,8 @@ def watched(
         width: of the window, pixels.
         fragment: of the address, with its ``#``.
     """
-    site = next((folder for folder in page.parents if (folder / ".c4s-site").is_file()), page.parent)
+    markers = (".c4s-site", ".c4s-manual")
+    site = next((folder for folder in page.parents if any((folder / one).is_file() for one in markers)), page.parent)
     context = browser.new_context(
         viewport={"width": width, "height": 900}, color_scheme=scheme, reduced_motion="reduce"
     )
