@@ -6,7 +6,9 @@ All of it comes from clean engine processes, by the very code that exports a sub
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Generator, Mapping, Sequence
+import tempfile
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from string import Template
@@ -16,8 +18,8 @@ from c4s.engine import DEFAULT_ENGINE, Engine, open_engine
 from c4s.engine.answers import ask
 from c4s.engine.bridge import FAILED
 from c4s.errors import MachineryFault
-from c4s.evidence import Shots, export_and_look, take_pictures
-from c4s.evidence.shots import Probe, Snapshot
+from c4s.evidence import Shots, export_and_look, glimpses, take_pictures
+from c4s.evidence.shots import Glimpse, Probe, Snapshot
 from c4s.files import write_json
 from c4s.protocol.rules import OVERVIEW_VIEWS
 from c4s.records.folder import EvidenceFolder
@@ -101,20 +103,47 @@ def scene(
     )
 
 
-def snapshots(packs: Sequence[Path], levels: Mapping[str, Level], out: Path) -> Generator[tuple[str, dict[str, Any]]]:
-    """Snapshots of levels by name, each when it is asked for, of one clean engine that opens one after the other."""
-    for name, level in levels.items():
-        level.write(out / "levels" / f"{name}.level.json")
-    with open_engine(
-        DEFAULT_ENGINE,
-        packs=packs,
-        content=out / "content",
-        scratch=out / "engine",
-        levels=[out / "levels" / f"{name}.level.json" for name in levels],
-    ) as engine:
+class Bench:
+    """A clean engine that opens one level after the other; none holds anything of another."""
+
+    def __init__(self, engine: Engine, out: Path) -> None:
+        self._engine, self._out, self._taken = engine, out, 0
+
+    def snapshot(self, level: Level) -> dict[str, Any]:
+        """Open a level, and export its snapshot."""
+        level.write(self._out / "content" / f"{level.package.lstrip('/')}.level.json")
+        _open(self._engine, level, level.package)
+        told: dict[str, Any] = ask(self._engine, "snapshot.export_snapshot")
+        return told
+
+    def probe(self, cameras: Sequence[Mapping[str, Any]]) -> Sequence[Glimpse]:
+        """What cameras would see of the level that is open."""
+        told = glimpses(self._engine, cameras)
+        assert told is not None
+        return told
+
+    def pictures(self, cameras: Sequence[Mapping[str, Any]]) -> list[Path]:
+        """Pictures of the level that is open, with their masks beside them, in the order of the cameras."""
+        self._taken += 1
+        folder = self._out / "engine" / f"views-{self._taken}"
+        records = take_pictures(self._engine, cameras, folder, keep=True)
+        return [folder / record["file"] for record in records]
+
+
+@contextmanager
+def bench(packs: Sequence[Path]) -> Iterator[Bench]:
+    """Open a bench; what it takes is there until it is closed."""
+    with tempfile.TemporaryDirectory(prefix="c4s-bench-") as scratch:
+        out = Path(scratch)
+        with open_engine(DEFAULT_ENGINE, packs=packs, content=out / "content", scratch=out / "engine") as engine:
+            yield Bench(engine, out)
+
+
+def snapshots(packs: Sequence[Path], levels: Mapping[str, Level]) -> Generator[tuple[str, dict[str, Any]]]:
+    """Snapshots of levels by name, each when it is asked for, of one clean engine."""
+    with bench(packs) as opened:
         for name, level in levels.items():
-            _open(engine, level, name)
-            yield name, ask(engine, "snapshot.export_snapshot")
+            yield name, opened.snapshot(level)
 
 
 def _open(engine: Engine, level: Level, name: str) -> None:
@@ -147,13 +176,13 @@ def _inputs(
             _open(engine, level, case_id)
             write_json(files[case_id], ask(engine, "snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
-            take_pictures(engine, [_reduced(view) for view in views[case_id]], folder, keep=True)
+            take_pictures(engine, [reduced(view) for view in views[case_id]], folder, keep=True)
             pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]
             shutil.copytree(folder, out / "pictures" / case_id)
     return files, pictures
 
 
-def _reduced(view: CaseView) -> dict[str, Any]:
+def reduced(view: CaseView) -> dict[str, Any]:
     """The camera of a view with a picture of its shape that is as wide as an overview's."""
     width = min(view.width, SIZE_PX[0])
     return {**camera(view), "width": width, "height": round(width * view.height / view.width)}

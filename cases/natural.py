@@ -41,11 +41,17 @@ DIGITS = 3
 
 
 @dataclass
-class _Placed:
+class StandingBoxes:
     """World boxes of a level's actors, a row an actor; NaN where it shows no mesh."""
 
     low: Array
     high: Array
+
+    @classmethod
+    def of(cls, actors: Sequence[LevelActor], boxes: Boxes) -> StandingBoxes:
+        """The boxes of some actors in their order."""
+        rows = [world_box(actor, actor.transform, boxes) for actor in actors]
+        return cls(np.array([low for low, _ in rows]), np.array([high for _, high in rows]))
 
     def beside(self, row: int, low: Array, high: Array, air_cm: float) -> Array:
         """Which other actors a box in the place of a row's meets, grown by some air to the sides."""
@@ -62,12 +68,13 @@ class _Placed:
         over[row] = False
         return bool(over.any())
 
-    def held(self, row: int, low: Array, high: Array) -> bool:
-        """Whether a box stands with all of its lower side on upper sides of others."""
+    def held(self, row: int | None, low: Array, high: Array) -> bool:
+        """Whether a box in the place of a row's, or of none, stands with all of its lower side on upper sides."""
         xs, ys = (np.linspace(low[axis] + 0.5, high[axis] - 0.5, 5) for axis in (0, 1))
         points = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 1, 2)
         under = np.abs(self.high[:, 2] - low[2]) <= TOUCH_CM
-        under[row] = False
+        if row is not None:
+            under[row] = False
         within = (points > self.low[under, :2]) & (points < self.high[under, :2])
         inside: Array = np.all(within, axis=2)
         return bool(np.all(np.any(inside, axis=1)))
@@ -100,8 +107,7 @@ def lived_in(
     """
     parents = {actor.parent for actor in level.actors}
     actors = [_rounded(actor) for actor in level.actors]
-    rows = [world_box(actor, actor.transform, boxes) for actor in actors]
-    placed = _Placed(np.array([low for low, _ in rows]), np.array([high for _, high in rows]))
+    placed = StandingBoxes.of(actors, boxes)
     for row, actor in enumerate(actors):
         simple = actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1
         own = id_of(actor) or ""
@@ -122,7 +128,7 @@ def lived_in(
             if loose:
                 now = _disturbed(actor, now, boxes, placed, row, chance, factor)
             elif factor is not None:
-                now = _at_once(actor, now, boxes, _uneven(now.scale, factor, chance, largest=0.93))
+                now = _at_once(actor, now, boxes, uneven(now.scale, factor, chance, largest=0.93))
         if now != actor.transform:
             actors[row] = actor.model_copy(update={"transform": now})
             placed.low[row], placed.high[row] = world_box(actor, now, boxes)
@@ -145,7 +151,7 @@ def _mirrored(actor: LevelActor, now: Transform, boxes: Boxes) -> Transform:
     return _at(actor, turned, boxes, (low + high) / 2, float(low[2]))
 
 
-def _uneven(scale: Vector, factor: float, chance: random.Random, largest: float = SIZES[1]) -> Vector:
+def uneven(scale: Vector, factor: float, chance: random.Random, largest: float = SIZES[1]) -> Vector:
     """Another size, each axis a little different; as far as the factor allows, it is of ``SIZES`` with it too."""
     low = min(0.93, max(SIZES[0], SIZES[0] / factor))
     high = max(low, min(largest, SIZES[1], SIZES[1] / factor))
@@ -166,7 +172,7 @@ def _disturbed(
     actor: LevelActor,
     now: Transform,
     boxes: Boxes,
-    placed: _Placed,
+    placed: StandingBoxes,
     row: int,
     chance: random.Random,
     factor: float | None,
@@ -182,7 +188,7 @@ def _disturbed(
         far = 0.5**step if askew else 0.0
         pitch, yaw, roll = now.rotation_deg
         rotation = (pitch, round(normalize_axis(yaw + turned * far * turn), DIGITS), roll)
-        scale = now.scale if factor is None else _uneven(now.scale, factor, chance, SIZES[1] if step == 0 else 0.93)
+        scale = now.scale if factor is None else uneven(now.scale, factor, chance, SIZES[1] if step == 0 else 0.93)
         place = now.model_copy(update={"rotation_deg": rotation, "scale": scale})
         place = _at(actor, place, boxes, middle + shifted * far * shift, bottom)
         box = world_box(actor, place, boxes)

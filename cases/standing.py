@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import copy
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 from c4s.engine import DEFAULT_ENGINE
 from c4s.evidence import export_level
 from c4s.files import read_json
+from c4s.packs.store import PackStore
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
 from c4s.verify.physics.verdict import verify_physics
@@ -36,13 +37,16 @@ def unsound(snapshot: dict[str, Any]) -> set[str]:
     return _faulty(snapshot, ("near_bodies",))
 
 
-def losing(snapshot: dict[str, Any]) -> set[str]:
-    """Those that would lose points if they were edited: also what the published rule of support calls floating."""
-    return _faulty(snapshot, ("floating", "near_bodies"))
+def losing(snapshot: dict[str, Any], store: PackStore | None = None) -> set[str]:
+    """Those that would lose points if they were edited: also what the published rule of support calls floating.
+
+    With the packs of the scene that rule looks at triangles, as a trial's does; else at collision bodies.
+    """
+    return _faulty(snapshot, ("floating", "near_bodies"), store)
 
 
-def _faulty(snapshot: dict[str, Any], tellers: Sequence[str]) -> set[str]:
-    measured = _alone(snapshot)
+def _faulty(snapshot: dict[str, Any], tellers: Sequence[str], store: PackStore | None = None) -> set[str]:
+    measured = _alone(snapshot, store)
     leaves = {leaf["leaf_id"]: leaf for leaf in (*measured["leaf_results"], *measured["diagnostic_leaves"])}
     return {
         *(
@@ -60,22 +64,27 @@ def unscored(snapshot: dict[str, Any]) -> set[str]:
     return {name for name, role in _alone(snapshot)["roles"].items() if role != "scored_solid"}
 
 
-def _alone(snapshot: dict[str, Any]) -> dict[str, Any]:
+def _alone(snapshot: dict[str, Any], store: PackStore | None = None) -> dict[str, Any]:
     """What physics measures of each actor as if it alone were edited."""
     aside = copy.deepcopy(snapshot)
     for actor in aside["actors"]:
         actor["transform"]["location_cm"][0] += ASIDE_CM
-    measured: dict[str, Any] = verify_physics("image-to-scene/indoor", snapshot, aside, alone=True).measurements
+    measured: dict[str, Any] = verify_physics(
+        "image-to-scene/indoor", snapshot, aside, meshes=None if store is None else store.recorded_mesh, alone=True
+    ).measurements
     return measured
 
 
-def settled(authored: Level, disturbed: Level, packs: Sequence[Path]) -> Level:
-    """The disturbed level, with those actors as they were authored that neither stand nor fit as they are now."""
+def settled(authored: Level, disturbed: Level, export: Callable[[Level], dict[str, Any]]) -> Level:
+    """The disturbed level, with those actors as they were authored that neither stand nor fit as they are now.
+
+    ``export`` gives the snapshot of a level.
+    """
     was = {actor.name: actor for actor in authored.actors}
     touched = {actor.name for actor in disturbed.actors if actor != was[actor.name]}
     level = disturbed
     while touched:
-        bad = unsound(snapshot_of(level, packs)) & touched
+        bad = unsound(export(level)) & touched
         if not bad:
             break
         touched -= bad

@@ -9,24 +9,23 @@ whether a suite that is there is the one that is asked for; another one is repla
 from __future__ import annotations
 
 import math
-import shutil
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
-from typing import Any
 
 from c4s.errors import BadInput
-from c4s.files import read_json, write_json, write_text
+from c4s.files import read_json, write_json
 from c4s.folders import beside, put_folder
 from c4s.packs.check import check_pack
 from c4s.packs.store import PackStore
 from c4s.records.level import Level
 from c4s.records.pack import Asset, Pack
-from c4s.records.suite import SUITE, AgentCase, PackRef, Suite, SuiteFolder, WithheldCase, WithheldFolder
+from c4s.records.suite import SUITE, PackRef, Suite, SuiteFolder
 from cases import exports
 from cases.admissible import (
     Refusal,
@@ -40,40 +39,28 @@ from cases.admissible import (
 )
 from cases.applying import apply
 from cases.audit import audit, check_blind
-from cases.binding import freeze_binding
 from cases.boxes import Boxes, boxes_of
 from cases.checks import check_definition, check_repair, check_scene
 from cases.corruption import id_of, with_identities
 from cases.definition import definition_digest
 from cases.losses import told, truth_losses
-from cases.model import INDOOR_BUDGET, OUTDOOR_BUDGET, RepairCase, SourceScene, SuiteDefinition, TextCase
+from cases.model import RepairCase, SourceScene, SuiteDefinition, TextCase
 from cases.natural import lived_in, plans_of, rebased, rounded, settled_spawns
-from cases.prompts import repair_prompt, text_prompt
-from cases.recipe import Operation, Recipe, SpawnActor
-from cases.requirements import bundle
+from cases.packaging import CaseWriter, truth_package
+from cases.recipe import Operation, SpawnActor
 from cases.settle import to_build
+from cases.sharing import share_equal
 from cases.sifting import MadeCase, sifted
 from cases.stamp import STAMP
-from cases.standing import settled
+from cases.standing import settled, snapshot_of
 from cases.veil import Veil
-from cases.views import cameras_record, changed, targets_record
+from cases.views import changed
 
 SPARE = 1.5
 """Where only so many repairs are kept, pictures are taken of this many times as many: some show too little."""
 SCENES_AT_ONCE = 2
 """An engine starts and writes its files on one processor; meanwhile that of another scene renders on the others."""
-BLANK_STAGE = "/Game/SceneBench/BlankStage"
 Progress = Callable[[str], None]
-
-
-def truth_package(scene_id: str) -> str:
-    """Package of a scene's original level."""
-    return f"/Game/Code4SceneGT/{scene_id}/GT"
-
-
-def least_actors(truth_actors: int) -> int:
-    """Integrity of a repair case: a submission must keep at least half of the original's actors."""
-    return max(1, truth_actors // 2)
 
 
 def build_suite(
@@ -116,6 +103,7 @@ def build_suite(
                 where=f"{builder.refused[0].case_id}: {builder.refused[0].reason}",
                 todo="give another --seed, or fewer --changes",
             )
+        share_equal(folder.root / "withheld")
         suite = folder.freeze(definition.suite_id, definition.title, definition.description, references)
         check_blind(list(audit(folder, packs_root)))
         refused = [one.plain() for one in builder.refused]
@@ -141,8 +129,9 @@ class _Builder:
         veil: Veil,
         progress: Progress,
     ) -> None:
-        self.definition, self.folder, self.packs = definition, folder, packs
+        self.definition, self.folder = definition, folder
         self.packs_root, self.veil, self.progress = packs_root, veil, progress
+        self.writer = CaseWriter(folder, packs, veil, definition.authors)
         self.operations: dict[str, list[Operation]] = {}
         """Of each repair, as they were made."""
         self.taken: Counter[str] = Counter()
@@ -158,7 +147,7 @@ class _Builder:
         cases = [case for case in self.definition.cases if case.scene_id == scene.scene_id]
         if not cases:
             return
-        assets = {asset.path: asset for pack_id in scene.packs for asset in self._pack(pack_id).assets}
+        assets = self.writer.assets(scene)
         check_scene(scene, set(assets))
         truth = with_identities(scene.level, scene.scene_id).model_copy(
             update={"package": truth_package(scene.scene_id)}
@@ -184,9 +173,10 @@ class _Builder:
                 if isinstance(case, RepairCase):
                     if not self._taken(case, scene, truth, corrupted[case.case_id], exported):
                         continue
-                    self._repair(case, scene, truth, corrupted[case.case_id], assets, exported)
+                    operations = self.operations[case.case_id]
+                    self.writer.repair(case, scene, truth, corrupted[case.case_id], operations, exported)
                 else:
-                    self._text(case, scene, truth, assets, exported)
+                    self.writer.text(case, scene, truth, exported)
 
     def _damaged(
         self, scene: SourceScene, authored: Level, repairs: list[RepairCase], assets: dict[str, Asset]
@@ -196,7 +186,7 @@ class _Builder:
         boxes = boxes_of(assets.values())
         packs = [self.packs_root / pack_id for pack_id in scene.packs]
         plans = plans_of([operation for case in repairs for operation in case.operations], authored)
-        original = settled(authored, lived_in(authored, boxes, chance, plans), packs)
+        original = settled(authored, lived_in(authored, boxes, chance, plans), partial(snapshot_of, packs=packs))
         damaged, usable = [original], list[RepairCase]()
         for case in repairs:
             operations = rebased(case.operations, authored, original, chance)
@@ -237,16 +227,14 @@ class _Builder:
     ) -> dict[str, Level]:
         """The corrupted levels of the first good cases, as many as are wanted."""
         settings = {case.case_id: case.setting for case in repairs}
-        with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
-            levels = {"": truth, **corrupted}
-            with closing(exports.snapshots(folders, levels, Path(scratch))) as exported:
-                original = next(exported)[1]
-                candidates = (
-                    MadeCase(case_id, settings[case_id], corrupted[case_id], snapshot, original)
-                    for case_id, snapshot in exported
-                )
-                most = math.ceil(SPARE * (self.definition.most or len(repairs)))
-                good, refused = sifted(candidates, boxes, PackStore(folders), most, self.progress)
+        with closing(exports.snapshots(folders, {"": truth, **corrupted})) as exported:
+            original = next(exported)[1]
+            candidates = (
+                MadeCase(case_id, settings[case_id], corrupted[case_id], snapshot, original)
+                for case_id, snapshot in exported
+            )
+            most = math.ceil(SPARE * (self.definition.most or len(repairs)))
+            good, refused = sifted(candidates, boxes, PackStore(folders), most, self.progress)
         self.refused += refused
         return {case_id: corrupted[case_id] for case_id in good}
 
@@ -272,120 +260,3 @@ class _Builder:
         self.sightings[case.case_id] = seen
         self.taken[case.scene_id] += 1
         return True
-
-    def _pack(self, pack_id: str) -> Pack:
-        if pack_id not in self.packs:
-            raise BadInput(f"the suite does not name the pack {pack_id!r}", where=self.definition.suite_id)
-        return self.packs[pack_id]
-
-    def _refs(self, scene: SourceScene) -> list[PackRef]:
-        return [PackRef(pack_id=pack_id, digest=self._pack(pack_id).sha256()) for pack_id in scene.packs]
-
-    def _repair(
-        self,
-        case: RepairCase,
-        scene: SourceScene,
-        truth: Level,
-        corrupted: Level,
-        assets: dict[str, Asset],
-        exported: exports.Exported,
-    ) -> None:
-        alias = self.veil.alias(case.case_id)
-        agent, withheld = self.folder.agent(alias), self.folder.withheld(case.case_id)
-        budget = case.budget or (INDOOR_BUDGET if scene.environment == "indoor" else OUTDOOR_BUDGET)
-        names = []
-        for view, picture, start in zip(
-            case.views, exported.views[case.case_id], exported.start_views[case.case_id], strict=True
-        ):
-            names.append(f"references/{view.name}.png")
-            _copy(picture, agent / names[-1])
-            _copy(picture, withheld / f"views/truth/{view.name}.png")
-            _copy(start, withheld / f"views/start/{view.name}.png")
-        AgentCase(
-            alias=alias,
-            setting=case.setting,
-            start_map=corrupted.package,
-            prompt=case.prompt or repair_prompt(scene.environment, len(names)),
-            budget=budget,
-            packs=self._refs(scene),
-            catalog=[asset.spawn_path for asset in assets.values()],
-            reference_views=names,
-        ).write(agent / "case.json")
-        corrupted.write(agent / "start.level.json")
-        WithheldCase(
-            case_id=case.case_id,
-            alias=alias,
-            title=case.title,
-            scene_id=case.scene_id,
-            minimum_actors=least_actors(len(truth.actors)),
-            operations=case.kinds,
-            operation_group=case.group,
-            difficulty=case.difficulty,
-            visibility=case.visibility,
-            author=self.definition.authors.get(case.case_id),
-        ).write(withheld / "case.json")
-        truth.write(withheld / "truth.level.json")
-        _copy(exported.truth, withheld / "truth.snapshot.json")
-        _copy(exported.inputs[case.case_id], withheld / "input.snapshot.json")
-        Recipe(
-            case_id=case.case_id,
-            setting=case.setting,
-            scene_id=case.scene_id,
-            source_map=truth.package,
-            ground_truth_map=truth.package,
-            input_map=corrupted.package,
-            operations=self.operations[case.case_id],
-            entries=case.entries,
-        ).write(withheld / "recipe.json")
-        write_json(withheld / "cameras.json", cameras_record(case))
-        write_json(withheld / "target-cameras.json", targets_record(case.case_id, exported.targets[case.case_id]))
-
-    def _text(
-        self, case: TextCase, scene: SourceScene, truth: Level, assets: dict[str, Asset], exported: exports.Exported
-    ) -> None:
-        alias = self.veil.alias(case.case_id)
-        agent, withheld = self.folder.agent(alias), self.folder.withheld(case.case_id)
-        palette = [_known(assets, path, case.case_id) for path in case.palette] or list(assets.values())
-        ground = [_known(assets, path, case.case_id) for path in case.ground]
-        prompt = text_prompt(case.description, ground, palette, case.plate_m, case.budget)
-        requirements: dict[str, Any] = bundle(case.case_id, case.description, prompt, case.requirements)
-        packs = [self._pack(pack_id) for pack_id in scene.packs]
-        AgentCase(
-            alias=alias,
-            setting=case.setting,
-            prompt=prompt + "\n",
-            start_map=BLANK_STAGE,
-            budget=case.budget,
-            packs=self._refs(scene),
-            catalog=[asset.spawn_path for asset in palette],
-            plate_m=case.plate_m,
-        ).write(agent / "case.json")
-        Level(package=BLANK_STAGE).write(agent / "start.level.json")
-        WithheldCase(
-            case_id=case.case_id,
-            alias=alias,
-            title=case.title,
-            scene_id=case.scene_id,
-            minimum_actors=case.minimum_actors,
-            difficulty=case.difficulty,
-            visibility=case.visibility,
-            author=self.definition.authors.get(case.case_id),
-        ).write(withheld / "case.json")
-        truth.write(withheld / "truth.level.json")
-        _copy(exported.truth, withheld / "truth.snapshot.json")
-        write_json(withheld / "requirements.bundle.json", requirements)
-        freeze_binding(WithheldFolder(withheld), requirements, packs, case.reviewed)
-        for picture in exported.overview:
-            _copy(picture, withheld / f"views/truth/{picture.name}")
-        write_text(withheld / "prompt.txt", prompt + "\n")
-
-
-def _known(assets: dict[str, Asset], path: str, case_id: str) -> Asset:
-    if path not in assets:
-        raise BadInput(f"no pack of the scene holds {path}", where=case_id)
-    return assets[path]
-
-
-def _copy(source: Path, target: Path) -> None:
-    target.parent.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(source, target)

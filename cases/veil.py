@@ -29,49 +29,34 @@ class Veil:
     def __init__(self, secret: str) -> None:
         self._secret = secret.encode()
 
-    def _drawn(self, *key: str) -> str:
+    def drawn(self, *key: str) -> str:
         """64 hexadecimal digits."""
         return hmac.new(self._secret, "\x00".join(key).encode(), hashlib.sha256).hexdigest()
 
     def alias(self, case_id: str) -> str:
         """What a case is called where an agent can see it."""
-        return f"case-{self._drawn('alias', case_id)[:10]}"
+        return f"case-{self.drawn('alias', case_id)[:10]}"
 
     def start_map(self, case_id: str) -> str:
         """Package of a case's start level."""
-        return f"/Game/Levels/Level_{self._drawn('alias', case_id)[:10]}"
+        return f"/Game/Levels/Level_{self.drawn('alias', case_id)[:10]}"
 
     def chance(self, scene_id: str) -> random.Random:
         """A source of chance for a scene."""
-        return random.Random(self._drawn("chance", scene_id))
+        return random.Random(self.drawn("chance", scene_id))
+
+    def over(self, scene_id: str, original: Level) -> SceneVeil:
+        """The veil of a scene's levels."""
+        return SceneVeil(self, scene_id, original)
 
     def scene(self, scene_id: str, levels: Sequence[Level]) -> Iterator[Level]:
         """The levels of a scene under their veil, the original first."""
-        original = levels[0]
-        names = _Names(original, self.chance(f"{scene_id}|names"))
-        places = {id_of(actor): actor.transform.location_cm for actor in original.actors}
-        for level in levels:
-            named = {actor.name: names.of(actor) for actor in level.actors}
-            veiled = [
-                actor.model_copy(
-                    update={
-                        "name": named[actor.name],
-                        "label": named[actor.name],
-                        "guid": self._drawn("guid", scene_id, key)[:32].upper(),
-                        "tags": self._tags(actor, scene_id, key),
-                        "folder": _folder(actor, places, level),
-                        "parent": named.get(actor.parent, actor.parent) if actor.parent else None,
-                    }
-                )
-                for actor in level.actors
-                for key in [id_of(actor) or actor.name]
-            ]
-            ranks = {actor.guid: self._drawn("order", scene_id, actor.guid) for actor in veiled}
-            yield level.model_copy(update={"actors": sorted(veiled, key=lambda actor: ranks[actor.guid])})
+        over = self.over(scene_id, levels[0])
+        yield from map(over.level, levels)
 
     def id_of(self, scene_id: str, stable_id: str) -> str:
         """The id under which an actor of a scene is shown."""
-        return f"sca_source_{self._drawn('id', scene_id, stable_id)[:32]}"
+        return f"sca_source_{self.drawn('id', scene_id, stable_id)[:32]}"
 
     def operations(self, scene_id: str, operations: Sequence[Operation], level: Level) -> list[Operation]:
         """A recipe that speaks of the veiled levels; ``level`` is the corrupted one."""
@@ -92,9 +77,40 @@ class Veil:
             told.append(operation.model_copy(update=changes))
         return told
 
-    def _tags(self, actor: LevelActor, scene_id: str, key: str) -> list[str]:
+
+class SceneVeil:
+    """The veil over the levels of one scene: an actor has one name and one id in all of them."""
+
+    def __init__(self, veil: Veil, scene_id: str, original: Level) -> None:
+        self._veil, self._scene_id = veil, scene_id
+        self._names = _Names(original, veil.chance(f"{scene_id}|names"))
+        self._places = {id_of(actor): actor.transform.location_cm for actor in original.actors}
+
+    def level(self, level: Level) -> Level:
+        """A level of the scene under its veil."""
+        scene_id, drawn = self._scene_id, self._veil.drawn
+        named = {actor.name: self._names.of(actor) for actor in level.actors}
+        folders = _Folders(self._places, level)
+        veiled = [
+            actor.model_copy(
+                update={
+                    "name": named[actor.name],
+                    "label": named[actor.name],
+                    "guid": drawn("guid", scene_id, key)[:32].upper(),
+                    "tags": self._tags(actor, key),
+                    "folder": folders.of(actor),
+                    "parent": named.get(actor.parent, actor.parent) if actor.parent else None,
+                }
+            )
+            for actor in level.actors
+            for key in [id_of(actor) or actor.name]
+        ]
+        ranks = {actor.guid: drawn("order", scene_id, actor.guid) for actor in veiled}
+        return level.model_copy(update={"actors": sorted(veiled, key=lambda actor: ranks[actor.guid])})
+
+    def _tags(self, actor: LevelActor, key: str) -> list[str]:
         own = [tag for tag in actor.tags if not tag.startswith(STABLE_ID_TAG) and tag != SOURCE_TAG]
-        return [*own, STABLE_ID_TAG + self.id_of(scene_id, key), SOURCE_TAG]
+        return [*own, STABLE_ID_TAG + self._veil.id_of(self._scene_id, key), SOURCE_TAG]
 
 
 class _Names:
@@ -146,17 +162,21 @@ def _stem(actor: LevelActor) -> str:
     return re.sub(r"[^A-Za-z0-9_-]", "_", numbered[1] if numbered and numbered[1] else actor.label)
 
 
-def _folder(actor: LevelActor, places: Mapping[str | None, Vector], level: Level) -> str:
-    """The outliner folder: of what stands nearest for an actor that is new or stands elsewhere than in the original.
+class _Folders:
+    """The outliner folder of what stands nearest, for an actor that is new or stands elsewhere than in the original."""
 
-    ``places`` are those of the original's actors by stable id.
-    """
-    place = actor.transform.location_cm
-    if places.get(id_of(actor)) == place:
-        return actor.folder
-    stayed = [
-        one
-        for one in level.actors
-        if places.get(id_of(one)) == one.transform.location_cm and meshes(one) and one.name != actor.name
-    ]
-    return min(stayed, key=lambda one: math.dist(one.transform.location_cm, place)).folder if stayed else ""
+    def __init__(self, places: Mapping[str | None, Vector], level: Level) -> None:
+        self._places = places
+        """Of the original's actors by stable id."""
+        self._stayed = [one for one in level.actors if self._in_place(one) and meshes(one)]
+
+    def of(self, actor: LevelActor) -> str:
+        """The folder of an actor of the level."""
+        if self._in_place(actor):
+            return actor.folder
+        place = actor.transform.location_cm
+        near = [one for one in self._stayed if one.name != actor.name]
+        return min(near, key=lambda one: math.dist(one.transform.location_cm, place)).folder if near else ""
+
+    def _in_place(self, actor: LevelActor) -> bool:
+        return self._places.get(id_of(actor)) == actor.transform.location_cm

@@ -35,7 +35,15 @@ SECTIONS: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
     ),
     (
         "Cases and content",
-        ("docs/authors.md", "docs/requirements.md", "docs/packs.md", "docs/content.md", "docs/published-tasks.md"),
+        (
+            "docs/authors.md",
+            "docs/requirements.md",
+            "docs/packs.md",
+            "docs/content.md",
+            "docs/published-tasks.md",
+            "docs/open-190.md",
+            "docs/open-190-texts.md",
+        ),
     ),
     ("Coming from", ("docs/from-published-scorer.md", "docs/published-scorer.md")),
     ("Reference", ("reference/commands.md", "docs/tools.md", "docs/warehouse.md", "reference/formats.md")),

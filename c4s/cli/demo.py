@@ -6,7 +6,8 @@ import time
 
 from c4s.cli.board import print_leaderboard
 from c4s.cli.output import say
-from c4s.cli.suite import Replace, build_starter_visibly
+from c4s.cli.shipped import build_starter_visibly
+from c4s.cli.suite import Replace
 from c4s.protocol.baselines import BASELINES
 
 

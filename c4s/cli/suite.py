@@ -14,6 +14,7 @@ from c4s.cli.bringing import Hulls, HullsOf, LicenceFile, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
 from c4s.cli.progress import bars, step_line
+from c4s.cli.shipped import SHIPPED
 from c4s.cli.suites import built_suite
 from c4s.errors import BadInput, unknown
 from c4s.home import packs_root, suites_root
@@ -41,36 +42,24 @@ Replace = Annotated[
 ]
 
 
-def build_starter_visibly(*, replace: bool = False) -> Suite:
-    """Build the starter suite and its packs, or find them built; with progress."""
-    from cases.starter.suite import build_starter
-
-    with bars() as progress:
-        task = progress.add_task("starter suite", total=None)
-
-        def step(message: str) -> None:
-            progress.update(task, description=f"building {message:42.42}")
-            step_line(message)
-
-        suite = build_starter(suites_root() / "starter", packs_root(), step, replace=replace)
-        progress.update(task, description=f"{'starter suite ready':51}")
-    return suite
-
-
 @app.command()
 def build(
-    name: Annotated[str, typer.Argument(metavar="FILE", help="`starter`, a suite.yaml, or the folder of one")],
+    name: Annotated[
+        str, typer.Argument(metavar="FILE", help="`starter`, `open-190`, a suite.yaml, or the folder of one")
+    ],
     replace: Replace = False,
     json_output: Annotated[bool, typer.Option("--json")] = False,
 ) -> None:
-    """Build a suite: the one that ships with its packs, or that of a suite file."""
+    """Build a suite: one that ships with its packs, or that of a suite file.
+
+    A build of open-190 that was stopped goes on where it was."""
     if _is_file(name):
         suite = workshop.build_file(Path(name), replace=replace, json_output=json_output)
         _tell(suite, suites_root() / suite.suite_id, json_output)
         return
-    if name != "starter":
-        raise unknown("shipped suite", name, ["starter"], todo="or give a suite.yaml")
-    _tell(build_starter_visibly(replace=replace), suites_root() / name, json_output)
+    if name not in SHIPPED:
+        raise unknown("shipped suite", name, list(SHIPPED), todo="or give a suite.yaml")
+    _tell(SHIPPED[name](replace=replace), suites_root() / name, json_output)
 
 
 @app.command("list")

@@ -18,7 +18,7 @@ from c4s.engine.content import content_fault
 from c4s.errors import BadInput, MachineryFault, ReasonCode
 from c4s.evidence.folder import replace_captures, replace_exported
 from c4s.evidence.masks import Tracer, with_masks
-from c4s.evidence.pictures import TIMEOUT_S, plain, take_pictures
+from c4s.evidence.pictures import glimpses, take_pictures
 from c4s.evidence.shots import Camera, Cameras, Glimpse, Shots, Snapshot
 from c4s.evidence.walk import OWN_MESH, probe_navigation
 from c4s.files import read_json, write_json
@@ -130,9 +130,7 @@ class CleanEngine:
         if not cameras:
             return []
         with _refusals("cannot_be_drawn", "the level cannot be drawn", self._package):
-            told: list[Glimpse] | None = ask(
-                self._engine, "capture.probe_views", cameras=plain(cameras), timeout_s=TIMEOUT_S
-            )
+            told = glimpses(self._engine, cameras)
         return self._traced(None).glimpses(cameras) if told is None else told
 
     def _traced(self, snapshot: Snapshot | None) -> Tracer:

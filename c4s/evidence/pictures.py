@@ -61,6 +61,12 @@ def take_pictures(
     return records
 
 
+def glimpses(engine: Engine, cameras: Sequence[Mapping[str, Any]]) -> list[Record] | None:
+    """What each camera would see of the level that an engine has open; None of an engine that has no masks."""
+    told: list[Record] | None = ask(engine, "capture.probe_views", cameras=plain(cameras), timeout_s=TIMEOUT_S)
+    return told
+
+
 def plain(cameras: Sequence[Mapping[str, Any]]) -> list[Record]:
     """Cameras as an engine is told of them, without what they are for."""
     return [{key: value for key, value in camera.items() if key not in ("purpose", "pair")} for camera in cameras]

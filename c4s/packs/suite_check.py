@@ -10,10 +10,10 @@ from c4s.errors import BadInput
 from c4s.files import read_written_json
 from c4s.home import packs_root
 from c4s.packs.check import Told, check_pack, pack_changes
-from c4s.records.suite import DIGESTS, FROZEN, SIGHTINGS, AgentCase, SuiteCase, SuiteFolder
+from c4s.records.suite import DIGESTS, FROZEN, SELECTION, SIGHTINGS, AgentCase, SuiteCase, SuiteFolder
 from c4s.trees import Change, Listing, changes, digests, listing_digest, refuse
 
-_LOOSE = frozenset({"suite.json", DIGESTS, "build.json", SIGHTINGS, FROZEN})
+_LOOSE = frozenset({"suite.json", DIGESTS, "build.json", SIGHTINGS, FROZEN, SELECTION})
 """Files beside the two trees."""
 
 

@@ -185,23 +185,33 @@ def _fit(
     """Ground, structure and backdrop are no targets."""
     told = []
     for snapshot, known in ((truth, before), (start, after)):
-        role = dict(zip((actor["name"] for actor in snapshot["actors"]), roles(snapshot["actors"]), strict=True))
-        size = {actor["name"]: actor["bounds"]["extent_cm"] for actor in snapshot["actors"]}
-        whole = _whole(snapshot)
-        for operation in operations:
-            actor = known.get(_target(operation))
-            if actor is None or actor.name not in role:
-                continue
-            shown = names.get(actor.name, actor.name)
-            if role[actor.name] in _NO_TARGET or _called(actor) in STRUCTURE:
-                told.append(f"{shown} is {_NO_TARGET.get(role[actor.name], 'structure')}, which is no target")
-            wide, deep, high = (2 * side for side in size[actor.name])
-            if min(wide, deep) > GROUND_SIDE_CM and high < GROUND_FLAT * min(wide, deep):
-                told.append(f"{shown} is {wide:.0f} x {deep:.0f} x {high:.0f} cm: ground, which is no target")
-            share = max(2 * size[actor.name][axis] / whole[axis] for axis in (0, 1))
-            if share > MOST_SHARE:
-                told.append(f"{shown} takes {share:.0%} of the scene's side; at most {MOST_SHARE:.0%} is a thing")
+        actors = [actor for one in operations if (actor := known.get(_target(one))) is not None]
+        for name, reasons in unfit(actors, snapshot).items():
+            told += [f"{names.get(name, name)} {reason}" for reason in reasons]
     return list(dict.fromkeys(told))
+
+
+def unfit(actors: Sequence[LevelActor], snapshot: Snapshot) -> dict[str, list[str]]:
+    """Why actors of a level are no targets, by name, as its snapshot tells; nothing of those that may be."""
+    role = dict(zip((actor["name"] for actor in snapshot["actors"]), roles(snapshot["actors"]), strict=True))
+    size = {actor["name"]: actor["bounds"]["extent_cm"] for actor in snapshot["actors"]}
+    whole = _whole(snapshot)
+    found: dict[str, list[str]] = {}
+    for actor in actors:
+        if actor.name not in role:
+            continue
+        told = []
+        if role[actor.name] in _NO_TARGET or _called(actor) in STRUCTURE:
+            told.append(f"is {_NO_TARGET.get(role[actor.name], 'structure')}, which is no target")
+        wide, deep, high = (2 * side for side in size[actor.name])
+        if min(wide, deep) > GROUND_SIDE_CM and high < GROUND_FLAT * min(wide, deep):
+            told.append(f"is {wide:.0f} x {deep:.0f} x {high:.0f} cm: ground, which is no target")
+        share = max(2 * size[actor.name][axis] / whole[axis] for axis in (0, 1))
+        if share > MOST_SHARE:
+            told.append(f"takes {share:.0%} of the scene's side; at most {MOST_SHARE:.0%} is a thing")
+        if told:
+            found[actor.name] = told
+    return found
 
 
 _NO_TARGET = {"support_surface": "ground", "environment_proxy": "a backdrop or a structure around the scene"}

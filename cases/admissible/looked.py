@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from c4s.render import Picture
 from c4s.render.masks import mask_name
 
 Colours = NDArray[np.uint8]
@@ -25,7 +27,7 @@ LEAST_DEPTH_CM, DEPTH_STEP = 1.0, 0.003
 
 
 @dataclass(frozen=True)
-class _Picture:
+class Seen:
     """(H, W, 3) colours, (H, W) rows of ``names`` (-1 where nothing is shown), (H, W) depth in cm."""
 
     colours: Colours
@@ -46,8 +48,8 @@ class Looked:
     """What one reference camera sees of the original and of the start scene."""
 
     view: str
-    truth: _Picture
-    start: _Picture
+    truth: Seen
+    start: Seen
 
     @cached_property
     def _per_pixel(self) -> float:
@@ -98,7 +100,7 @@ def looked_at(view: str, truth: Path, start: Path) -> Looked:
     return Looked(view, _read(truth, size), _read(start, size))
 
 
-def _read(picture: Path, size: tuple[int, int]) -> _Picture:
+def _read(picture: Path, size: tuple[int, int]) -> Seen:
     with Image.open(picture) as opened:
         colours = np.asarray(opened.convert("RGB").resize(size, Image.Resampling.BOX), dtype=np.uint8)
     with np.load(picture.with_name(mask_name(picture.stem)), allow_pickle=False) as tables:
@@ -108,4 +110,17 @@ def _read(picture: Path, size: tuple[int, int]) -> _Picture:
     rows = (np.arange(height) + 0.5) * actor.shape[0] / height
     columns = (np.arange(width) + 0.5) * actor.shape[1] / width
     chosen = (rows.astype(int)[:, None], columns.astype(int)[None, :])
-    return _Picture(colours, actor[chosen], depth[chosen], names)
+    return Seen(colours, actor[chosen], depth[chosen], names)
+
+
+def seen_by(picture: Picture, names: Sequence[str]) -> Seen:
+    """What a picture shows of actors, ``names`` being those that its mask counts."""
+    return Seen(picture.rgb, picture.actor.astype(np.int64), picture.depth_cm.astype(np.float32), list(names))
+
+
+class Glanced(Looked):
+    """What a reference camera sees without light: what looks different is told by shape alone."""
+
+    def changed(self, was: str, now: str) -> tuple[float, int]:
+        """As ``reshaped``."""
+        return self.reshaped(was, now)

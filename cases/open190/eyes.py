@@ -52,7 +52,7 @@ def _is_free(place: StagedPlace, eye: Vector, target: Vector) -> bool:
     length = math.hypot(target[0] - eye[0], target[1] - eye[1]) or 1.0
     dx, dy = (target[0] - eye[0]) / length, (target[1] - eye[1]) / length
     spots = [(eye[0] + dx * ahead, eye[1] + dy * ahead) for ahead in AHEAD_CM]
-    around = [_block(px, py, eye[2], 45.0 + 20.0 * i) for i, (px, py) in enumerate([(eye[0], eye[1]), *spots])]
+    around = [block(px, py, eye[2], 45.0 + 20.0 * i) for i, (px, py) in enumerate([(eye[0], eye[1]), *spots])]
     if not place.space.free(around):
         return False
     for item in place.items.values():
@@ -63,7 +63,8 @@ def _is_free(place: StagedPlace, eye: Vector, target: Vector) -> bool:
     return True
 
 
-def _block(x: float, y: float, z: float, half: float) -> Solid:
+def block(x: float, y: float, z: float, half: float) -> Solid:
+    """The air around a place, in cm: so far to each side, a little below and above."""
     return Solid(
         ((x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half)), z - 60, z + 40
     )

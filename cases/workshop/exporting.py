@@ -11,6 +11,7 @@ from c4s.folders import beside, put_folder
 from c4s.packs.suite_check import suite_changes
 from c4s.records.suite import SUITE, Suite, SuiteFolder
 from c4s.trees import files_under, refuse
+from cases.sharing import share_equal
 
 
 def export_suite(suite: SuiteFolder, out: Path, *, public_only: bool) -> Suite:
@@ -32,6 +33,7 @@ def export_suite(suite: SuiteFolder, out: Path, *, public_only: bool) -> Suite:
         for case in kept:
             shutil.copytree(suite.agent(case.alias), folder.agent(case.alias))
             shutil.copytree(suite.withheld(case.case_id), folder.withheld(case.case_id))
+        share_equal(folder.root / "withheld")
         packs = {pack.pack_id for case in kept for pack in folder.agent_case(case.alias).packs}
         made = folder.freeze(
             record.suite_id, record.title, record.description, [pack for pack in record.packs if pack.pack_id in packs]
