@@ -17,6 +17,7 @@ from c4s.cli import (
     demo,
     doctor,
     engine,
+    grade,
     human,
     judge,
     report,
@@ -46,6 +47,7 @@ app.command("backup")(backups.backup)
 app.command("restore")(backups.restore)
 app.add_typer(agent.app, name="agent")
 app.command("serve")(serve.serve)
+app.command("grade")(grade.grade)
 app.add_typer(verify.app, name="verify")
 app.add_typer(judge.app, name="judge")
 app.add_typer(human.app, name="human")

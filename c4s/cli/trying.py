@@ -51,7 +51,7 @@ class Try:
         )
         check_ready(plan.configurations)
         check_judge(plan)
-        root = _new_folder(home() / "tries", f"{chosen.name}-{plan.cases[0].alias}")
+        root = new_folder(home() / "tries", f"{chosen.name}-{plan.cases[0].alias}")
         plan = open_run(root / "run", plan)
         return cls(root, suite, plan, next(iter(trials(root / "run", suite, plan))))
 
@@ -65,7 +65,7 @@ class Try:
         return _publish(self.root, self.suite, self.trial.case.case_id)
 
 
-def _new_folder(root: Path, stem: str) -> Path:
+def new_folder(root: Path, stem: str) -> Path:
     """The first free ``<stem>-<n>``, made."""
     root.mkdir(parents=True, exist_ok=True)
     number = 1
