@@ -61,9 +61,18 @@ class AgentSide:
         return side
 
     def attempt(
-        self, configuration: Configuration, out: Path, *, engine: str, agent: Agent | None = None
+        self,
+        configuration: Configuration,
+        out: Path,
+        *,
+        engine: str,
+        agent: Agent | None = None,
+        withheld: Path | None = None,
     ) -> AttemptOutcome:
-        """One attempt, kept in a new folder. One that is there is set aside where no call was made in it."""
+        """One attempt, kept in a new folder. One that is there is set aside where no call was made in it.
+
+        ``withheld``: for the oracle alone, a folder with the truth.
+        """
         kept = AttemptFolder(out)
         if kept.done and AttemptOutcome.read(kept.outcome).tool_calls == 0:
             set_aside(out)
@@ -76,7 +85,7 @@ class AgentSide:
             1,
             out.absolute(),
             self.packs,
-            None,
+            withheld,
             engine=engine,
             agent=agent,
         )

@@ -96,7 +96,7 @@ class _Call:
 
 
 @dataclass(frozen=True, slots=True)
-class Begun:
+class AskedCall:
     """A call that a client asked for."""
 
     what: str
@@ -192,7 +192,7 @@ class Run:
             "seconds_left": max(0, round(self.budget.wall_minutes * 60 - self.wall_s)),
         }
 
-    def ask(self, name: str, arguments: Mapping[str, Any], key: str | None, own: bool) -> Begun:
+    def ask(self, name: str, arguments: Mapping[str, Any], key: str | None, own: bool) -> AskedCall:
         """Begin one call; who waits for its answer may be cancelled: the call goes on, and is recorded.
 
         A request id that was seen before gets the first answer again. So does the repeat of a call whose answer went
@@ -204,7 +204,7 @@ class Run:
         if key is not None and key in self._answers:
             self.record_duplicate(name, key)
             first = self._answers[key]
-            return Begun("", first or self._answered(self._refusal("this request id was already answered")))
+            return AskedCall("", first or self._answered(self._refusal("this request id was already answered")))
         lost = None if own else self._lost.pop(what, None)
         if lost is not None:
             self.record_duplicate(name, key)
@@ -212,9 +212,9 @@ class Run:
         if key is not None:
             self._answers[key] = answered
             answered.add_done_callback(lambda _: self._keep_answer(key))
-        return Begun("" if own else what, answered)
+        return AskedCall("" if own else what, answered)
 
-    def lose(self, asked: Begun) -> None:
+    def lose(self, asked: AskedCall) -> None:
         """Note that the answer to a call went nowhere. Its repeat is given it, unless another call begins before."""
         if asked.what:
             self._lost[asked.what] = asked.answered
