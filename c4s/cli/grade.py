@@ -40,8 +40,8 @@ def grade(
         check_out(out, replace=replace, magic=b"{")
     suite_folder = built_suite(suite)
     from c4s.agents.outside import OUTSIDE
-    from c4s.cli.trying import new_folder
     from c4s.files import write_json
+    from c4s.folders import numbered_folder
     from c4s.home import home
     from c4s.records.plan import Configuration
     from c4s.records.suite import SuiteFolder
@@ -53,7 +53,7 @@ def grade(
         suite_folder,
         case,
         submission,
-        lambda: new_folder(home() / "tries", f"grade-{alias}") / "run",
+        lambda: numbered_folder(home() / "tries", f"grade-{alias}") / "run",
         configuration=Configuration(name=OUTSIDE, client=OUTSIDE, harness=driver),
         policy=policy,
         judge=judge,

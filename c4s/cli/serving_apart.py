@@ -9,7 +9,8 @@ from c4s.agents.outside import OUTSIDE
 from c4s.cli.output import print_json, say, say_beside
 from c4s.cli.serving import attended, outside
 from c4s.cli.suites import built_suite
-from c4s.cli.trying import new_folder, say_ending
+from c4s.cli.trying import say_ending
+from c4s.folders import numbered_folder
 from c4s.home import home
 from c4s.protocol.rules import DEFAULT_POLICY
 from c4s.records.plan import Configuration
@@ -22,7 +23,7 @@ def serve_stdio_client(case: str, suite: str, out: Path | None, *, harness: str 
     """An attempt by whoever started this process; nothing but the protocol goes to standard output."""
     check_labels(engine, DEFAULT_POLICY)
     side = agent_side(case, suite)
-    kept = out if out is not None else new_folder(home() / "tries", f"{OUTSIDE}-{side.case.alias}") / "attempt-1"
+    kept = out if out is not None else numbered_folder(home() / "tries", f"{OUTSIDE}-{side.case.alias}") / "attempt-1"
     chosen = Configuration(name=OUTSIDE, client=OUTSIDE, harness=harness)
     say_beside(f"{side.case.alias}: the tools are open; the attempt is kept in {kept}")
     outcome = side.attempt(chosen, kept, engine=engine, agent=StdioAgent())

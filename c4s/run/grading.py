@@ -58,6 +58,22 @@ def grade(
     """
     if not submission.is_dir():
         raise BadInput("no such folder", where=str(submission), todo="give what `c4s serve CASE --out` left")
+    trial, plan = open_trial(suite, case, root, configuration=configuration, policy=policy, judge=judge, engine=engine)
+    enter(trial, plan, submission)
+    return score_recorded(trial, plan)
+
+
+def open_trial(
+    suite: Path,
+    case: str,
+    root: Callable[[], Path],
+    *,
+    configuration: Configuration,
+    policy: str,
+    judge: str,
+    engine: str,
+) -> tuple[Trial, Plan]:
+    """The one trial of a run of its own, whose attempt is made by other means; arguments as those of ``grade``."""
     plan = make_plan(
         SuiteFolder(suite), [configuration], run_id="grade", policy=policy, judge=judge, engine=engine, cases=[case]
     )
@@ -65,8 +81,12 @@ def grade(
     run = root()
     plan = open_run(run, plan)
     (trial,) = trials(run, suite, plan)
-    enter(trial, plan, submission)
-    with holding(run) as held:
+    return trial, plan
+
+
+def score_recorded(trial: Trial, plan: Plan) -> TrialScore:
+    """Verify and score the attempt that a trial has on record; no other is made."""
+    with holding(trial.run) as held:
         return asyncio.run(_scored(trial, plan, [held]))
 
 

@@ -74,9 +74,9 @@ class LocalEnvironment(BaseEnvironment):
     ) -> ExecResult:
         binds = [
             word
-            for name in sorted(os.listdir("/"))
-            if name not in HIDDEN
-            for word in ("--bind", f"/{name}", f"/{name}")
+            for found in sorted(Path("/").iterdir())
+            if found.name not in HIDDEN
+            for word in ("--bind", str(found), str(found))
         ]
         own = [word for name in OWN for word in ("--bind", str(self._root / name), f"/{name}")]
         told = {

@@ -18,6 +18,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 import harness_harbor
+import harness_inspect
 from harness_made import Made
 from matrix import built_suite
 
@@ -33,10 +34,14 @@ class Harness:
     name: str
     package: str
     pythons: tuple[str, ...]
+    """Which Python it needs; none where it stands beside c4s, in a copy of the environment that this runs in."""
     run: Callable[[Path, str], list[Made]]
 
 
-HARNESSES = {"harbor": Harness("harbor", "harbor==0.24.0", ("python3.12", "python3.13"), harness_harbor.run)}
+HARNESSES = {
+    "harbor": Harness("harbor", "harbor==0.24.0", ("python3.12", "python3.13"), harness_harbor.run),
+    "inspect": Harness("inspect", "inspect-ai==0.3.285", (), harness_inspect.run),
+}
 
 
 def environment(harness: Harness, install: bool) -> tuple[Path | None, str]:
@@ -46,11 +51,31 @@ def environment(harness: Harness, install: bool) -> tuple[Path | None, str]:
         return place, ""
     if not install:
         return None, "not installed (--install)"
+    if not harness.pythons:
+        return _beside(place, harness)
     python = next((found for name in harness.pythons if _works(found := shutil.which(name) or "")), None)
     if python is None:
         return None, f"no {' or '.join(harness.pythons)} here"
-    print(f"installing {harness.package}", flush=True)
     subprocess.run([python, "-m", "venv", str(place)], check=True)
+    return _installed(place, harness)
+
+
+def _beside(place: Path, harness: Harness) -> tuple[Path | None, str]:
+    shutil.copytree(sys.prefix, place, symlinks=True, copy_function=_linked)
+    return _installed(place, harness)
+
+
+def _linked(source: str, target: str) -> str:
+    """One content under two names, where one file system has both; a copy else."""
+    try:
+        Path(target).hardlink_to(source)
+    except OSError:
+        shutil.copy2(source, target)
+    return target
+
+
+def _installed(place: Path, harness: Harness) -> tuple[Path | None, str]:
+    print(f"installing {harness.package}", flush=True)
     pip = subprocess.run(
         [str(place / "bin/python"), "-m", "pip", "install", "--quiet", harness.package], capture_output=True, text=True
     )
