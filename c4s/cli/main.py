@@ -17,6 +17,7 @@ from c4s.cli import (
     demo,
     doctor,
     engine,
+    exports,
     grade,
     human,
     judge,
@@ -53,6 +54,7 @@ app.add_typer(judge.app, name="judge")
 app.add_typer(human.app, name="human")
 app.command("score")(score.score)
 app.add_typer(bundle.app, name="bundle")
+app.add_typer(exports.app, name="export")
 app.add_typer(suite.app, name="suite")
 app.add_typer(catalog.app, name="catalog")
 app.add_typer(engine.app, name="engine")

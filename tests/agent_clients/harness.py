@@ -1,7 +1,8 @@
 """Runs a repair of the starter suite inside other programs that drive agents: Harbor, Inspect AI, verifiers.
 
 ``python tests/agent_clients/harness.py [--install] [--case CASE] [HARNESS ...]`` prints a line a harness and agent,
-with the reward that arrived there. ``--install`` installs each harness in an environment of its own under
+with the reward that arrived there (of a trajectory, its steps). ``--install`` installs each
+in an environment of its own under
 ``C4S_HOME/harnesses``, from PyPI. Exit 1 where one that is installed does not score as c4s does: what saves the scene
 as it is gets what ``noop`` gets. One that is not installed, or cannot be, is a line with the reason.
 """
@@ -36,11 +37,13 @@ class Harness:
     pythons: tuple[str, ...]
     """Which Python it needs; none where it stands beside c4s, in a copy of the environment that this runs in."""
     run: Callable[[Path, str], list[Made]]
+    files_of: str = ""
+    """A package of which only files are needed, not what it depends on."""
 
 
 HARNESSES = {
     "harbor": Harness("harbor", "harbor==0.24.0", ("python3.12", "python3.13"), harness_harbor.run),
-    "inspect": Harness("inspect", "inspect-ai==0.3.285", (), harness_inspect.run),
+    "inspect": Harness("inspect", "inspect-ai==0.3.285", (), harness_inspect.run, files_of="litellm"),
 }
 
 
@@ -79,6 +82,9 @@ def _installed(place: Path, harness: Harness) -> tuple[Path | None, str]:
     pip = subprocess.run(
         [str(place / "bin/python"), "-m", "pip", "install", "--quiet", harness.package], capture_output=True, text=True
     )
+    if not pip.returncode and harness.files_of:
+        command = [str(place / "bin/python"), "-m", "pip", "install", "--quiet", "--no-deps", harness.files_of]
+        pip = subprocess.run(command, capture_output=True, text=True)
     if pip.returncode:
         return None, f"{harness.package} cannot be installed: {(pip.stderr.strip().splitlines() or [''])[-1]}"
     (place / "done").touch()
@@ -107,7 +113,7 @@ def main() -> int:
             right = made.reward is not None and abs(made.reward - made.expected) < 1e-6
             failed |= not right
             word = "as expected" if right else f"EXPECTED {made.expected}"
-            print(f"{name:10} {made.agent:10} reward {made.reward} {word}  {made.note}", flush=True)
+            print(f"{name:10} {made.agent:10} {made.reward} {word}  {made.note}", flush=True)
     return int(failed)
 
 
