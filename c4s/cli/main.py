@@ -21,6 +21,7 @@ from c4s.cli import (
     grade,
     human,
     judge,
+    release,
     report,
     run,
     runs_commands,
@@ -58,6 +59,7 @@ app.add_typer(exports.app, name="export")
 app.add_typer(suite.app, name="suite")
 app.add_typer(catalog.app, name="catalog")
 app.add_typer(engine.app, name="engine")
+app.command("release")(release.release)
 app.command("report")(report.report)
 app.command("sql")(sql.sql)
 app.command("analyze")(analyze.analyze)

@@ -79,8 +79,8 @@ def _near(
     _, high = _cells(posed, _REACH_CM)
     at_point: dict[Hashable, list[Actor]] = {}
     for actor, first, last in zip(posed, low, high, strict=True):
-        kind = key(actor)
-        if (known := at_point.get((kind, *actor.location))) is not None:
+        kind, (x, y, z) = key(actor), actor.location or (0.0, 0.0, 0.0)
+        if (known := at_point.get((kind, x, y, z))) is not None:
             yield actor, known
             continue
         if first == last:
@@ -92,7 +92,6 @@ def _near(
                 for other in cells.get((kind, *cell), ())
             ]
         if inside:
-            x, y, z = actor.location or (0.0, 0.0, 0.0)
             close = [
                 other
                 for other in inside
