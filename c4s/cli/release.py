@@ -14,7 +14,7 @@ from c4s.folders import beside, check_new, put_folder
 from c4s.home import analyses_root, suites_root, warehouse_root
 from c4s.records.folder import RunFolder
 from c4s.records.plan import Plan
-from c4s.records.suite import SuiteFolder
+from c4s.records.suite import DIGESTS, SuiteFolder
 
 
 def release(
@@ -30,7 +30,7 @@ def release(
     """
     from cases.workshop.exporting import export_suite
     from warehouse.database import catch_up
-    from warehouse.release import DIGESTS, pack_release, secrets_of
+    from warehouse.release import pack_release, secrets_of
 
     plans = {plan.run_id: plan for plan in (Plan.read(RunFolder(run_folder(name)).plan) for name in run or ())}
     ids = sorted({*(suite or ()), *(plan.suite_id for plan in plans.values())})

@@ -25,7 +25,7 @@ from c4s.toolbox.gateway import Endpoint
 LOOK_S = 0.1
 
 
-class HandedOver:
+class HandedTools:
     """An agent that gives its tools away and waits until whoever got them says that the work is done."""
 
     def __init__(self) -> None:
@@ -45,7 +45,7 @@ class DrivenTrial:
 
     def __init__(self, trial: Trial, plan: Plan) -> None:
         self.trial, self.plan = trial, plan
-        self._agent = HandedOver()
+        self._agent = HandedTools()
         self._outcome: Future[AttemptOutcome] = Future()
 
     @classmethod

@@ -27,14 +27,13 @@ from c4s.errors import MachineryFault
 from c4s.files import digest_file, write_json
 from c4s.records.plan import Plan
 from c4s.records.schemas import write_schemas
-from c4s.records.suite import SuiteFolder
+from c4s.records.suite import DIGESTS, SuiteFolder
 from c4s.toolbox.registry import ALL_TOOLS
 from c4s.toolbox.skill import skill_text
 from warehouse.release.leaks import refuse_leaks
 from warehouse.release.secrets import PRIVATE, Secrets
 from warehouse.release.words import pieces
 
-DIGESTS = "digests.json"
 PACKAGES = ("c4s", "cases", "catalog", "flows", "reports", "tasks", "warehouse")
 CODE = frozenset({".py", ".sql", ".j2", ".css", ".js", ".yaml", ".json", ".md", ".txt", ".typed"})
 """Kinds of files of a package that are packed."""
