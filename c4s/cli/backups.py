@@ -39,7 +39,7 @@ def backup(
 def restore(
     source: Annotated[Path, typer.Argument(metavar="FROM", help="folder of a backup")], json_output: Json = False
 ) -> None:
-    """Copy a backup into the home: every file is compared with its digest, and none that is there is overwritten.
+    """Copy a backup into the home: each file is held against its digest, and none that is there is overwritten.
 
     The same command again goes on where it was cut off.
     """

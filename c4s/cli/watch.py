@@ -20,7 +20,7 @@ def watch(
     run: Annotated[str, typer.Argument(help="id of a run, or its folder")],
     json_output: Annotated[bool, typer.Option("--json", help="one snapshot as JSON, and no watching")] = False,
 ) -> None:
-    """Show how far a run is until nobody works on it any more, from its folder alone: on this machine or elsewhere.
+    """Show how far a run is, from its folder alone, until nobody works on it any more: here or elsewhere.
 
     Ctrl-C ends the watching, not the run. Where there is no terminal, a line is printed as trials end.
     """

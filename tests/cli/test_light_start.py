@@ -6,12 +6,17 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
+from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 import pytest
 import typer
+from typer.testing import CliRunner
 
 from c4s.cli.main import app
+from c4s.engine.headless.version import ENGINE_VERSION
+from c4s.protocol.rules import DEFAULT_POLICY
 
 HEAVY = (
     "PIL.Image",
@@ -63,7 +68,7 @@ def _ending(home: Path, *arguments: str) -> str:
 
 def _commands() -> Iterator[tuple[str, ...]]:
     """Every command and group of commands of ``c4s``."""
-    waiting = [((), typer.main.get_command(app))]
+    waiting: list[tuple[tuple[str, ...], Any]] = [((), typer.main.get_command(app))]
     while waiting:
         path, command = waiting.pop()
         yield path
@@ -75,6 +80,37 @@ COMMANDS = sorted(_commands())
 
 def test_every_command_is_asked() -> None:
     assert {(), ("run",), ("agent", "try"), ("suite", "import", "code4scene")} <= set(COMMANDS)
+
+
+def test_the_help_says_of_each_command_what_the_command_says_of_itself() -> None:
+    said = {name: command.get_short_help_str(200) for name, command in typer.main.get_command(app).commands.items()}  # type: ignore[attr-defined]
+    shown = " ".join(CliRunner().invoke(app, ["--help"], env={"COLUMNS": "400"}).output.split())
+    assert len(said) > 20 and [name for name, line in said.items() if f"│ {name} {line}" not in shown] == []
+
+
+def test_a_command_imports_no_other(tmp_path: Path) -> None:
+    others = "import sys; from c4s.cli.main import main\ntry: main()\nexcept SystemExit: print(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", others, "sql"],
+        env={**os.environ, "C4S_HOME": str(tmp_path)},
+        text=True,
+        capture_output=True,
+        check=True,
+    )
+    assert "c4s.cli.sql" in done.stdout.split() and not {"c4s.cli.suite", "c4s.cli.agent", "c4s.cli.human"} & set(
+        done.stdout.split()
+    )
+
+
+def test_the_version_names_the_engine_and_the_policy() -> None:
+    said = CliRunner().invoke(app, ["--version"])
+    assert said.exit_code == 0
+    assert said.output.splitlines() == [
+        f"c4s {version('c4s')}",
+        f"engine {ENGINE_VERSION}",
+        *said.output.splitlines()[2:],
+    ]
+    assert DEFAULT_POLICY in said.output.splitlines()[2]
 
 
 @pytest.mark.parametrize("command", COMMANDS, ids=" ".join)

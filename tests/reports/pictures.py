@@ -25,12 +25,17 @@ FAR: Final = 10
 MOST_OTHERS: Final = 0.04
 """Share of cells that may be others. Another font makes 1 % of them so; a table that is gone, a head that is gone or
 text in another colour makes 10 % and more."""
+DECODED: Final = """() => Promise.all([...document.images]
+    .filter((image) => image.checkVisibility() && image.getBoundingClientRect().top < innerHeight)
+    .map((image) => image.decode()))"""
+"""Waits for the pictures in the window: those that are loaded lazily are not part of the page's load."""
 KEEP: Final = "C4S_KEEP_PICTURES"
 """Set it to write pictures anew; look at them before they are kept."""
 
 
 def assert_as_kept(page: Page, name: str) -> None:
     """The window of a page looks as in ``pictures/<name>.png``."""
+    page.evaluate(DECODED)
     seen = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
     seen = seen.resize((WIDTH, round(seen.height * WIDTH / seen.width)), Image.Resampling.BOX)
     path = FOLDER / f"{name}.png"

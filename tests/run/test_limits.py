@@ -157,6 +157,7 @@ def _command(home: Path, broken: str, *arguments: str) -> subprocess.CompletedPr
     )
 
 
+@pytest.mark.timeout(900)
 def test_stages_that_the_scene_breaks_are_outcomes_and_a_dead_worker_is_a_pending_trial(
     home: Path, tmp_path: Path
 ) -> None:
@@ -182,7 +183,8 @@ def test_stages_that_the_scene_breaks_are_outcomes_and_a_dead_worker_is_a_pendin
     assert json.loads(captures.read_text())["views"] == [] and "MiB" in json.loads(captures.read_text())["not_taken"]
     verdicts = [json.loads(path.read_text()) for path in of_second.root.glob("verdicts/*.json")]
     late = [verdict for verdict in verdicts if verdict["status"] == "not_evaluated"]
-    assert len(late) == 3 and all("longer than 12 s" in verdict["reason"] for verdict in late)
+    assert {verdict["verifier"] for verdict in late} >= {"paired"} and len(late) == 4
+    assert all("longer than 12 s" in verdict["reason"] for verdict in late)
     assert len(list(of_first.root.glob("attempt-?/integrity.json"))) == 2
 
     again = _command(here, "", *run)
