@@ -96,9 +96,11 @@ app = typer.Typer(
 
 def _tell_versions(asked: bool) -> None:
     if asked:
+        from c4s.cli.output import say
         from c4s.cli.versions import versions
 
-        typer.echo(versions())
+        for line in versions().splitlines():
+            say(line)
         raise typer.Exit
 
 
