@@ -28,6 +28,7 @@ test-clients: setup
 	$(BIN)/python tests/agent_clients/received.py
 	$(BIN)/python tests/agent_clients/behaviour.py
 	$(BIN)/python tests/agent_clients/connected.py
+	$(BIN)/python tests/agent_clients/harness.py --install
 
 lint: setup
 	$(BIN)/ruff format --check .

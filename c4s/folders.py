@@ -56,6 +56,19 @@ def put_folder(made: Path, place: Path, *, marker: str) -> None:
     remove_tree(made, inside=place.parent)
 
 
+def numbered_folder(root: Path, stem: str) -> Path:
+    """The first free ``<stem>-<n>``, made."""
+    root.mkdir(parents=True, exist_ok=True)
+    number = 1
+    while True:
+        try:
+            (root / f"{stem}-{number}").mkdir()
+        except FileExistsError:
+            number += 1
+            continue
+        return root / f"{stem}-{number}"
+
+
 def check_own(place: Path, marker: str) -> None:
     """``BadInput`` where something lies at ``place`` that is neither empty nor a folder with a ``marker``."""
     if not os.path.lexists(place):

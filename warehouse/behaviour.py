@@ -36,6 +36,7 @@ def attempt_rows(trial: Trial, score: TrialScore, key: dict[str, Any]) -> Iterat
                 client=outcome.client,
                 model=outcome.model,
                 client_version=outcome.client_version,
+                harness=trial.configuration.harness,
                 engine_version=outcome.engine_version,
                 sandbox=outcome.sandbox,
                 submission=outcome.submission,

@@ -110,6 +110,8 @@ class AttemptRow(TrialKey):
     """As the configuration names it."""
     client_version: str
     """As the client told; empty where it did not."""
+    harness: str | None = None
+    """The program that drove the agent, where c4s did not start it. Calls and budgets differ by harness."""
     engine_version: str
     """As the engine told; empty where it was not recorded."""
     sandbox: str

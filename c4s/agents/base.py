@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
+from c4s.agents.joining import joined
 from c4s.errors import BadInput
 from c4s.protocol.baselines import CHEATS
 from c4s.records.plan import Configuration
@@ -124,17 +125,22 @@ CLIENTS = {
     **PROGRAMS,
     "command": "c4s.agents.clients.command:CommandClient",
 }
-"""Client name to ``module:class``; the class is made without arguments."""
+"""c4s's own clients: name to ``module:class``; the class is made without arguments. Others join (``joining``)."""
 
 
 def agent_of(configuration: Configuration) -> Agent:
-    """The agent of a configuration. ``BadInput`` for an unknown client."""
-    if configuration.client not in CLIENTS:
+    """The agent of a configuration. ``BadInput`` for an unknown client, and for one of another distribution that cannot
+    be used."""
+    if configuration.client in CLIENTS:
+        module, _, name = CLIENTS[configuration.client].partition(":")
+        made: Agent = getattr(importlib.import_module(module), name)()
+        return made
+    others = joined(CLIENTS)
+    if configuration.client not in others:
         raise BadInput(
             f"unknown agent client {configuration.client!r}",
             where=configuration.name,
-            todo=f"the clients are {', '.join(CLIENTS)}",
+            todo=f"the clients are {', '.join([*CLIENTS, *others])}",
         )
-    module, _, name = CLIENTS[configuration.client].partition(":")
-    made: Agent = getattr(importlib.import_module(module), name)()
-    return made
+    of_others: Agent = others[configuration.client].make()
+    return of_others

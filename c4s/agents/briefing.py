@@ -14,18 +14,24 @@ _TASK = """\
 {prompt}
 
 ## How to work
-You work in a running Unreal Editor through the tools of the server `{server}`; you have no other tools, no shell and no
-files. Positions are in centimetres, rotations are [pitch, yaw, roll] in degrees, Z is up.
+You work in a running Unreal Editor through the tools of the server `{server}`; {others}. Positions \
+are in centimetres, rotations are [pitch, yaw, roll] in degrees, Z is up.
 You may make {calls} tool calls within {minutes:g} minutes. Each answer tells what is left.
 The start level is {start_map}. When you are done, save the scene with `save_scene_as`; what is not saved does not
 count. Save early and again: the last saved scene is your submission.
 """
+_ALONE = "you have no other tools, no shell and no\nfiles"
+_AMONG_OTHERS = "whatever else you have, only\nthey change the scene"
 _PICTURES = "The attached pictures show the scene as it should be, from {count} views.\n"
 
 
-def briefing(case: AgentCase, server: str, *, pictures: int) -> str:
-    """The first message: the case's prompt, the rules of work, and how many pictures are attached."""
+def briefing(case: AgentCase, server: str, *, pictures: int, alone: bool = True) -> str:
+    """The first message: the case's prompt, the rules of work, and how many pictures are attached.
+
+    ``alone``: whether the agent has no tools but those of the server.
+    """
     text = _TASK.format(
+        others=_ALONE if alone else _AMONG_OTHERS,
         prompt=case.prompt.strip(),
         server=server,
         calls=case.budget.tool_calls,

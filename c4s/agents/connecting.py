@@ -63,6 +63,11 @@ def ways(url: str, token: str) -> list[Way]:
             file="its file of MCP servers, as most clients have it",
             text=_text({"mcpServers": {SERVER: {"type": "http", "url": url, "headers": headers}}}),
         ),
+        Way(
+            "any that sends no headers",
+            file="its file of MCP servers",
+            text=_text({"mcpServers": {SERVER: {"type": "http", "url": f"{url}/{token}"}}}),
+        ),
     ]
 
 

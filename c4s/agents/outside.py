@@ -38,6 +38,8 @@ class Connection(Record):
 
     url: str
     token: str
+    url_with_token: str
+    """The same for a client that cannot send headers."""
     task: str
     """Path of the text that the agent is told first."""
     pictures: list[str]
@@ -81,6 +83,7 @@ class Outside:
         told = Connection(
             url=context.endpoint.url,
             token=context.endpoint.token,
+            url_with_token=context.endpoint.url_with_token,
             task=str(desk.task),
             pictures=[str(picture) for picture in pictures],
         )

@@ -6,11 +6,12 @@ import os
 import tempfile
 import webbrowser
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
-from c4s.agents.base import CLIENTS, ModelClient, agent_of
+from c4s.agents.base import CLIENTS, Agent, ModelClient, agent_of
+from c4s.agents.joining import joined
 from c4s.cli.output import print_json, print_table, say
 from c4s.cli.suites import built_suite
 from c4s.engine import DEFAULT_ENGINE, backend, engine_kinds
@@ -34,24 +35,35 @@ def list_clients(json_output: Annotated[bool, typer.Option("--json")] = False) -
     """The agent clients, and whether each can be started here: installed, with the key of its usual endpoint."""
     from c4s.meter.endpoints import key_of, model_endpoint
 
-    rows = []
-    for name in CLIENTS:
-        agent = agent_of(Configuration(name=name, client=name))
-        uses_model, problem = isinstance(agent, ModelClient), ""
-        if isinstance(agent, ModelClient):
-            try:
-                agent.ready(Configuration(name=name, client=name))
+    own = [{"client": name, "from": "c4s"} for name in CLIENTS]
+    others = [{"client": name, "from": client.distribution} for name, client in joined(CLIENTS).items()]
+    rows: list[dict[str, Any]] = []
+    for row in [*own, *others]:
+        uses_model, problem = False, ""
+        try:
+            agent = _agent_of(row["client"], row["from"])
+            if isinstance(agent, ModelClient):
+                uses_model = True
+                agent.ready(Configuration(name=row["client"], client=row["client"]))
                 key_of(agent.endpoint, model_endpoint(agent.endpoint))
-            except C4SError as error:
-                problem = error.line()
-        rows.append({"client": name, "model": uses_model, "ready": not problem, "problem": problem})
+        except C4SError as error:
+            problem = error.line()
+        rows.append({**row, "model": uses_model, "ready": not problem, "problem": problem})
     if json_output:
         print_json(rows)
         return
     print_table(
-        ("client", "uses a model", "ready", ""),
-        [(row["client"], row["model"], row["ready"], row["problem"]) for row in rows],
+        ("client", "from", "uses a model", "ready", ""),
+        [(row["client"], row["from"], row["model"], row["ready"], row["problem"]) for row in rows],
     )
+
+
+def _agent_of(name: str, source: str) -> Agent:
+    """An agent by the name of its client; a name that c4s has too is taken of the other distribution."""
+    if source == "c4s":
+        return agent_of(Configuration(name=name, client=name))
+    made: Agent = joined(CLIENTS)[name].make()
+    return made
 
 
 @app.command("try")

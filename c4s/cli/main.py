@@ -34,6 +34,11 @@ class _C4S(LazyGroup):
             "c4s.cli.serve:serve",
             "Open a case to an MCP client of your own, show its calls, and score what it saves.",
         ),
+        "grade": (
+            "c4s.cli.grade:grade",
+            "Verify and score a saved scene, and print one JSON object of finite numbers.",
+        ),
+        "export": ("c4s.cli.exports:app", "What runs hold, in formats that other programs read."),
         "suite": ("c4s.cli.suite:app", "Suites: build, list, show, check, import."),
         "catalog": ("c4s.cli.catalog:app", "Asset packs: build, list, show, search."),
         "verify": ("c4s.cli.verify:app", "Verify saved scenes: repair, physics, support."),
@@ -45,6 +50,10 @@ class _C4S(LazyGroup):
         "bundle": (
             "c4s.cli.bundle:app",
             "Published evidence bundles (code4scene.bundle.v1): score one, or pack a trial.",
+        ),
+        "release": (
+            "c4s.cli.release:release",
+            "Pack code, public cases, configurations, skill text, schemas, judge instructions and answers of studies.",
         ),
         "report": ("c4s.cli.report:report", "Rebuild the warehouse's views and render the pages from them."),
         "sql": ("c4s.cli.sql:sql", "Ask the warehouse in SQL."),

@@ -59,6 +59,11 @@ def say(text: str, *, style: str = "") -> None:
         print(shown(text), flush=True)
 
 
+def say_beside(text: str) -> None:
+    """One line on standard error, for what goes beside the output of a command."""
+    print(shown(text), file=sys.stderr, flush=True)
+
+
 def draw(on: Console, text: Text) -> None:
     """A text with styles of its own, whose words went through ``shown``."""
     on.print(text, soft_wrap=True)

@@ -21,42 +21,58 @@ from c4s.records.score import TrialScore
 from c4s.records.suite import Budget, SuiteFolder
 
 
-def prepare(suite: Path, case: str, *, port: int, after_save_s: float, policy: str, judge: str, engine: str) -> Try:
+def prepare(
+    suite: Path, case: str, *, port: int, after_save_s: float, harness: str | None, policy: str, judge: str, engine: str
+) -> Try:
     """Check all that is asked for, and make the folder. ``BadInput`` before anything is made."""
+    chosen = outside(port=port, after_save_s=after_save_s, harness=harness)
+    return Try.prepare(chosen, suite, case, policy=policy, judge=judge, engine=engine)
+
+
+def outside(*, port: int, after_save_s: float, harness: str | None) -> Configuration:
+    """The configuration of a client from outside. ``BadInput`` where its port is taken."""
     if port:
         listener(port).close()
     options = {"after_save_s": after_save_s, **({"port": port} if port else {})}
-    chosen = Configuration(name=OUTSIDE, client=OUTSIDE, options=options)
-    return Try.prepare(chosen, suite, case, policy=policy, judge=judge, engine=engine)
+    return Configuration(name=OUTSIDE, client=OUTSIDE, options=options, harness=harness)
 
 
 def run(tried: Try, *, after_save_s: float, json_lines: bool) -> TrialScore:
     """Open the gateway, show what comes, and score what was saved last; there is one attempt."""
     budget = SuiteFolder(tried.suite).agent_case(tried.trial.case.alias).budget
 
-    def opened(connection: Connection) -> None:
-        if json_lines:
-            print_json(_plain(connection, budget))
-        else:
-            _say(connection, budget, after_save_s)
-
     @contextmanager
     def watching(attempt: Path) -> Iterator[None]:
-        desk, view = DeskFolder(AttemptFolder(attempt).agent), LiveView(console, attempt)
-        first = _Once(lambda: opened(Connection.read(desk.connection)))
-
-        def poll() -> None:
-            if desk.connection.is_file():
-                first()
-            if not json_lines:
-                view.poll()
-
-        with _ctrl_c_ends(desk), follow(attempt, poll):
+        with attended(attempt, budget, after_save_s=after_save_s, json_lines=json_lines):
             yield
         if not json_lines:
             say_ending(attempt)
 
     return tried.run(watching, attempts=1)
+
+
+@contextmanager
+def attended(attempt: Path, budget: Budget, *, after_save_s: float, json_lines: bool) -> Iterator[None]:
+    """Tell how to connect once the gateway of an attempt is open, then show its calls; Ctrl-C ends its work."""
+    desk, view = DeskFolder(AttemptFolder(attempt).agent), LiveView(console, attempt)
+
+    def opened() -> None:
+        connection = Connection.read(desk.connection)
+        if json_lines:
+            print_json(_plain(connection, budget))
+        else:
+            _say(connection, budget, after_save_s)
+
+    first = _Once(opened)
+
+    def poll() -> None:
+        if desk.connection.is_file():
+            first()
+        if not json_lines:
+            view.poll()
+
+    with _ctrl_c_ends(desk), follow(attempt, poll):
+        yield
 
 
 class _Once:

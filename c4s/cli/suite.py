@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from c4s.cli import asking, auditing, drafting, requirements, selecting, workshop
+from c4s.cli import asking, auditing, drafting, exporting, requirements, selecting, workshop
 from c4s.cli.bringing import Hulls, HullsOf, LicenceFile, say_excess
 from c4s.cli.left_out import readable, refuse_left_out
 from c4s.cli.output import grouped, print_json, print_table, say
@@ -37,6 +37,7 @@ app.command("audit")(auditing.audit_suite)
 app.command("select")(selecting.select_cases)
 app.command("export")(workshop.export)
 app.command("draft-prompt")(drafting.draft_prompt)
+app.command("export-harbor")(exporting.export_harbor)
 Replace = Annotated[
     bool, typer.Option("--replace", help="replace what lies under this name and is another, or was changed")
 ]

@@ -14,6 +14,7 @@ from c4s.cli.live import LiveView, follow
 from c4s.cli.output import console, print_table, say
 from c4s.cli.suites import built_suite
 from c4s.errors import BadInput
+from c4s.folders import numbered_folder
 from c4s.home import home
 from c4s.records.attempt import AttemptOutcome
 from c4s.records.folder import AttemptFolder, RunFolder
@@ -51,7 +52,7 @@ class Try:
         )
         check_ready(plan.configurations)
         check_judge(plan)
-        root = _new_folder(home() / "tries", f"{chosen.name}-{plan.cases[0].alias}")
+        root = numbered_folder(home() / "tries", f"{chosen.name}-{plan.cases[0].alias}")
         plan = open_run(root / "run", plan)
         return cls(root, suite, plan, next(iter(trials(root / "run", suite, plan))))
 
@@ -63,19 +64,6 @@ class Try:
     def publish(self) -> Path:
         """Pages of this trial alone; returns its case page."""
         return _publish(self.root, self.suite, self.trial.case.case_id)
-
-
-def _new_folder(root: Path, stem: str) -> Path:
-    """The first free ``<stem>-<n>``, made."""
-    root.mkdir(parents=True, exist_ok=True)
-    number = 1
-    while True:
-        try:
-            (root / f"{stem}-{number}").mkdir()
-        except FileExistsError:
-            number += 1
-            continue
-        return root / f"{stem}-{number}"
 
 
 @contextmanager

@@ -27,6 +27,7 @@ __all__ = [
     "policy",
     "progress",
     "repeatability",
+    "schemas",
     "score",
     "snapshot",
     "snapshot_faults",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, ClassVar, Literal
 
-from pydantic import Field
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer
 
 from c4s.names import Name
 from c4s.protocol.settings import SETTING_ALIASES, Setting
@@ -31,6 +31,17 @@ class Configuration(Record):
     options: dict[str, Any] = Field(default_factory=dict)
     per_case: dict[str, Substitute] = Field(default_factory=dict)
     """Who works instead, by case id or by setting (any of its published names); a case goes before its setting."""
+    harness: Name | None = None
+    """The program that drives the agent where c4s does not start it (``inspect_ai``, ``harbor``): what counts as a
+    call, and which budgets hold, differs by harness. Null, and left out of the record, where c4s does."""
+
+    @model_serializer(mode="wrap")
+    def _without_none(self, made: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """A configuration that knows no harness keeps the digest that it had before there were any."""
+        record: dict[str, Any] = made(self)
+        if record.get("harness", "") is None:
+            del record["harness"]
+        return record
 
     def on(self, case_id: str, setting: Setting) -> Configuration:
         """The configuration that works on a case: this one, or one of its name with the client that it names there."""
@@ -44,7 +55,11 @@ class Configuration(Record):
 
     def _with(self, chosen: Substitute) -> Configuration:
         return Configuration(
-            name=self.name, client=chosen.client, model=chosen.model or self.model, options=chosen.options
+            name=self.name,
+            client=chosen.client,
+            model=chosen.model or self.model,
+            options=chosen.options,
+            harness=self.harness,
         )
 
 

@@ -2,6 +2,7 @@
 
 __all__ = [
     "again",
+    "agent_side",
     "artifacts",
     "attempt",
     "backup",
@@ -11,6 +12,7 @@ __all__ = [
     "configurations",
     "drive",
     "droppable",
+    "grading",
     "guards",
     "headroom",
     "host",

@@ -57,6 +57,7 @@ def run_attempt(
     withheld: Path | None,
     ledger: Path | None = None,
     engine: str = DEFAULT_ENGINE,
+    agent: Agent | None = None,
 ) -> AttemptOutcome:
     """Run one attempt and write its outcome; an outcome that is there is returned as it is.
 
@@ -70,6 +71,7 @@ def run_attempt(
         withheld: the case's withheld folder; for the client ``oracle`` alone (``BadInput`` for any other).
         ledger: spending file of the whole run, which holds its limit; no limit is kept without it.
         engine: kind of the engine.
+        agent: who works, where that is no client that the configuration's name starts.
 
     What the agent does wrong is an outcome (``c4s.run.faults`` tells what that is). All else passes through and leaves
     no outcome: the trial stays pending. Records go into the folder that was made here: where another holder of the
@@ -80,7 +82,7 @@ def run_attempt(
         return AttemptOutcome.read(paths.outcome)
     if (withheld is not None) != (configuration.client == ORACLE):
         raise BadInput("the withheld folder is for the oracle, and only for it", where=configuration.name)
-    agent = agent_of(configuration)
+    agent = agent or agent_of(configuration)
     if isinstance(agent, ModelClient):
         agent.ready(configuration)
     set_aside(folder)

@@ -59,7 +59,7 @@ class GatewayClient:
         try:
             self._portal = self._stack.enter_context(start_blocking_portal())
             self._client = self._stack.enter_context(
-                self._portal.wrap_async_context_manager(_Connection(self._endpoint, self._mode))
+                self._portal.wrap_async_context_manager(GatewayConnection(self._endpoint, self._mode))
             )
         except BaseException:
             self._stack.close()
@@ -148,7 +148,7 @@ def _nested(value: Any) -> bool:
     return any(isinstance(part, (dict, list, tuple)) for part in layer)
 
 
-class _Connection:
+class GatewayConnection:
     """The SDK client with the run's token on every request."""
 
     def __init__(self, endpoint: Endpoint, mode: Literal["auto", "legacy"]) -> None:

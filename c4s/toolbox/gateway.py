@@ -1,4 +1,4 @@
-"""The gateway: one MCP server on loopback for many runs. A bearer token selects the run.
+"""The gateway: one MCP server on loopback for many runs. A token selects the run: a bearer's, or the end of the path.
 
 The SDK's low-level server speaks streamable HTTP (stateful, events), so ``tools/list`` and ``tools/call`` are ours.
 Three things are done in front of it: the door (``c4s.loopback``), the token check, and joining of two posts with one
@@ -36,10 +36,13 @@ from c4s.toolbox.skill import skill_text
 START_TIMEOUT_S = 20.0
 SKILL = "skill"
 """Name of the MCP prompt that gives the skill text."""
+PATH = "/mcp"
 MAX_BODY_BYTES = 4 << 20
 MOST_SESSIONS = 256
 """Sessions that a run may open in all."""
 CLOSE = {"Connection": "close"}
+ASKED = "asked"
+"""Where the state of a request holds the call that it asked for."""
 SIZE = "anthropic/maxResultSizeChars"
 """Where a client reads how much text the answers of a tool may have."""
 REQUEST_KEYS = ("claudecode/toolUseId", "callId", "c4s/callId")
@@ -52,6 +55,11 @@ class Endpoint:
 
     url: str
     token: str
+
+    @property
+    def url_with_token(self) -> str:
+        """The address for a client that cannot send headers: the token is its last part."""
+        return f"{self.url}/{self.token}"
 
 
 class Gateway:
@@ -105,7 +113,7 @@ class Gateway:
         assert self._loop is not None, "the gateway has not started"
         self._runs[_digest(run.token)] = run
         run.start(self._loop)
-        return Endpoint(f"http://127.0.0.1:{self.port}/mcp", run.token)
+        return Endpoint(f"http://127.0.0.1:{self.port}{PATH}", run.token)
 
     def close_run(self, run: Run) -> None:
         """End a run, if it has not ended, and forget its token."""
@@ -140,7 +148,7 @@ class Gateway:
                 await JSONResponse({"error": strange}, 403, CLOSE)(scope, receive, send)
                 return
             headers = dict(scope["headers"])  # lower-case names, as ASGI has them
-            run = self._run_of(headers.get(b"authorization", b"").decode("latin-1"))
+            run = self._run_of(_token_of(scope["path"], headers.get(b"authorization", b"").decode("latin-1")))
             session = headers.get(b"mcp-session-id", b"").decode("latin-1")
             if run is None:
                 await JSONResponse({"error": "unauthorized"}, 401, {"WWW-Authenticate": "Bearer", **CLOSE})(
@@ -152,15 +160,16 @@ class Gateway:
                 await JSONResponse({"error": "session not found"}, 404)(scope, receive, send)
             else:
                 scope.setdefault("state", {})["run"] = run
-                await self._forward(inner, run, session, scope, receive, send)
+                scope = {**scope, "path": PATH, "raw_path": PATH.encode()}
+                heard = _Heard(receive, send)
+                await self._forward(inner, run, session, scope, heard.receive, heard.send)
+                if heard.hung_up and ASKED in scope["state"]:
+                    run.lose(scope["state"][ASKED])
 
         return app
 
-    def _run_of(self, authorization: str) -> Run | None:
-        scheme, _, token = authorization.partition(" ")
-        if scheme.lower() != "bearer":
-            return None
-        return self._runs.get(_digest(token.strip()))
+    def _run_of(self, token: str) -> Run | None:
+        return self._runs.get(_digest(token)) if token else None
 
     async def _forward(
         self, inner: ASGIApp, run: Run, session: str, scope: Scope, receive: Receive, send: Send
@@ -203,8 +212,36 @@ class Gateway:
             flight.done.set()
 
 
+def _token_of(path: str, authorization: str) -> str:
+    """The token that a request shows: a bearer's, else the end of its path; empty for one that shows none."""
+    scheme, _, token = authorization.partition(" ")
+    if scheme.lower() == "bearer":
+        return token.strip() if path == PATH else ""
+    return path.removeprefix(f"{PATH}/") if path.startswith(f"{PATH}/") else ""
+
+
 def _digest(token: str) -> bytes:
     return hashlib.sha256(token.encode()).digest()
+
+
+class _Heard:
+    """The two ends of a request, and whether its client hung up before the answer was out."""
+
+    def __init__(self, receive: Receive, send: Send) -> None:
+        self._receive, self._send = receive, send
+        self._answered = False
+        self.hung_up = False
+
+    async def receive(self) -> Message:
+        message = await self._receive()
+        if message["type"] == "http.disconnect" and not self._answered:
+            self.hung_up = True
+        return message
+
+    async def send(self, message: Message) -> None:
+        if message["type"] == "http.response.body" and not message.get("more_body", False):
+            self._answered = True
+        await self._send(message)
 
 
 class _Flight:
@@ -293,18 +330,24 @@ async def _get_prompt(context: Any, params: wire.GetPromptRequestParams) -> wire
 
 async def _call_tool(context: Any, params: wire.CallToolRequestParams) -> wire.CallToolResult:
     run = _run_in(context)
-    answer = await run.call(params.name, params.arguments or {}, _request_key(context))
-    return _wire_answer(answer)
+    asked = run.ask(params.name, params.arguments or {}, *_request_key(context))
+    context.request.scope["state"][ASKED] = asked
+    try:
+        return _wire_answer(await asyncio.shield(asked.answered))
+    except asyncio.CancelledError:
+        run.lose(asked)
+        raise
 
 
-def _request_key(context: Any) -> str | None:
-    """The identity of a call: the client's own id of the tool use, else session and request id, else none."""
+def _request_key(context: Any) -> tuple[str | None, bool]:
+    """The identity of a call, and whether it is the client's own id of the tool use; else it is made of session and
+    request id, where there is a session."""
     meta = dict(context.meta or {})
     for name in REQUEST_KEYS:
         if meta.get(name):
-            return f"{name}:{meta[name]}"
+            return f"{name}:{meta[name]}", True
     session = context.request.headers.get("mcp-session-id")
-    return f"{session}:{json.dumps(context.request_id)}" if session else None
+    return (f"{session}:{json.dumps(context.request_id)}" if session else None), False
 
 
 def _wire_answer(answer: CallAnswer) -> wire.CallToolResult:

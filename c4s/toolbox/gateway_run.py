@@ -95,6 +95,16 @@ class _Call:
         }
 
 
+@dataclass(frozen=True, slots=True)
+class AskedCall:
+    """A call that a client asked for."""
+
+    what: str
+    """Tool and digest of the arguments, by which a repeat over a new connection is known; empty where it is known by
+    an id of the client's own."""
+    answered: asyncio.Future[CallAnswer]
+
+
 class Run:
     """A run of an agent. Thread-safe where it says so; the rest belongs to the gateway's event loop."""
 
@@ -120,6 +130,8 @@ class Run:
         self._record = RunRecord(trajectory)
         self._answers: dict[str, asyncio.Future[CallAnswer] | None] = {}
         self._kept: deque[str] = deque()
+        self._lost: dict[str, asyncio.Future[CallAnswer]] = {}
+        """Calls whose answer went nowhere, by what they are."""
         self._loop: asyncio.AbstractEventLoop | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._waiting: set[_Call] = set()
@@ -180,27 +192,35 @@ class Run:
             "seconds_left": max(0, round(self.budget.wall_minutes * 60 - self.wall_s)),
         }
 
-    async def call(self, name: str, arguments: Mapping[str, Any], key: str | None) -> CallAnswer:
-        """Answer one call. A request id that was seen before gets the first answer again.
+    def ask(self, name: str, arguments: Mapping[str, Any], key: str | None, own: bool) -> AskedCall:
+        """Begin one call; who waits for its answer may be cancelled: the call goes on, and is recorded.
 
-        Who waits may be cancelled: the call goes on, and is recorded.
+        A request id that was seen before gets the first answer again. So does the repeat of a call whose answer went
+        nowhere (``lose``), by a client that gives its calls no id of its own (``own``) and comes over a new connection.
         """
         given, told, problem = plain(arguments)
-        if key is None:
-            return await asyncio.shield(self._begin(name, given, told, problem, None))
-        key = short(f"{key} {name} {digest_bytes(told)}")
-        if key in self._answers:
+        what = short(f"{name} {digest_bytes(told)}")
+        key = None if key is None else short(f"{key} {what}")
+        if key is not None and key in self._answers:
             self.record_duplicate(name, key)
             first = self._answers[key]
-            return (
-                self._refusal("this request id was already answered") if first is None else await asyncio.shield(first)
-            )
-        answered = self._answers[key] = self._begin(name, given, told, problem, key)
-        answered.add_done_callback(lambda _: self._keep_answer(key))
-        return await asyncio.shield(answered)
+            return AskedCall("", first or self._answered(self._refusal("this request id was already answered")))
+        lost = None if own else self._lost.pop(what, None)
+        if lost is not None:
+            self.record_duplicate(name, key)
+        answered = lost or self._begin(name, given, told, problem, key)
+        if key is not None:
+            self._answers[key] = answered
+            answered.add_done_callback(lambda _: self._keep_answer(key))
+        return AskedCall("" if own else what, answered)
 
-    def record_duplicate(self, name: str, key: str) -> None:
-        """Note a repeat of a request id."""
+    def lose(self, asked: AskedCall) -> None:
+        """Note that the answer to a call went nowhere. Its repeat is given it, unless another call begins before."""
+        if asked.what:
+            self._lost[asked.what] = asked.answered
+
+    def record_duplicate(self, name: str, key: str | None) -> None:
+        """Note a repeat of a call."""
         self._note("duplicate", tool=name, request=key, outcome="duplicate")
 
     def _note(self, event: str, **fields: Any) -> None:
@@ -220,8 +240,6 @@ class Run:
         self, name: str, arguments: dict[str, Any], told: bytes, problem: str, key: str | None
     ) -> asyncio.Future[CallAnswer]:
         """Refuse a call, or count it, record its start and set its tool to work."""
-        assert self._loop is not None, "the run has not started"
-        answered: asyncio.Future[CallAnswer] = self._loop.create_future()
         refused = self._refused(name)
         if refused is not None:
             why, stop = refused
@@ -233,8 +251,9 @@ class Run:
                 error=why,
                 arguments=orjson.Fragment(told if len(told) <= RECORDED_REFUSED_BYTES else b"null"),
             )
-            answered.set_result(self._refusal(why, stop=stop))
-            return answered
+            return self._answered(self._refusal(why, stop=stop))
+        answered = self._answered(None)
+        self._lost.clear()
         self.calls += 1
         self.polls += name == POLLING
         call = _Call(self.calls, name, arguments, told, key, self.wall_s, time.perf_counter(), answered)
@@ -248,6 +267,14 @@ class Run:
             else:
                 self._pool.submit(self._work, call)
         return answered
+
+    def _answered(self, answer: CallAnswer | None) -> asyncio.Future[CallAnswer]:
+        """A promise of an answer; kept at once where there is one."""
+        assert self._loop is not None, "the run has not started"
+        made: asyncio.Future[CallAnswer] = self._loop.create_future()
+        if answer is not None:
+            made.set_result(answer)
+        return made
 
     def _refused(self, name: str) -> tuple[str, bool] | None:
         """Why a call does not count and is not carried out, and whether no other will be; None for one that is."""

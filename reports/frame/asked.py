@@ -18,10 +18,10 @@ def prompt(warehouse: Path, board: Board, case_id: str) -> str:
 
 
 def made_with(warehouse: Path, board: Board, configuration: str) -> list[Row]:
-    """What a configuration's attempts were made with, each combination once: client, model, engine."""
+    """What a configuration's attempts were made with, each combination once: client, harness, model, engine."""
     return rows(
         warehouse,
-        "SELECT DISTINCT client, client_version, model, engine_version FROM attempts "
+        "SELECT DISTINCT client, client_version, harness, model, engine_version FROM attempts "
         f"WHERE configuration = {text(configuration)} AND {of_board(board)} ORDER BY ALL",
     )
 

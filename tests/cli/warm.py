@@ -26,8 +26,11 @@ CPU_S, MOST_BYTES = 120, 6 << 30
 """What a call may use, so that one that runs away harms nobody."""
 HUNG = -1
 IMPORTED = ("c4s", "cases", "catalog", "warehouse", "reports")
-LEFT_OUT = ("c4s.engine.headless.", "c4s.engine.unreal.boot.", "c4s.engine.unreal.standin.", "c4s.editor")
-"""What runs beside agent code in processes of its own."""
+LEFT_OUT = (
+    *("c4s.engine.headless.", "c4s.engine.unreal.boot.", "c4s.engine.unreal.standin.", "c4s.editor"),
+    "c4s.harness.inspecting",
+)
+"""What runs beside agent code in processes of its own, and what Inspect imports where it is installed."""
 
 
 @dataclass(frozen=True)

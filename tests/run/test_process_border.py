@@ -22,8 +22,9 @@ INSIDE_ENGINES = (
     "c4s.engine.headless.process.",
     "c4s.engine.headless.unreal.",
     "c4s.engine.unreal.boot.",
+    "c4s.harness.inspecting",
 )
-"""Modules that are only ever imported where a module ``unreal`` is."""
+"""Modules that are only ever imported where a module ``unreal`` is, or Inspect."""
 
 
 def _kinds() -> list[type[C4SError]]:

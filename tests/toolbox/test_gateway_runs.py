@@ -251,3 +251,12 @@ def test_both_protocol_eras_work(open_run: Callable, mode: str) -> None:
     with GatewayClient(endpoint, mode=mode) as client:  # type: ignore[arg-type]
         assert len(client.tools()) == 25
         assert client.call("get_actors_in_level").data["count"] == 6
+
+
+def test_the_token_may_be_the_end_of_the_path(open_run: Callable) -> None:
+    opened = open_run()
+    told = httpx2.post(opened.endpoint.url_with_token, json=INITIALIZE, headers=HEADERS, trust_env=False)
+    assert told.status_code == 200 and told.headers["mcp-session-id"]
+    for path in ("", "/", f"/{opened.endpoint.token}x", f"/{opened.endpoint.token}/x", f"//{opened.endpoint.token}"):
+        wrong = httpx2.post(opened.endpoint.url + path, json=INITIALIZE, headers=HEADERS, trust_env=False)
+        assert wrong.status_code == 401, path

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from warehouse.release.download import MANIFEST, write_download
 from warehouse.release.leaks import Leak, kinds_in, leaks_in, refuse_leaks
+from warehouse.release.packing import pack_release
 from warehouse.release.panel import PrivateStanding, private_standings
 from warehouse.release.secrets import Secrets, secrets_of
 from warehouse.release.words import strings_of
@@ -15,6 +16,7 @@ __all__ = [
     "Secrets",
     "kinds_in",
     "leaks_in",
+    "pack_release",
     "private_standings",
     "refuse_leaks",
     "secrets_of",

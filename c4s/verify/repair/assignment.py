@@ -49,52 +49,12 @@ def maximum_matching(
     return held
 
 
-def _solve(cost: NDArray[np.float64]) -> list[int]:
-    """Column of each row for ``rows <= columns``, by shortest augmenting paths with dual potentials.
-
-    Column 0 stands for "the row that enters"; rows and columns of the matrix count from 1.
-    """
-    rows, columns = cost.shape
-    padded = np.concatenate([np.full((rows, 1), np.inf), cost], axis=1)
-    row_dual, column_dual = np.zeros(rows + 1), np.zeros(columns + 1)
-    row_of, previous = np.zeros(columns + 1, np.int64), np.zeros(columns + 1, np.int64)
-    for row in range(1, rows + 1):
-        row_of[0], column = row, 0
-        slack = np.full(columns + 1, np.inf)
-        unseen = np.ones(columns + 1, np.bool_)
-        seen: list[int] = []
-        while True:
-            seen.append(column)
-            unseen[column], slack[column] = False, np.inf
-            current = row_of[column]
-            reduced = padded[current - 1] - row_dual[current]
-            reduced -= column_dual
-            better = reduced < slack
-            better &= unseen
-            np.copyto(slack, reduced, where=better)
-            previous[better] = column
-            nearest = int(slack.argmin())
-            step = slack[nearest]
-            row_dual[row_of[seen]] += step
-            column_dual[seen] -= step
-            slack -= step
-            column = nearest
-            if row_of[column] == 0:
-                break
-        while column != 0:
-            row_of[column] = row_of[previous[column]]
-            column = int(previous[column])
-    result = [0] * rows
-    for column in map(int, np.nonzero(row_of)[0]):
-        if column:
-            result[row_of[column] - 1] = column - 1
-    return result
-
-
 def minimum_cost(cost: NDArray[np.float64]) -> list[tuple[int, int]]:
     """Pairs ``(row, column)`` of a minimum-cost assignment of ``min(rows, columns)`` pairs, by row."""
     if cost.size == 0:
         return []
     if cost.shape[0] > cost.shape[1]:
         return sorted((row, column) for column, row in minimum_cost(np.ascontiguousarray(cost.T)))
-    return list(enumerate(_solve(cost)))
+    from c4s.verify.repair.compiled import assigned
+
+    return list(enumerate(assigned(np.ascontiguousarray(cost)).tolist()))

@@ -9,7 +9,7 @@ so the order of the export does not matter; that order is only computed where th
 from __future__ import annotations
 
 import math
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable, Hashable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import chain, product
@@ -68,14 +68,21 @@ class Correspondence:
 def _near(
     actors: Iterable[Actor], others: Iterable[Actor], key: Callable[[Actor], Hashable]
 ) -> Iterator[tuple[Actor, list[Actor]]]:
-    """Each posed actor that has them, with the posed others of the same key within 0.1 cm on every axis."""
+    """Each posed actor that has them, with the posed others of the same key within 0.1 cm on every axis.
+
+    Actors of one key at one point share one list where it is long.
+    """
     cells: dict[Hashable, list[Actor]] = defaultdict(list)
     for other, cell in zip(*_cells(others, 0.0), strict=True):
         cells[key(other), *cell].append(other)
     posed, low = _cells(actors, -_REACH_CM)
     _, high = _cells(posed, _REACH_CM)
+    at_point: dict[Hashable, list[Actor]] = {}
     for actor, first, last in zip(posed, low, high, strict=True):
-        kind = key(actor)
+        kind, (x, y, z) = key(actor), actor.location or (0.0, 0.0, 0.0)
+        if (known := at_point.get((kind, x, y, z))) is not None:
+            yield actor, known
+            continue
         if first == last:
             inside = cells.get((kind, *first))
         else:
@@ -85,7 +92,6 @@ def _near(
                 for other in cells.get((kind, *cell), ())
             ]
         if inside:
-            x, y, z = actor.location or (0.0, 0.0, 0.0)
             close = [
                 other
                 for other in inside
@@ -95,6 +101,8 @@ def _near(
                 and abs(at[2] - z) <= _REACH_CM
             ]
             if close:
+                if len(close) >= _STACK:
+                    at_point[kind, x, y, z] = close
                 yield actor, close
 
 
@@ -169,6 +177,7 @@ class _Matcher:
         """Acceptable pairs at one place among what is open: indices of candidates by index of the input actor."""
         near = _near((self.start[s] for s in self.open_start), (self.candidate[c] for c in self.open_candidate), key)
         known: dict[tuple[str, str], bool] = {}
+        stacks: dict[tuple[int, str], tuple[list[Actor], list[int]]] = {}
 
         def accepted(actor: Actor, other: Actor) -> bool:
             contents = actor.order()[0], other.order()[0]
@@ -176,19 +185,28 @@ class _Matcher:
                 known[contents] = accept(actor, other)
             return known[contents]
 
+        def of_stack(actor: Actor, others: list[Actor]) -> list[int]:
+            """The same list for actors of one content at one point."""
+            place = id(others), actor.order()[0]
+            if place not in stacks:
+                stacks[place] = others, [other.index for other in others if accepted(actor, other)]
+            return stacks[place][1]
+
         return {
-            actor.index: [
-                other.index for other in others if (accepted if len(others) >= _STACK else accept)(actor, other)
-            ]
+            actor.index: of_stack(actor, others)
+            if len(others) >= _STACK
+            else [other.index for other in others if accept(actor, other)]
             for actor, others in near
         }
 
     def match(self, edges: dict[int, list[int]], method: Method) -> None:
         """Maximum matching over ``edges``: background first, then targets on what is left."""
+        lists = {id(options): options for options in edges.values()}
+        times = Counter(map(id, edges.values()))
         degree: dict[int, int] = defaultdict(int)
-        for options in edges.values():
+        for number, options in lists.items():
             for c in options:
-                degree[c] += 1
+                degree[c] += times[number]
         contested = []
         for s, options in edges.items():
             if len(options) == 1 and degree[options[0]] == 1:
@@ -196,9 +214,13 @@ class _Matcher:
             elif options:
                 contested.append(s)
         contested.sort(key=lambda s: self.start[s].order())
-        choices = sorted({c for s in contested for c in edges[s]}, key=lambda c: self.candidate[c].order())
+        open_lists = {id(edges[s]): edges[s] for s in contested}
+        choices = sorted(
+            {c for options in open_lists.values() for c in options}, key=lambda c: self.candidate[c].order()
+        )
         rank = {c: place for place, c in enumerate(choices)}
-        ordered = {s: sorted(edges[s], key=rank.__getitem__) for s in contested}
+        ranked = {number: sorted(options, key=rank.__getitem__) for number, options in open_lists.items()}
+        ordered = {s: ranked[id(edges[s])] for s in contested}
         background = maximum_matching([s for s in contested if s not in self.targets], ordered.__getitem__)
         targets = maximum_matching(
             [s for s in contested if s in self.targets], ordered.__getitem__, {c: s for s, c in background.items()}
@@ -235,87 +257,71 @@ def unchanged(start: Actor, candidate: Actor) -> bool:
     return start.entry.alike(candidate.entry) or not changed_fields(start.record, candidate.record)
 
 
-def _changed_property_counts(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
-    """Number of changed recorded fields, transform aside, of every pair; computed once per distinct content."""
-
-    def classes(actors: list[Actor]) -> tuple[list[int], list[Actor]]:
-        known: dict[str, int] = {}
-        members: list[Actor] = []
-        numbers = []
-        for actor in actors:
-            content = repr([actor.record.get(name, "<absent>") for name in _PROPERTY_FIELDS])
-            if content not in known:
-                known[content] = len(known)
-                members.append(actor)
-            numbers.append(known[content])
-        return numbers, members
-
-    left_class, left_members = classes(left)
-    right_class, right_members = classes(right)
-    table = np.array(
-        [[len(property_differences(a.record, b.record, target=False)) for b in right_members] for a in left_members],
-        dtype=float,
-    )
-    return table[np.ix_(left_class, right_class)]
+def _classes(actors: list[Actor]) -> tuple[NDArray[np.int64], list[Actor]]:
+    """The number of each actor's class, and an actor of each: equal in all that a cost depends on but the location."""
+    known: dict[str, int] = {}
+    members: list[Actor] = []
+    numbers = []
+    for actor in actors:
+        posed = actor.vector("rotation_deg"), actor.vector("scale"), actor.location is None
+        content = repr((posed, [actor.record.get(name, "<absent>") for name in _PROPERTY_FIELDS]))
+        if content not in known:
+            known[content] = len(known)
+            members.append(actor)
+        numbers.append(known[content])
+    return np.array(numbers, np.int64), members
 
 
-def _distances(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
-    """Distance of every pair in cm, NaN where a location is not known; exact to the last bit, which settles ties."""
-    unknown = (math.nan,) * 3
-    here, there = ([actor.vector("location_cm") or unknown for actor in side] for side in (left, right))
-    return np.array([[math.dist(a, b) for b in there] for a in here])
+def _vectors(actors: list[Actor], member: str) -> NDArray[np.float64]:
+    """A vector of every actor (n, 3), NaN where it is not known."""
+    return np.array([actor.vector(member) or (math.nan,) * 3 for actor in actors], dtype=float).reshape(-1, 3)
 
 
-def _angles(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
-    """Angle of every pair in degrees, NaN where a rotation is not known; exact like the distances."""
-    here, there = (
-        np.array(
-            [
-                quat_from_rotator(turn) if (turn := actor.vector("rotation_deg")) is not None else (math.nan,) * 4
-                for actor in side
-            ]
-        )
-        for side in (left, right)
-    )
-    dot = np.zeros((len(left), len(right)))
-    for a, b in zip(here.T, there.T, strict=True):
-        dot += a[:, None] * b
-    values, place = np.unique(np.minimum(1.0, np.abs(dot)), return_inverse=True)
-    turned = np.array([math.degrees(2.0 * math.acos(value)) for value in values])
-    return np.asarray(turned[place].reshape(dot.shape))
+def _turns(actors: list[Actor]) -> NDArray[np.float64]:
+    """The quaternion of every actor (n, 4), NaN where its rotation is not known."""
+    unknown = (math.nan,) * 4
+    turns = [actor.vector("rotation_deg") for actor in actors]
+    return np.array([unknown if turn is None else quat_from_rotator(turn) for turn in turns], dtype=float)
 
 
 def _costs(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
     """Cost of every pair: ``d/(1+d) + 0.2*angle/180 + 0.05*changed fields``; unknown place 1, unknown turn 0.2.
 
     Equal costs are frequent and the solver settles them by place, so the numbers are the published ones bit by bit.
+    What does not depend on the location is worked out once a pair of distinct contents.
     """
+    from c4s.verify.repair import compiled
 
-    def vectors(actors: list[Actor], member: str) -> NDArray[np.float64]:
-        return np.array([a.vector(member) or (np.nan,) * 3 for a in actors], dtype=float)
-
-    def gaps(member: str) -> Iterator[NDArray[np.float64]]:
-        for a, b in zip(vectors(left, member).T, vectors(right, member).T, strict=True):
-            yield np.abs(a[:, None] - b[None, :])
-
-    changed = _changed_property_counts(left, right)
-    moved, stretched = np.zeros(changed.shape, bool), np.zeros(changed.shape, bool)
-    distance, angle = _distances(left, right), _angles(left, right)
-    with np.errstate(invalid="ignore"):
-        for gap in gaps("location_cm"):
-            moved |= gap > SAME_LOCATION_CM
-        for gap in gaps("scale"):
-            stretched |= gap > SAME_SCALE
-        changed += moved
-        changed += angle > SAME_ROTATION_DEG + GUARD
-        changed += stretched
-        cost = np.where(np.isnan(distance), 1.0, distance / (1 + distance))
-    cost = cost + ANGLE_COST * np.where(np.isnan(angle), 1.0, angle / 180)
+    (left_class, left_members), (right_class, right_members) = _classes(left), _classes(right)
+    angle = compiled.angles(_turns(left_members), _turns(right_members))
+    fields = np.array(
+        [[len(property_differences(a.record, b.record, target=False)) for b in right_members] for a in left_members],
+        dtype=float,
+    )
+    stretched = np.zeros(fields.shape, bool)
+    for a, b in zip(_vectors(left_members, "scale").T, _vectors(right_members, "scale").T, strict=True):
+        stretched |= np.abs(a[:, None] - b[None, :]) > SAME_SCALE
+    fields += angle > SAME_ROTATION_DEG + GUARD
+    fields += stretched
+    cost = compiled.costs(
+        _vectors(left, "location_cm"),
+        _vectors(right, "location_cm"),
+        left_class,
+        right_class,
+        np.where(np.isnan(angle), 1.0, angle / 180),
+        fields,
+        SAME_LOCATION_CM,
+        ANGLE_COST,
+        FIELD_COST,
+    )
     odd = [[actor.location is None for actor in side] for side in (left, right)]
     for i, j in zip(*np.nonzero(np.logical_or.outer(*odd)), strict=True):
-        changed[i, j] = len(changed_fields(left[i].record, right[j].record))
-    result: NDArray[np.float64] = cost + FIELD_COST * changed
-    return result
+        turned = angle[left_class[i], right_class[j]]
+        distance = compiled.distances(_vectors([left[i]], "location_cm"), _vectors([right[j]], "location_cm"))[0, 0]
+        placed = 1.0 if math.isnan(distance) else distance / (1 + distance)
+        posed = placed + ANGLE_COST * (1.0 if math.isnan(turned) else turned / 180)
+        cost[i, j] = posed + FIELD_COST * len(changed_fields(left[i].record, right[j].record))
+    return cost
 
 
 def correspond(start: list[Actor], candidate: list[Actor], target_starts: set[int]) -> Correspondence:

@@ -1,0 +1,185 @@
+"""The kernels of the matching (``c4s.compiled``): costs of all pairs of a leftover group, and their assignment."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from c4s.compiled import Kernels, inner
+
+_KERNELS = Kernels(Path(__file__).parent)
+_SPLIT = 134217729.0
+"""2**27 + 1: splits a number into two halves whose products are exact (Veltkamp)."""
+_DEGREES = 180.0 / math.pi
+Table = NDArray[np.float64]
+Numbers = NDArray[np.int64]
+
+
+@inner
+def _distance(x: float, y: float, z: float) -> float:
+    """Length of a vector as CPython 3.11's ``math.dist`` computes it, to the last bit: scaled, with the rounding errors
+    of squares and sums kept apart, and one correction of the root."""
+    largest = max(x, y, z)
+    if math.isinf(x) or math.isinf(y) or math.isinf(z):
+        return math.inf
+    if math.isnan(x) or math.isnan(y) or math.isnan(z):
+        return math.nan
+    if largest == 0.0:
+        return 0.0
+    exponent = math.frexp(largest)[1]
+    if exponent < -1023:
+        return math.sqrt(x * x + y * y + z * z)
+    scale = math.ldexp(1.0, -exponent)
+    total, first, second, third = 1.0, 0.0, 0.0, 0.0
+    for value in (x, y, z):
+        value *= scale
+        split = value * _SPLIT
+        high = split - (split - value)
+        low = value - high
+        part = high * high
+        before = total
+        total += part
+        first += (before - total) + part
+        part = 2.0 * high * low
+        before = total
+        total += part
+        second += (before - total) + part
+        third += low * low
+    root = math.sqrt(total - 1.0 + (first + second + third))
+    split = root * _SPLIT
+    high = split - (split - root)
+    low = root - high
+    part = -high * high
+    before = total
+    total += part
+    first += (before - total) + part
+    part = -2.0 * high * low
+    before = total
+    total += part
+    second += (before - total) + part
+    part = -low * low
+    before = total
+    total += part
+    third += (before - total) + part
+    rest = total - 1.0 + (first + second + third)
+    return (root + rest / (2.0 * root)) / scale
+
+
+@_KERNELS.kernel
+def distances(here: Table, there: Table) -> Table:
+    """Distance of every pair of points (n, 3) and (m, 3); NaN where a coordinate is NaN."""
+    made = np.empty((len(here), len(there)))
+    for i in range(len(here)):
+        for j in range(len(there)):
+            made[i, j] = _distance(
+                abs(here[i, 0] - there[j, 0]), abs(here[i, 1] - there[j, 1]), abs(here[i, 2] - there[j, 2])
+            )
+    return made
+
+
+@_KERNELS.kernel
+def angles(here: Table, there: Table) -> Table:
+    """Angle of every pair of unit quaternions (n, 4) and (m, 4), in degrees; NaN where a part is NaN."""
+    made = np.empty((len(here), len(there)))
+    for i in range(len(here)):
+        for j in range(len(there)):
+            dot = 0.0
+            for part in range(4):
+                dot += here[i, part] * there[j, part]
+            value = abs(dot)
+            if value > 1.0:
+                value = 1.0
+            made[i, j] = 2.0 * math.acos(value) * _DEGREES
+    return made
+
+
+@_KERNELS.kernel
+def costs(
+    here: Table,
+    there: Table,
+    classes_here: Numbers,
+    classes_there: Numbers,
+    turned: Table,
+    fields: Table,
+    moved_cm: float,
+    angle_cost: float,
+    field_cost: float,
+) -> Table:
+    """Cost of every pair of actors.
+
+    Args:
+        here: locations (n, 3) in cm, NaN where unknown.
+        there: locations (m, 3).
+        classes_here: place in ``turned`` and ``fields`` of each of the n actors.
+        classes_there: the same of the m actors.
+        turned: what the angle is worth (angle / 180, 1 where unknown) of every pair of classes.
+        fields: number of changed fields, location aside, of every pair of classes.
+        moved_cm: from which gap along an axis a location is another one.
+        angle_cost: weight of ``turned``.
+        field_cost: weight of a field.
+    """
+    made = np.empty((len(here), len(there)))
+    for i in range(len(here)):
+        row = classes_here[i]
+        for j in range(len(there)):
+            x, y, z = abs(here[i, 0] - there[j, 0]), abs(here[i, 1] - there[j, 1]), abs(here[i, 2] - there[j, 2])
+            distance = _distance(x, y, z)
+            cost = 1.0 if math.isnan(distance) else distance / (1.0 + distance)
+            column = classes_there[j]
+            changed = fields[row, column]
+            if x > moved_cm or y > moved_cm or z > moved_cm:
+                changed += 1.0
+            cost = cost + angle_cost * turned[row, column]
+            made[i, j] = cost + field_cost * changed
+    return made
+
+
+@_KERNELS.kernel
+def assigned(cost: Table) -> Numbers:
+    """Column of each row for ``rows <= columns``, by shortest augmenting paths with dual potentials.
+
+    Column 0 stands for "the row that enters"; rows and columns of the matrix count from 1.
+    """
+    rows, columns = cost.shape
+    row_dual, column_dual = np.zeros(rows + 1), np.zeros(columns + 1)
+    row_of, previous = np.zeros(columns + 1, np.int64), np.zeros(columns + 1, np.int64)
+    slack, unseen = np.empty(columns + 1), np.empty(columns + 1, np.bool_)
+    seen = np.empty(columns + 1, np.int64)
+    for row in range(1, rows + 1):
+        row_of[0], column, met = row, 0, 0
+        slack[:] = np.inf
+        unseen[:] = True
+        while True:
+            seen[met] = column
+            met += 1
+            unseen[column] = False
+            slack[column] = np.inf
+            current = row_of[column]
+            nearest, step = 0, np.inf
+            for other in range(1, columns + 1):
+                if unseen[other]:
+                    reduced = (cost[current - 1, other - 1] - row_dual[current]) - column_dual[other]
+                    if reduced < slack[other]:
+                        slack[other] = reduced
+                        previous[other] = column
+                    if slack[other] < step:
+                        nearest, step = other, slack[other]
+            for place in range(met):
+                row_dual[row_of[seen[place]]] += step
+                column_dual[seen[place]] -= step
+            for other in range(1, columns + 1):
+                slack[other] -= step
+            column = nearest
+            if row_of[column] == 0:
+                break
+        while column != 0:
+            row_of[column] = row_of[previous[column]]
+            column = previous[column]
+    result = np.zeros(rows, np.int64)
+    for column in range(1, columns + 1):
+        if row_of[column]:
+            result[row_of[column] - 1] = column - 1
+    return result
