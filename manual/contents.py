@@ -45,7 +45,10 @@ SECTIONS: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
             "docs/open-190-texts.md",
         ),
     ),
-    ("Coming from", ("docs/from-published-scorer.md", "docs/published-scorer.md")),
+    (
+        "Coming from",
+        ("docs/from-inspect.md", "docs/from-harbor.md", "docs/from-published-scorer.md", "docs/published-scorer.md"),
+    ),
     ("Reference", ("reference/commands.md", "docs/tools.md", "docs/warehouse.md", "reference/formats.md")),
     ("How it is built", ("docs/design.md", "CONTRIBUTING.md")),
 )
@@ -74,5 +77,5 @@ def pages() -> list[ManualPage]:
 
 def design_pages() -> list[str]:
     """The design pages that lie beside the code."""
-    found = (path.relative_to(ROOT).as_posix() for path in ROOT.glob("[!.]*/**/DESIGN.md"))
-    return sorted(found)
+    packages = (path.parent for path in ROOT.glob("[!.]*/__init__.py"))
+    return sorted(path.relative_to(ROOT).as_posix() for package in packages for path in package.rglob("DESIGN.md"))
