@@ -1,4 +1,4 @@
-"""Cases as Harbor task folders (schema 1.4), which Harbor, verifiers, NeMo Gym and HUD read.
+"""Cases as Harbor task folders (schema 1.4).
 
 ::
 

@@ -1,10 +1,9 @@
-"""Runs a repair of the starter suite inside other programs that drive agents: Harbor, Inspect AI, verifiers.
+"""Runs a repair of the starter suite inside other programs that drive agents: Harbor, Inspect AI.
 
 ``python tests/agent_clients/harness.py [--install] [--case CASE] [HARNESS ...]`` prints a line a harness and agent,
-with the reward that arrived there (of a trajectory, its steps). ``--install`` installs each
-in an environment of its own under
-``C4S_HOME/harnesses``, from PyPI. Exit 1 where one that is installed does not score as c4s does: what saves the scene
-as it is gets what ``noop`` gets. One that is not installed, or cannot be, is a line with the reason.
+with the reward that arrived there (of a trajectory, its steps). ``--install`` installs each in an environment of its
+own under ``C4S_HOME/harnesses``, from PyPI. Exit 1 where one that is installed does not score as c4s does: what saves
+the scene as it is gets what ``noop`` gets. One that is not installed, or cannot be, is a line with the reason.
 """
 
 from __future__ import annotations
