@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Iterator, Mapping, MutableMapping
+from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar
 
 import typer
@@ -26,7 +26,7 @@ class LazyGroup(TyperGroup):
         TyperGroup(name=self.name, commands=dict(shown), help=self.help, params=self.params).format_help(ctx, formatter)
 
 
-class _Commands(MutableMapping[str, Any]):
+class _Commands(Mapping[str, Any]):
     """Commands by name, each imported when it is first asked for."""
 
     def __init__(self, table: Mapping[str, tuple[str, str]]) -> None:
@@ -38,12 +38,6 @@ class _Commands(MutableMapping[str, Any]):
             module, _, attribute = self._table[name][0].partition(":")
             self._loaded[name] = _command(name, getattr(importlib.import_module(module), attribute))
         return self._loaded[name]
-
-    def __setitem__(self, name: str, command: Any) -> None:
-        self._loaded[name] = command
-
-    def __delitem__(self, name: str) -> None:
-        del self._loaded[name]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._table)

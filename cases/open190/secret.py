@@ -13,7 +13,7 @@ from c4s.home import home
 VARIABLE: Final = "C4S_PRIVATE_SEED"
 FILE: Final = "private-seed"
 LEAST_LENGTH: Final = 16
-TODO: Final = f"write at least {LEAST_LENGTH} random characters, such as `openssl rand -hex 32` prints"
+ADVICE: Final = f"write at least {LEAST_LENGTH} random characters, such as `openssl rand -hex 32` prints"
 
 
 def private_seed() -> str | None:
@@ -43,5 +43,5 @@ def _read(place: Path) -> str:
 def _checked(text: str, where: str) -> str:
     seed = text.strip()
     if len(seed) < LEAST_LENGTH or len(set(seed)) < LEAST_LENGTH // 2:
-        raise BadInput("the seed of the private half can be guessed", where=where, todo=TODO)
+        raise BadInput("the seed of the private half can be guessed", where=where, todo=ADVICE)
     return seed
