@@ -21,7 +21,6 @@ from typing import Any, Self
 
 import mcp_types as wire
 import uvicorn
-from mcp.server.lowlevel import Server
 from mcp.shared.exceptions import MCPError
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -30,7 +29,8 @@ from c4s import loopback
 from c4s.errors import MachineryFault
 from c4s.files import parse_json
 from c4s.toolbox.gateway_run import CallAnswer, Run
-from c4s.toolbox.registry import ALL_TOOLS, TOOLS
+from c4s.toolbox.protocol_server import protocol_server
+from c4s.toolbox.registry import ALL_TOOLS
 from c4s.toolbox.skill import skill_text
 
 START_TIMEOUT_S = 20.0
@@ -125,16 +125,7 @@ class Gateway:
         self._opened.pop(run, None)
 
     def _app(self) -> ASGIApp:
-        server: Server[Any] = Server(
-            "c4s",
-            version="1",
-            on_list_tools=_list_tools,
-            on_call_tool=_call_tool,
-            on_list_prompts=_list_prompts,
-            on_get_prompt=_get_prompt,
-            get_tool_input_schema=lambda name: TOOLS[name].input_schema if name in TOOLS else None,
-        )
-        server.middleware.clear()  # spans for an exporter that is not there
+        server = protocol_server(_list_tools, _call_tool, _list_prompts, _get_prompt)
         inner = server.streamable_http_app(
             host="127.0.0.1", max_request_body_size=MAX_BODY_BYTES, session_idle_timeout=None
         )

@@ -16,7 +16,7 @@ from mcp.server.stdio import stdio_server
 
 from c4s.toolbox.client import GatewayConnection
 from c4s.toolbox.gateway import Endpoint
-from c4s.toolbox.registry import TOOLS
+from c4s.toolbox.protocol_server import protocol_server
 
 ENDED = "the run has ended"
 
@@ -47,17 +47,7 @@ def _handed_on(gateway: Client, ended: threading.Event) -> Server[Any]:
     async def get_prompt(_: Any, params: wire.GetPromptRequestParams) -> wire.GetPromptResult:
         return await gateway.get_prompt(params.name)
 
-    server: Server[Any] = Server(
-        "c4s",
-        version="1",
-        on_list_tools=list_tools,
-        on_call_tool=call_tool,
-        on_list_prompts=list_prompts,
-        on_get_prompt=get_prompt,
-        get_tool_input_schema=lambda name: TOOLS[name].input_schema if name in TOOLS else None,
-    )
-    server.middleware.clear()  # spans for an exporter that is not there
-    return server
+    return protocol_server(list_tools, call_tool, list_prompts, get_prompt)
 
 
 def _over() -> wire.CallToolResult:
