@@ -52,7 +52,14 @@ def test_tokens_cannot_be_guessed_or_bent(prey: Prey) -> None:
         answers.add((told.status_code, told.text))
     assert len(answers) == 1 and answers.pop()[0] == 401
     bare = prey.endpoint.url
-    for url in (f"{bare}?token={token}", f"{bare}?access_token={token}", f"{bare}/{token}"):
+    for url in (
+        f"{bare}?token={token}",
+        f"{bare}?access_token={token}",
+        f"{bare}/{token[:-1]}",
+        f"{bare}/{token.swapcase()}",
+        f"{bare}/{token}/{token}",
+        f"{bare}/room-1",
+    ):
         assert httpx2.post(url, json=INITIALIZE, headers=HEADERS, trust_env=False).status_code in (401, 404)
 
 

@@ -331,11 +331,11 @@ def test_a_deadline_as_a_time() -> None:
     assert before == at + timedelta(hours=19)
 
 
-@pytest.mark.parametrize("change", ["STD0DST,J{day}/0,J{other}", "STD0DST,J{other},J{day}/0"])
+@pytest.mark.parametrize("change", ["STD{noon}DST,J{day}/0,J{other}", "STD{noon}DST,J{other},J{day}/0"])
 def test_a_deadline_as_a_time_after_clocks_were_set(change: str, monkeypatch: pytest.MonkeyPatch) -> None:
     today = datetime.now(UTC)
     day, other = (min((today + timedelta(days=days)).timetuple().tm_yday, 365) for days in (1, 120))
-    monkeypatch.setenv("TZ", change.format(day=day, other=other))
+    monkeypatch.setenv("TZ", change.format(noon=today.hour - 12, day=day, other=other))
     try:
         time.tzset()
         here = datetime.now().astimezone()
