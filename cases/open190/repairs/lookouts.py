@@ -25,6 +25,9 @@ WIDTH, HEIGHT = 320, 180
 """Size of the pictures that are traced to choose: each pixel stands for 16."""
 TRIED, KEPT = 110, 24
 NEAR_SHARE, EMPTY_SHARE = 0.02, 0.34
+SCREEN_SHARE, SCREEN_NEARER, SCREEN_RISE_CM = 1 / 3, 0.8, 80.0
+"""A thing that takes so much of a picture, nearer than so much of the way to what is shown and so far above where that
+stands, is a screen: a roof under the eye, the leg of a crane. A floor is not above it, a wall behind is not nearer."""
 DISTANCE_CM: Final[Mapping[Environment, tuple[float, float]]] = {"indoor": (230.0, 620.0), "outdoor": (380.0, 1500.0)}
 EYE_CM: Final[Mapping[Environment, tuple[float, float]]] = {"indoor": (140.0, 235.0), "outdoor": (165.0, 620.0)}
 AIR_CM = 35.0
@@ -72,7 +75,7 @@ def lookouts(
         if told["near_share"] > NEAR_SHARE or told["empty_share"] > EMPTY_SHARE:
             continue
         shown = _usable(told, things)
-        if shown:
+        if shown and not screened(view, picture, [tracer.names.index(name) for name in shown]):
             found.append(Lookout(view, shown, picture))
     found.sort(key=lambda one: -_worth(one, things))
     kept: list[Lookout] = []
@@ -85,6 +88,24 @@ def lookouts(
 def traced(tracer: Tracer, view: CaseView) -> Picture:
     """A small picture of a view without light."""
     return tracer.picture(_small(view), samples=1)
+
+
+def screened(view: CaseView, picture: Picture, shown: Collection[int]) -> bool:
+    """Whether one thing takes a large part of a picture before the things of some numbers."""
+    mask, depth = picture.actor, picture.depth_cm
+    pitch = math.radians(float(camera(view)["rotation_deg"][0]))
+    rows, columns = mask.shape
+    up = (1 - (2 * np.arange(rows) + 1) / rows) * math.tan(math.radians(view.fov_deg) / 2) * rows / columns
+    height = depth * (math.sin(pitch) + up[:, None] * math.cos(pitch))
+    theirs = np.isin(mask, list(shown))
+    far, foot = float(np.median(depth[theirs])), float(np.median(height[theirs]))
+    for number, count in zip(*np.unique(mask[mask >= 0], return_counts=True), strict=True):
+        if count < SCREEN_SHARE * mask.size or number in shown:
+            continue
+        own = mask == number
+        if np.median(depth[own]) < SCREEN_NEARER * far and np.median(height[own]) > foot + SCREEN_RISE_CM:
+            return True
+    return False
 
 
 def second(first: Lookout, pool: Sequence[Lookout], wanted: Collection[str], chance: random.Random) -> Lookout | None:

@@ -56,7 +56,7 @@ from cases.veil import Veil
 from cases.views import camera, changed
 
 UNIT: Final = "unit.json"
-DRAWING_VERSION: Final = 1
+DRAWING_VERSION: Final = 2
 """Part of a unit's digest: raise it when the same plan is drawn into other repairs."""
 DRAFTS, ROUNDS = 400, 24
 """Draws for one repair before a round gives up on it, and rounds; in each round every repair is drawn once."""
