@@ -56,9 +56,9 @@ ground.data.materials.append(grey)
 world = bpy.data.worlds.new("sky")
 bpy.context.scene.world = world
 world.use_nodes = True
-world.node_tree.nodes["Background"].inputs[0].default_value = (0.65, 0.65, 0.67, 1)
+world.node_tree.nodes["Background"].inputs[0].default_value = (0.26, 0.26, 0.27, 1)
 sun = bpy.data.lights.new("sun", "SUN")
-sun.energy, sun.angle = 2.5, math.radians(6)
+sun.energy, sun.angle = 2.0, math.radians(6)
 lamp = bpy.data.objects.new("sun", sun)
 lamp.rotation_euler = Vector((0.25, 0.75, -0.8)).to_track_quat("-Z", "Y").to_euler()
 bpy.context.collection.objects.link(lamp)
