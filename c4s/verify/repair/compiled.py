@@ -17,6 +17,8 @@ _SCALE_BITS = 2045
 """The exponent bits of a number and of the power of two that brings it into [0.5, 1) sum up to this."""
 _PLAIN = 1e150
 """Numbers up to this, and 0 or from its inverse, are scaled without a look at the ends of the range."""
+_MOST = np.int64(2**63 - 1)
+_BLOCK = 128
 _DEGREES = 180.0 / math.pi
 Table = NDArray[np.float64]
 Numbers = NDArray[np.int64]
@@ -169,49 +171,75 @@ def costs(
     return made
 
 
+@inner
+def _relaxed(
+    costs: Table, row_dual: float, column_dual: Table, step: float, column: int, slack: Table, previous: Numbers
+) -> None:
+    """Take ``step`` off every slack and lower those that a row reaches for less, which come from ``column`` then.
+
+    What is settled has NaN for a slack, which nothing is below.
+    """
+    for other in range(len(costs)):
+        reduced = (costs[other] - row_dual) - column_dual[other]
+        known = slack[other] - step
+        better = reduced < known
+        slack[other] = reduced if better else known
+        previous[other] = column if better else previous[other]
+
+
+@inner
+def _nearest(bits: Numbers) -> int:
+    """The first of the least slacks by their ``bits``, read as whole numbers of the same order; NaN is above all."""
+    found, least = 0, _MOST
+    for start in range(0, len(bits), _BLOCK):
+        lowest, block = _MOST, bits[start : start + _BLOCK]
+        for other in range(len(block)):
+            lowest = min(lowest, block[other] ^ ((block[other] >> 63) & _MOST))
+        if lowest < least:
+            found, least = start, lowest
+    while bits[found] ^ ((bits[found] >> 63) & _MOST) != least:
+        found += 1
+    return found
+
+
 @_KERNELS.kernel
 def assigned(cost: Table) -> Numbers:
-    """Column of each row for ``rows <= columns``, by shortest augmenting paths with dual potentials.
+    """Column of each row for ``rows <= columns`` and finite costs, by shortest augmenting paths with dual potentials.
 
-    Column 0 stands for "the row that enters"; rows and columns of the matrix count from 1.
+    Rows enter one by one; column -1 stands for where a row enters. The duals of what a row has met lie side by side
+    until it has its place.
     """
     rows, columns = cost.shape
-    row_dual, column_dual = np.zeros(rows + 1), np.zeros(columns + 1)
-    row_of, previous = np.zeros(columns + 1, np.int64), np.zeros(columns + 1, np.int64)
-    slack, unseen = np.empty(columns + 1), np.empty(columns + 1, np.bool_)
-    seen = np.empty(columns + 1, np.int64)
-    for row in range(1, rows + 1):
-        row_of[0], column, met = row, 0, 0
+    row_dual, column_dual = np.zeros(rows), np.zeros(columns)
+    row_of, previous = np.full(columns, -1, np.int64), np.zeros(columns, np.int64)
+    slack = np.empty(columns)
+    seen, up, down = np.empty(columns, np.int64), np.empty(columns), np.empty(columns)
+    for row in range(rows):
+        current, column, met, step = row, -1, 0, 0.0
         slack[:] = np.inf
-        unseen[:] = True
         while True:
-            seen[met] = column
-            met += 1
-            unseen[column] = False
-            slack[column] = np.inf
-            current = row_of[column]
-            nearest, step = 0, np.inf
-            for other in range(1, columns + 1):
-                if unseen[other]:
-                    reduced = (cost[current - 1, other - 1] - row_dual[current]) - column_dual[other]
-                    if reduced < slack[other]:
-                        slack[other] = reduced
-                        previous[other] = column
-                    if slack[other] < step:
-                        nearest, step = other, slack[other]
+            _relaxed(cost[current], row_dual[current], column_dual, step, column, slack, previous)
+            nearest = _nearest(slack.view(np.int64))
+            step = slack[nearest]
+            row_dual[row] += step
             for place in range(met):
-                row_dual[row_of[seen[place]]] += step
-                column_dual[seen[place]] -= step
-            for other in range(1, columns + 1):
-                slack[other] -= step
+                up[place] += step
+                down[place] -= step
             column = nearest
-            if row_of[column] == 0:
+            if row_of[column] == -1:
                 break
-        while column != 0:
-            row_of[column] = row_of[previous[column]]
-            column = previous[column]
+            current = row_of[column]
+            seen[met], up[met], down[met] = column, row_dual[current], column_dual[column]
+            met += 1
+            slack[column] = np.nan
+        for place in range(met):
+            column_dual[seen[place]], row_dual[row_of[seen[place]]] = down[place], up[place]
+        while column != -1:
+            before = previous[column]
+            row_of[column] = row if before == -1 else row_of[before]
+            column = before
     result = np.zeros(rows, np.int64)
-    for column in range(1, columns + 1):
-        if row_of[column]:
-            result[row_of[column] - 1] = column - 1
+    for column in range(columns):
+        if row_of[column] != -1:
+            result[row_of[column]] = column
     return result
