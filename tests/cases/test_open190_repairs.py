@@ -10,25 +10,33 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from c4s.errors import BadInput
 from c4s.files import read_json, write_json
+from c4s.geometry.transform import affine
+from c4s.packs.meshes import Mesh
 from c4s.packs.store import PackStore
-from c4s.records.level import Level
+from c4s.records.level import Level, Vector
 from c4s.records.pack import STAMP
 from c4s.records.suite import SuiteFolder, WithheldFolder
+from c4s.render import Instance, Lights, Renderer, SurfaceMaterial
+from c4s.render.masks import camera_of
 from c4s.trees import listing_digest, read_listing
 from cases.admissible import LEAST_PIXELS, TargetSighting, score_refusals
+from cases.model import CaseView
 from cases.open190.build import sources
 from cases.open190.library import SCENES
 from cases.open190.repairs.difficulty import Hardness, hardness
+from cases.open190.repairs.lookouts import screened
 from cases.open190.repairs.plan import NESTED, PUBLIC_SEED, WantedRepair, histogram, planned, planned_texts
 from cases.open190.repairs.unit import UNIT
 from cases.open190.secret import VARIABLE, private_seed
 from cases.open190.suite import UnitPlan, build_units, unit_plans
 from cases.sharing import link_tree, share_equal
+from cases.views import camera
 from catalog.build import build_pack
 
 ROOMS = {kind: [name for name, spec in SCENES.items() if spec.kind == kind] for kind in ("indoor", "outdoor")}
@@ -214,3 +222,30 @@ def test_the_halves_of_a_scene_share_no_place_of_what_stands_free(units: tuple[l
     assert len(places[0] - places[1]) > 0.2 * len(places[0])
     ids = [{tag for actor in truth.actors for tag in actor.tags if "id" in tag and "=" in tag} for truth in truths]
     assert names[0] != names[1] and not {one for one in ids[0] & ids[1] if "stable" in one}
+
+
+@pytest.mark.parametrize(
+    ("block", "size", "hidden"),
+    [
+        ((300.0, 0.0, 150.0), (20.0, 260.0, 300.0), True),
+        ((1200.0, 0.0, 150.0), (20.0, 2600.0, 900.0), False),
+        ((300.0, 0.0, 150.0), (20.0, 40.0, 300.0), False),
+    ],
+    ids=["a board before the things", "a wall behind them", "a post"],
+)
+def test_no_view_has_a_screen_before_its_things(block: Vector, size: Vector, hidden: bool) -> None:
+    box, white = trimesh.creation.box((100, 100, 100)), (SurfaceMaterial(),)
+    corners, normals = box.vertices.astype(np.float32), box.vertex_normals.astype(np.float32)
+    faces = box.faces.astype(np.int32)
+    mesh = Mesh(corners, faces, normals, np.zeros((8, 2), np.float32), np.zeros(12, np.int32))
+    placed = [
+        Instance(0, affine((0, 0, -5), (0, 0, 0), (60, 60, 0.1)), white, 0),
+        Instance(0, affine((900, 500, 50), (0, 0, 0), (1, 1, 1)), white, 1),
+        Instance(0, affine(block, (0, 0, 0), [side / 100 for side in size]), white, 2),
+    ]
+    view = CaseView("eye", (0.0, 0.0, 165.0), (900.0, 0.0, 100.0), 70.0, width=320, height=180)
+    renderer = Renderer([mesh], placed, Lights())
+    picture = renderer.render(camera_of(camera(view)), mode="base_color", samples=1)
+    renderer.close()
+    assert (picture.actor == 1).sum() > 100
+    assert screened(view, picture, [1]) == hidden

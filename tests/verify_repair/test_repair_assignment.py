@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import maximum_bipartite_matching
@@ -23,6 +24,44 @@ def test_minimum_cost_is_minimal(shape: tuple[int, int, int], ties: bool) -> Non
     pairs = minimum_cost(cost)
     assert len({r for r, _ in pairs}) == len({c for _, c in pairs}) == len(pairs) == min(rows, columns)
     assert np.isclose(sum(cost[pair] for pair in pairs), cost[linear_sum_assignment(cost)].sum())
+
+
+def _one_by_one(cost: NDArray[np.float64]) -> list[int]:
+    """The column of each row as the published solver settles it: rows enter one by one, the lower column wins a tie."""
+    rows, columns = cost.shape
+    row_dual, column_dual = [0.0] * rows, [0.0] * columns
+    row_of: list[int | None] = [None] * columns
+    for row in range(rows):
+        slack, came, settled, current, last = [np.inf] * columns, [-1] * columns, list[int](), row, -1
+        while True:
+            for column in set(range(columns)) - set(settled):
+                reduced = (cost[current, column] - row_dual[current]) - column_dual[column]
+                if reduced < slack[column]:
+                    slack[column], came[column] = reduced, last
+            last = min(set(range(columns)) - set(settled), key=lambda column: (slack[column], column))
+            step = slack[last]
+            row_dual[row] += step
+            for column in settled:
+                row_dual[row_of[column]] += step  # type: ignore[index]
+                column_dual[column] -= step
+            slack = [one - step for one in slack]
+            if row_of[last] is None:
+                break
+            settled.append(last)
+            current = row_of[last]  # type: ignore[assignment]
+        while last != -1:
+            row_of[last] = row if came[last] == -1 else row_of[came[last]]
+            last = came[last]
+    return [row_of.index(row) for row in range(rows)]
+
+
+@settings(max_examples=200, deadline=None)
+@given(SHAPES, st.sampled_from([1.0, 0.05, 1 / 3, 0.0]))
+def test_equal_costs_are_settled_as_published(shape: tuple[int, int, int], unit: float) -> None:
+    rows, columns, seed = shape
+    rng = np.random.default_rng(seed)
+    cost = rng.integers(0, 4, (rows, rows + columns)) * unit + rng.integers(0, 2, (rows, rows + columns)) * 0.1
+    assert minimum_cost(cost) == list(enumerate(_one_by_one(cost)))
 
 
 @settings(max_examples=150, deadline=None)

@@ -7,26 +7,29 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
-from c4s.verify.actors.roles import bounds_of
+from c4s.verify.actors.roles import bounds_of, is_non_solid
 from c4s.verify.physics.scene import actor_name
 
 LEAST_FILLERS: Final = 20
 """Fewer things dilute nothing worth telling."""
 MOST_COMPARED: Final = 5000
 """Larger scenes are not compared box by box for an advisory."""
-ALONE_CM: Final = 30.0
+APART_CM: Final = 30.0
 
 
 def diluted(
     actors: Sequence[Mapping[str, Any]], scored: Sequence[int], violators: Sequence[int], floating: Sequence[str]
 ) -> list[dict[str, Any]]:
-    """Solids that stand alone, or are copies of the commonest asset, where they are at least half of all tested ones
-    and have fewer faults than the rest."""
+    """Solids apart from the group with most faults, or copies of the commonest asset, where they are at least half of
+    all tested ones and have fewer faults than the rest. A group is what stands within 30 cm of one another, floors too.
+    """
     faulty = {actor_name(actors[i]) for i in violators} | set(floating)
     if not faulty or len(scored) < LEAST_FILLERS or len(actors) > MOST_COMPARED:
         return []
-    fillers = _copies(actors, scored) | (_alone(actors) & set(scored))
+    fillers = _copies(actors, scored) | (_apart(actors, faulty) & set(scored))
     rest = [i for i in scored if i not in fillers]
     if not rest or len(fillers) < max(LEAST_FILLERS, len(rest)):
         return []
@@ -34,7 +37,7 @@ def diluted(
     if of_fillers * len(rest) >= of_rest * len(fillers):
         return []
     text = (
-        f"{len(fillers)} of {len(scored)} tested solids stand alone or are copies of one asset, and have fewer faults "
+        f"{len(fillers)} of {len(scored)} tested solids stand apart or are copies of one asset, and have fewer faults "
         "than the rest: both rates rise with every thing that stands clear"
     )
     return [{"code": "diluted_population", "text": text, "actors": [actor_name(actors[i]) for i in sorted(fillers)]}]
@@ -47,10 +50,18 @@ def _copies(actors: Sequence[Mapping[str, Any]], scored: Sequence[int]) -> set[i
     return {i for i, one in zip(scored, assets, strict=True) if one == asset} if 2 * count >= len(scored) else set()
 
 
-def _alone(actors: Sequence[Mapping[str, Any]]) -> set[int]:
-    """Actors whose boxes no other box comes near."""
-    boxes = {i: box for i, actor in enumerate(actors) if (box := bounds_of(actor)) is not None}
-    origin, half = (np.array([box[part] for box in boxes.values()]).reshape(-1, 3) for part in (0, 1))
-    low, high = origin - half - ALONE_CM, origin + half
-    near = (((low <= high[row]) & (high >= low[row])).all(axis=1).sum() for row in range(len(boxes)))
-    return {index for index, count in zip(boxes, near, strict=True) if count == 1}
+def _apart(actors: Sequence[Mapping[str, Any]], faulty: set[str]) -> set[int]:
+    """Solid actors outside the group that has most faults, or most members of those."""
+    solid = {i: box for i, actor in enumerate(actors) if not is_non_solid(actor) and (box := bounds_of(actor))}
+    if not solid:
+        return set()
+    origin, half = (np.array([box[part] for box in solid.values()]).reshape(-1, 3) for part in (0, 1))
+    low, high = origin - half - APART_CM, origin + half
+    near = [np.flatnonzero(((low <= high[row]) & (high >= low[row])).all(axis=1)) for row in range(len(solid))]
+    rows = np.repeat(np.arange(len(solid)), [len(row) for row in near])
+    edges = coo_array((np.ones(len(rows), np.int8), (rows, np.concatenate(near))), shape=(len(solid), len(solid)))
+    group = connected_components(edges, directed=False)[1]
+    marked = np.array([actor_name(actors[i]) in faulty for i in solid])
+    faults, sizes = np.bincount(group, marked), np.bincount(group)
+    scene = max(range(len(sizes)), key=lambda one: (faults[one], sizes[one]))
+    return {i for i, one in zip(solid, group, strict=True) if one != scene}

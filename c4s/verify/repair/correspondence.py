@@ -314,8 +314,8 @@ def _costs(left: list[Actor], right: list[Actor]) -> NDArray[np.float64]:
         ANGLE_COST,
         FIELD_COST,
     )
-    odd = [[actor.location is None for actor in side] for side in (left, right)]
-    for i, j in zip(*np.nonzero(np.logical_or.outer(*odd)), strict=True):
+    lost = [[number for number, actor in enumerate(side) if actor.location is None] for side in (left, right)]
+    for i, j in {*product(lost[0], range(len(right))), *product(range(len(left)), lost[1])}:
         turned = angle[left_class[i], right_class[j]]
         distance = compiled.distances(_vectors([left[i]], "location_cm"), _vectors([right[j]], "location_cm"))[0, 0]
         placed = 1.0 if math.isnan(distance) else distance / (1 + distance)
