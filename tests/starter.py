@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
+from typing import Final
 
 import pytest
 
@@ -14,19 +14,28 @@ from cases.definition import definition_digest
 from cases.stamp import STAMP
 from cases.starter.suite import SUITE_ID, build_starter, definition
 from catalog.starter import STARTER
-from tests.house.tree import ROOT
+from tests.built import DEMO, built_once, take_kept
+
+PLACE: Final = "home"
+"""The file that tells which home it is."""
 
 
-def starter_home(scratch: Path) -> Path:
+def starter_home(factory: pytest.TempPathFactory) -> Path:
     """The home that ``make demo`` filled, where its suite is the one that the sources say and no file was changed; else
-    one that is built now, below ``scratch``. It is for reading."""
-    home = Path(os.environ.get("C4S_HOME") or ROOT / ".c4s")
-    if _is_current(home):
-        return home
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("C4S_HOME", str(scratch))
-        build_starter(scratch / "suites" / SUITE_ID, scratch / "packs")
-    return scratch
+    one that is built now, once for all processes of the test run. It is for reading."""
+    found = built_once(factory, "starter", _find_or_build)
+    return Path((found / PLACE).read_text())
+
+
+def _find_or_build(root: Path) -> None:
+    root.mkdir()
+    chosen = DEMO if _is_current(DEMO) else root
+    if chosen == root:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("C4S_HOME", str(root))
+            take_kept(root)
+            build_starter(root / "suites" / SUITE_ID, root / "packs")
+    (root / PLACE).write_text(str(chosen))
 
 
 def _is_current(home: Path) -> bool:

@@ -17,8 +17,7 @@ from c4s.records.suite import SuiteFolder
 from cases.model import SuiteDefinition
 from cases.starter import indoor_cases
 from cases.suite import build_suite
-from catalog.build import ensure_pack
-from tests.built import built_once
+from tests.built import built_once, take_kept, take_pack
 from tests.cli.warm import Warm
 
 KEPT = ("text-flat-family",)
@@ -33,18 +32,21 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def build_small(root: Path) -> None:
-    """The suite ``small`` and its pack, below a home."""
+    """The suite ``small`` and its pack, below a home that keeps what it renders."""
     scene = indoor_cases.scenes()[1]
     texts = [case for case in indoor_cases.INDOOR_TEXT_CASES if case.case_id in KEPT]
-    ensure_pack("c4s-home", root / "packs")
-    build_suite(
-        SuiteDefinition(
-            "small", "Small", "The flat", ("c4s-home",), (scene,), (*texts, *indoor_cases.flat_cases(scene)[:2])
-        ),
-        root / "suites" / "small",
-        root / "packs",
-        lambda line: None,
-    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("C4S_HOME", str(root))
+        take_kept(root)
+        take_pack("c4s-home", root / "packs")
+        build_suite(
+            SuiteDefinition(
+                "small", "Small", "The flat", ("c4s-home",), (scene,), (*texts, *indoor_cases.flat_cases(scene)[:2])
+            ),
+            root / "suites" / "small",
+            root / "packs",
+            lambda line: None,
+        )
 
 
 def environment(home: Path) -> dict[str, str]:

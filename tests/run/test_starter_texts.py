@@ -31,7 +31,7 @@ pytestmark = pytest.mark.timeout(1500)
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A home in which the agents have done their texts."""
-    own = apart(tmp_path_factory.mktemp("texts") / "home", starter_home(tmp_path_factory.mktemp("starter")))
+    own = apart(tmp_path_factory.mktemp("texts") / "home", starter_home(tmp_path_factory))
     for run, agents, texts in ((RUN, EVERYWHERE, TEXTS), (WEAK_RUN, OTHERS, (SMALLEST,))):
         chosen = [part for agent in agents for part in ("-a", agent)] + [part for one in texts for part in ("-c", one)]
         done = command_in(own)("run", "starter", *chosen, "--run-id", run, timeout=900)
