@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import atexit
-import functools
 import os
 import subprocess
 from collections.abc import Callable
-from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -18,7 +15,7 @@ from cases.model import SuiteDefinition
 from cases.starter import indoor_cases
 from cases.suite import build_suite
 from tests.built import built_once, take_kept, take_pack
-from tests.cli.warm import Warm
+from tests.cli.warm import warm_process
 
 KEPT = ("text-flat-family",)
 Command = Callable[..., subprocess.CompletedProcess[str]]
@@ -63,20 +60,11 @@ def apart(root: Path, home: Path) -> Path:
     return root
 
 
-@functools.cache
-def _warm() -> Warm:
-    """A process that forks for each command: none of them has to import what the one before it did."""
-    with ExitStack() as stack:
-        warm = stack.enter_context(Warm())
-        atexit.register(stack.pop_all().close)
-    return warm
-
-
 def command_in(home: Path) -> Command:
-    """Runs the command line in a home, as a process of its own."""
+    """Runs the command line in a home, as a process of its own; none has to import what the one before it did."""
 
     def run(*arguments: str, timeout: int = 280, home: Path = home) -> subprocess.CompletedProcess[str]:
-        done = _warm().call(arguments, cwd=Path.cwd(), environment=environment(home), limit_s=timeout)
+        done = warm_process().call(arguments, cwd=Path.cwd(), environment=environment(home), limit_s=timeout)
         return subprocess.CompletedProcess(arguments, done.code, done.out, done.err)
 
     return run
