@@ -13,15 +13,22 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
 from c4s.geometry.transform import affine
-from c4s.records.level import Level
+from c4s.records.level import Level, LevelActor
 from c4s.records.pack import Asset
+from cases.corruption import with_identities
 from cases.natural import TOUCH_CM
 from cases.open190.layout import Relation, StagedPlace
 from cases.open190.space import Solid, Space
 from catalog.ingest.excess import corners_of
+from catalog.kits import styles
 
 HOLLOW_CM: Final = 900.0
 """What is larger, and has several bodies, is hollow: its bodies count one by one."""
+LAMPS_CM: Final = 380.0
+LAMP, SUN, SKY, SUN_DEG = 2200.0, 1.6, 0.9, (-52.0, 24.0)
+"""Strength (the engine's unitless measure) of a lamp, the sun and the sky, and where the sun shines to."""
+WALL_CM: Final = 25.0
+"""Eyes keep so far from a wall."""
 BESIDE_CM: Final = 250.0
 """Like things with no more air between them were put together."""
 Points = NDArray[np.float64]
@@ -36,16 +43,39 @@ class BroughtPlace:
         pack_id: of its meshes.
         imported: its level.
         assets: of its pack.
+        room_cm: the plan (x0, y0, x1, y1) and the height of lamps of a room: eyes are in it, and its lamps are hung
+            as in a room that is laid out. A simulator's lights say how its author worked, and nothing of the room.
     """
 
     scene_id: str
     pack_id: str
     imported: Level
     assets: Sequence[Asset]
+    room_cm: tuple[float, float, float, float, float] | None = None
 
     def level(self) -> Level:
         """The level; the same every time."""
-        return self.imported
+        return self._lit
+
+    @cached_property
+    def _lit(self) -> Level:
+        if self.room_cm is None:
+            return self.imported
+        x0, y0, x1, y1, high = self.room_cm
+        lights = StagedPlace(self.scene_id, styles.DOMESTIC, "lamps")
+        for x in _middles(x0, x1):
+            for y in _middles(y0, y1):
+                lights.light(x, y, high, intensity=LAMP)
+        lights.sun(*SUN_DEG, intensity=SUN, sky=SKY)
+        kept = [actor for actor in self.imported.actors if not _shines(actor)]
+        return with_identities(self.imported.model_copy(update={"actors": [*kept, *lights.actors]}), self.scene_id)
+
+    def may_look_from(self, x: float, y: float) -> bool:
+        """Whether an eye may be at a place of the plan."""
+        if self.room_cm is None:
+            return True
+        x0, y0, x1, y1, _ = self.room_cm
+        return x0 + WALL_CM < x < x1 - WALL_CM and y0 + WALL_CM < y < y1 - WALL_CM
 
     @cached_property
     def _bodies(self) -> Mapping[str, list[Points]]:
@@ -104,6 +134,16 @@ class BroughtPlace:
         for bodies in self._bodies.values():
             space.take(solid for points in bodies if (solid := _solid(points)) is not None)
         return space
+
+
+def _middles(low: float, high: float) -> list[float]:
+    """Middles of equal parts of a side, each about ``LAMPS_CM`` long."""
+    count = max(1, round((high - low) / LAMPS_CM))
+    return [round(low + (high - low) * (number + 0.5) / count, 1) for number in range(count)]
+
+
+def _shines(actor: LevelActor) -> bool:
+    return "Light" in actor.class_path.rpartition(".")[2]
 
 
 def _solid(points: Points) -> Solid | None:

@@ -58,6 +58,8 @@ class Slot(Record):
     """Programs that read the file."""
     without: list[str] = Field(default_factory=list)
     """Patterns of actors that are left out."""
+    room_cm: tuple[float, float, float, float, float] | None = None
+    """Plan (x0, y0, x1, y1) of a room, and the height of its lamps."""
 
 
 @cache
@@ -149,7 +151,7 @@ class BroughtSpec:
     def place(self, packs: Path) -> BroughtPlace:
         """The scene as the repairs take it; it was brought before."""
         pack = Pack.read(packs / self.pack_id / MANIFEST)
-        return BroughtPlace(self.scene_id, self.pack_id, Level.read(self._level()), pack.assets)
+        return BroughtPlace(self.scene_id, self.pack_id, Level.read(self._level()), pack.assets, self.slot.room_cm)
 
     def _level(self) -> Path:
         return cache_root() / "open-190-slots" / self.pack_id / IMPORTED_SCENE

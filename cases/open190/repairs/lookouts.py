@@ -136,7 +136,8 @@ def _drawn(
         eye = low + (high - low) * chance.random() ** 2
         spot = (round(x + far * math.cos(turn), 1), round(y + far * math.sin(turn), 1), round(max(eye, z + 40), 1))
         aim = (round(x, 1), round(y, 1), round(z, 1))
-        if place.space.free([block(*spot, AIR_CM)]):
+        seen_from = not isinstance(place, BroughtPlace) or place.may_look_from(spot[0], spot[1])
+        if seen_from and place.space.free([block(*spot, AIR_CM)]):
             found.append(CaseView(f"drawn-{number:03d}", spot, aim, round(chance.uniform(56, 72), 1)))
     return found
 
