@@ -46,7 +46,7 @@ def test_water_lies_above_the_plate(scene_id: str) -> None:
     place = laid(scene_id)
     heights = {item.z for item in place.items.values() if "Water" in item.label}
     plate = {item.z for item in place.items.values() if item.thing.flat and "Water" not in item.label}
-    assert heights == {SEABED_CM} and 0.0 in plate
+    assert min(heights) >= SEABED_CM and 0.0 in plate
 
 
 def test_another_seed_makes_other_things() -> None:
