@@ -45,6 +45,11 @@ BACKENDS: dict[str, set[str]] = {
         "c4s.engine.headless.process.boot",
         "c4s.engine.headless.world.state",
     },
+    "bench/mask_truth.py": {
+        "c4s.engine.headless.pictures.take",
+        "c4s.engine.headless.process.boot",
+        "c4s.engine.headless.world.state",
+    },
     "bench/looks.py": {"c4s.engine.headless.pictures", "c4s.engine.headless.process.boot"},
     "bench/pictures.py": {
         "c4s.engine.headless.pictures",
