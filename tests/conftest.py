@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -16,30 +17,45 @@ settings.register_profile("c4s", deadline=None, suppress_health_check=[HealthChe
 settings.load_profile("c4s")
 
 LONGEST = (
-    "run/test_starter_texts.py",
-    "run/test_pools.py",
     "run/test_evaluate.py",
-    "toolbox/test_shipped_cases.py",
-    "catalog/test_ingest_folder.py",
-    "run/test_labels.py",
+    "run/test_pools.py",
+    "manual/test_tutorials.py",
+    "run/test_starter_texts.py",
     "run/test_torn.py",
+    "cli/test_wrong_invocations.py",
     "run/test_limits.py",
+    "reports/test_every_page.py",
+    "judge/test_judge_hostile.py",
+    "run/test_labels.py",
     "cases/test_replacing.py",
     "run/test_store.py",
-    "cli/test_wrong_invocations.py",
+    "toolbox/test_shipped_cases.py",
+    "catalog/test_ingest_folder.py",
+    "run/test_serve_apart.py",
     "agent_clients/test_client_attempts.py",
     "toolbox/test_answer_sizes.py",
     "unreal/test_editor_process.py",
     "unreal/test_trial_on_an_editor.py",
     "cli/test_bad_input.py",
+    "cli/test_boundary.py",
     "run/test_frozen_suite.py",
+    "judge/test_judge_check.py",
+    "judge/test_sight.py",
     "cases/test_scene_import.py",
+    "warehouse/test_release.py",
+    "warehouse/test_refresh.py",
     "run/test_scale.py",
     "cli/test_light_start.py",
     "run/test_operations.py",
 )
 """Modules whose tests last longest (``--durations=0`` tells). One process runs all of a module, so a long one that
 begins last keeps the others waiting."""
+
+
+def pytest_xdist_auto_num_workers() -> int:
+    """Half as many again as there are processors: tests also wait, for engines, servers and deadlines."""
+    there = len(os.sched_getaffinity(0))
+    return there + (there + 1) // 2
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

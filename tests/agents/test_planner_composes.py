@@ -93,7 +93,7 @@ def test_prose_that_names_nothing_shows_the_palette() -> None:
 
 @pytest.mark.timeout(900)
 def test_the_shipped_texts_are_composed_soundly(tmp_path_factory: pytest.TempPathFactory) -> None:
-    suite = SuiteFolder(starter_home(tmp_path_factory.mktemp("starter")) / "suites/starter")
+    suite = SuiteFolder(starter_home(tmp_path_factory) / "suites/starter")
     texts = [case for case in suite.suite().cases if case.setting == "text-to-scene"]
     assert len(texts) >= 4
     for case in texts:

@@ -144,7 +144,7 @@ def test_a_planted_leak_is_found_as_what_it_is(
 
 
 def test_the_starter_suite_has_no_leak(tmp_path_factory: pytest.TempPathFactory) -> None:
-    home = starter_home(tmp_path_factory.mktemp("starter"))
+    home = starter_home(tmp_path_factory)
     found = leaks(SuiteFolder(home / "suites/starter"))
     check_leaks(found)
     assert found == []

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from tests.built import built_once
 from tests.cli.garbage import write_garbage
-from tests.cli.warm import Warm
+from tests.cli.warm import Warm, warm_process
 from tests.cli.world import build_world
 
 
 @pytest.fixture(scope="session")
-def warm() -> Iterator[Warm]:
+def warm() -> Warm:
     """A process that forks for each call of ``c4s``."""
-    with Warm() as process:
-        yield process
+    return warm_process()
 
 
 @pytest.fixture(scope="session")

@@ -5,6 +5,8 @@ The child has its own working directory, environment and standard streams, and c
 
 from __future__ import annotations
 
+import atexit
+import functools
 import gc
 import importlib
 import json
@@ -16,6 +18,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -25,6 +28,8 @@ LIMIT_S = 60
 CPU_S, MOST_BYTES = 120, 6 << 30
 """What a call may use, so that one that runs away harms nobody."""
 HUNG = -1
+ENVIRONMENT = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+"""Of the process: what was set before any test changed it."""
 IMPORTED = ("c4s", "cases", "catalog", "warehouse", "reports")
 LEFT_OUT = (
     *("c4s.engine.headless.", "c4s.engine.unreal.boot.", "c4s.engine.unreal.standin.", "c4s.editor"),
@@ -51,7 +56,7 @@ class Warm:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             cwd=Path(__file__).parents[2],
-            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+            env=ENVIRONMENT,
         )
         self._folder = tempfile.TemporaryDirectory(prefix="c4s-warm-")
         return self
@@ -76,6 +81,15 @@ class Warm:
         self._process.stdin.flush()
         code = int(self._process.stdout.readline())
         return Done(code, out.read_text(errors="backslashreplace"), err.read_text(errors="backslashreplace"))
+
+
+@functools.cache
+def warm_process() -> Warm:
+    """The one of this process, until it ends."""
+    with ExitStack() as stack:
+        warm = stack.enter_context(Warm())
+        atexit.register(stack.pop_all().close)
+    return warm
 
 
 def _serve() -> None:

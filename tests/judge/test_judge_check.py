@@ -34,7 +34,7 @@ SCENE = "home-bedroom"
 @pytest.fixture(scope="module")
 def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the packs are."""
-    return starter_home(tmp_path_factory.mktemp("starter"))
+    return starter_home(tmp_path_factory)
 
 
 @pytest.fixture

@@ -58,7 +58,7 @@ class Shipped:
 @pytest.fixture(scope="module")
 def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the starter suite is built."""
-    return starter_home(tmp_path_factory.mktemp("starter"))
+    return starter_home(tmp_path_factory)
 
 
 @pytest.fixture(scope="module")

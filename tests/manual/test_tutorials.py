@@ -12,7 +12,7 @@ import pytest
 
 from manual.contents import ROOT
 from tests.built import built_once
-from tests.cli.warm import Warm
+from tests.cli.warm import warm_process
 from tests.run.conftest import build_small, environment
 
 TUTORIALS = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
@@ -54,17 +54,17 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_its_commands_do_what_it_says(home: Path, path: Path, tmp_path: Path) -> None:
     steps = _steps(path.read_text(encoding="utf-8"), tmp_path)
     assert len(steps) >= 7 and steps[0].command in (BUILD, "c4s doctor")
-    with Warm() as warm:
-        for step in steps:
-            if step.command == BUILD:
-                continue
-            name, *arguments = shlex.split(step.command)
-            assert name == "c4s"
-            given = ["small" if argument == "starter" else argument for argument in arguments]
-            given += ["--suite", "small"] if "--case" in given and "--suite" not in given else []
-            done = warm.call(given, cwd=tmp_path, environment=environment(home), limit_s=600)
-            expected = {0, 1} if given == ["doctor"] else {step.code}
-            assert done.code in expected, f"{step.command}\n{done.err[-1500:]}"
+    warm = warm_process()
+    for step in steps:
+        if step.command == BUILD:
+            continue
+        name, *arguments = shlex.split(step.command)
+        assert name == "c4s"
+        given = ["small" if argument == "starter" else argument for argument in arguments]
+        given += ["--suite", "small"] if "--case" in given and "--suite" not in given else []
+        done = warm.call(given, cwd=tmp_path, environment=environment(home), limit_s=600)
+        expected = {0, 1} if given == ["doctor"] else {step.code}
+        assert done.code in expected, f"{step.command}\n{done.err[-1500:]}"
 
 
 def test_there_is_one_for_each_kind_of_user() -> None:

@@ -19,13 +19,13 @@ Check = Callable[[Mutate], Outcome]
 @pytest.fixture(scope="session")
 def repair(tmp_path_factory: pytest.TempPathFactory) -> RepairSubject:
     """The shipped repair."""
-    return repair_subject(starter_home(tmp_path_factory.mktemp("starter")))
+    return repair_subject(starter_home(tmp_path_factory))
 
 
 @pytest.fixture(scope="session")
 def text(tmp_path_factory: pytest.TempPathFactory) -> TextSubject:
     """The shipped text."""
-    return text_subject(starter_home(tmp_path_factory.mktemp("starter")))
+    return text_subject(starter_home(tmp_path_factory))
 
 
 @pytest.fixture(scope="session")

@@ -16,6 +16,7 @@ from tests.reports.hostile import make_hostile
 from tests.reports.kinds import page_of_kind
 from tests.reports.made_site import make_site
 from tests.reports.played import play
+from tests.run.conftest import build_small
 
 UNUSUAL = "Käthes Ergebnisse #1 – 100% дом"
 
@@ -29,7 +30,8 @@ def made_home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def played_home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A home where baselines played (``played``): ``suites``, ``runs``, ``warehouse``, ``site``."""
-    return built_once(tmp_path_factory, "played-home", play)
+    small = built_once(tmp_path_factory, "small-home", build_small)
+    return built_once(tmp_path_factory, "played-home", lambda root: play(root, small))
 
 
 @pytest.fixture(scope="session")

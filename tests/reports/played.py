@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import Final
 
-from tests.run.conftest import build_small
+from tests.run.conftest import apart
 
 REPAIR: Final = "indoor-flat-01-mirrored-bath"
 TEXT: Final = "text-flat-family"
@@ -16,9 +16,9 @@ AGENTS: Final = ("planner", "random", "vandal", "oracle")
 RUN: Final = "seen"
 
 
-def play(home: Path) -> None:
-    """Build the suite ``small`` and run the agents on a text and a repair of the flat."""
-    build_small(home)
+def play(home: Path, small: Path) -> None:
+    """Run the agents on a text and a repair of the suite in the home ``small``, in a home apart from it."""
+    apart(home, small)
     chosen = [word for name in AGENTS for word in ("-a", name)] + ["-c", REPAIR, "-c", TEXT]
     subprocess.run(
         [sys.executable, "-m", "c4s.cli", "run", "small", *chosen, "--run-id", RUN, "--json"],

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import atexit
-import functools
 import os
 import subprocess
 from collections.abc import Callable
-from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -17,9 +14,8 @@ from c4s.records.suite import SuiteFolder
 from cases.model import SuiteDefinition
 from cases.starter import indoor_cases
 from cases.suite import build_suite
-from catalog.build import ensure_pack
-from tests.built import built_once
-from tests.cli.warm import Warm
+from tests.built import built_once, take_kept, take_pack
+from tests.cli.warm import warm_process
 
 KEPT = ("text-flat-family",)
 Command = Callable[..., subprocess.CompletedProcess[str]]
@@ -33,18 +29,21 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def build_small(root: Path) -> None:
-    """The suite ``small`` and its pack, below a home."""
+    """The suite ``small`` and its pack, below a home that keeps what it renders."""
     scene = indoor_cases.scenes()[1]
     texts = [case for case in indoor_cases.INDOOR_TEXT_CASES if case.case_id in KEPT]
-    ensure_pack("c4s-home", root / "packs")
-    build_suite(
-        SuiteDefinition(
-            "small", "Small", "The flat", ("c4s-home",), (scene,), (*texts, *indoor_cases.flat_cases(scene)[:2])
-        ),
-        root / "suites" / "small",
-        root / "packs",
-        lambda line: None,
-    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("C4S_HOME", str(root))
+        take_kept(root)
+        take_pack("c4s-home", root / "packs")
+        build_suite(
+            SuiteDefinition(
+                "small", "Small", "The flat", ("c4s-home",), (scene,), (*texts, *indoor_cases.flat_cases(scene)[:2])
+            ),
+            root / "suites" / "small",
+            root / "packs",
+            lambda line: None,
+        )
 
 
 def environment(home: Path) -> dict[str, str]:
@@ -61,20 +60,11 @@ def apart(root: Path, home: Path) -> Path:
     return root
 
 
-@functools.cache
-def _warm() -> Warm:
-    """A process that forks for each command: none of them has to import what the one before it did."""
-    with ExitStack() as stack:
-        warm = stack.enter_context(Warm())
-        atexit.register(stack.pop_all().close)
-    return warm
-
-
 def command_in(home: Path) -> Command:
-    """Runs the command line in a home, as a process of its own."""
+    """Runs the command line in a home, as a process of its own; none has to import what the one before it did."""
 
     def run(*arguments: str, timeout: int = 280, home: Path = home) -> subprocess.CompletedProcess[str]:
-        done = _warm().call(arguments, cwd=Path.cwd(), environment=environment(home), limit_s=timeout)
+        done = warm_process().call(arguments, cwd=Path.cwd(), environment=environment(home), limit_s=timeout)
         return subprocess.CompletedProcess(arguments, done.code, done.out, done.err)
 
     return run

@@ -324,6 +324,7 @@ def test_a_killed_run_goes_on_and_equals_an_undisturbed_one(ran: Path, tmp_path:
     home = tmp_path / "home"
     for part in ("packs", "suites"):
         shutil.copytree(ran / part, home / part)
+    (home / "cache").symlink_to(ran / "cache")
     command = [sys.executable, "-m", "c4s.cli", "run", "small", "-a", "noop", "-a", "oracle"]
     process = subprocess.Popen(
         command, env=environment(home), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True

@@ -93,10 +93,11 @@ class Service:
     database: str
     settings: dict[str, str]
     c4s: Command
+    client: httpx.Client
 
     def api(self, path: str, **body: Any) -> Any:
         """What the server answers."""
-        answer = httpx.post(f"{self.url}/{path}", json=body, timeout=30.0)
+        answer = self.client.post(f"{self.url}/{path}", json=body)
         answer.raise_for_status()
         return answer.json()
 
@@ -154,7 +155,8 @@ def service(home: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Se
         )
         try:
             reached = settings | {"PREFECT_API_URL": told["url"]}
-            yield Service(own, told["url"], database, reached, command_in(own))
+            with httpx.Client(timeout=30.0) as client:
+                yield Service(own, told["url"], database, reached, command_in(own), client)
         finally:
             worker.send_signal(signal.SIGINT)
             ended = worker.wait()

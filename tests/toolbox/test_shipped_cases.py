@@ -31,7 +31,7 @@ SPAWNED_WITH = {"spawn_actor": ("name", "static_mesh"), "spawn_blueprint_actor":
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
-    home = starter_home(tmp_path_factory.mktemp("starter"))
+    home = starter_home(tmp_path_factory)
     return SuiteFolder(home / "suites/starter"), home / "packs"
 
 
