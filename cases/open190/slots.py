@@ -36,7 +36,7 @@ TABLE: Final = Path(__file__).with_name("slots.yaml")
 ROOT: Final = Path("/")
 
 
-class Slot(Record):
+class SceneSlot(Record):
     """A source scene that people made, and the package that it comes from."""
 
     scene_id: str
@@ -63,10 +63,10 @@ class Slot(Record):
 
 
 @cache
-def slots() -> tuple[Slot, ...]:
+def slots() -> tuple[SceneSlot, ...]:
     """The slots in the order of the table."""
     rows = read_yaml(TABLE, what="table of slots")
-    return tuple(Slot.parse(row, where=str(TABLE)) for row in rows)
+    return tuple(SceneSlot.parse(row, where=str(TABLE)) for row in rows)
 
 
 def slots_root() -> Path:
@@ -79,7 +79,7 @@ def slots_root() -> Path:
     return Path(told).absolute()
 
 
-def absence(slot: Slot) -> str | None:
+def absence(slot: SceneSlot) -> str | None:
     """Why a slot's scene cannot be used here; None where it can."""
     file = slots_root() / slot.file
     if not file.is_file():
@@ -94,7 +94,7 @@ def absence(slot: Slot) -> str | None:
 class BroughtSpec:
     """The scene of a slot before it is built; like a ``SceneSpec``, but imported and not laid out."""
 
-    slot: Slot
+    slot: SceneSlot
 
     @property
     def scene_id(self) -> str:
@@ -157,7 +157,7 @@ class BroughtSpec:
         return cache_root() / "open-190-slots" / self.pack_id / IMPORTED_SCENE
 
 
-def _told_licence(slot: Slot, root: Path, scratch: Path) -> Path:
+def _told_licence(slot: SceneSlot, root: Path, scratch: Path) -> Path:
     """The words of the package, under the id that the table gives them."""
     words = read_plain(root / slot.licence_file).decode("utf-8", errors="replace")
     file = scratch / "licence.txt"
@@ -168,7 +168,7 @@ def _told_licence(slot: Slot, root: Path, scratch: Path) -> Path:
 AnySpec = SceneSpec | BroughtSpec
 
 
-def chosen(table: Sequence[Slot] | None = None) -> dict[str, AnySpec]:
+def chosen(table: Sequence[SceneSlot] | None = None) -> dict[str, AnySpec]:
     """The scenes of the suite by id, in the order of the plan: those of slots where their packages are here."""
     rows = slots() if table is None else table
     here = {slot.in_place_of: BroughtSpec(slot) for slot in rows if absence(slot) is None}
@@ -181,7 +181,7 @@ def told() -> Mapping[str, str]:
     return {slot.scene_id: _line(slot, absence(slot)) for slot in slots()}
 
 
-def _line(slot: Slot, reason: str | None) -> str:
+def _line(slot: SceneSlot, reason: str | None) -> str:
     if reason is None:
         return f"from {slot.package} {slot.version} ({slot.manager}), {slot.licence}"
     return f"{slot.in_place_of} in its place: {reason} ({slot.install})"

@@ -15,7 +15,7 @@ from cases.open190.brought import BroughtPlace
 from cases.open190.eyes import block
 from cases.open190.library import SCENES
 from cases.open190.repairs.plan import PUBLIC_SEED, planned
-from cases.open190.slots import VARIABLE, BroughtSpec, Slot, absence, chosen, held, slots, told
+from cases.open190.slots import VARIABLE, BroughtSpec, SceneSlot, absence, chosen, held, slots, told
 from cases.open190.suite import DESCRIPTION, described, unit_plans
 
 SEED = "0123456789abcdef0123456789abcdef"
@@ -44,7 +44,7 @@ def hall() -> trimesh.Scene:
 
 
 @pytest.fixture
-def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Slot:
+def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> SceneSlot:
     """A slot whose package is unpacked in a folder."""
     root, file = tmp_path / "unpacked", "usr/share/hall/hall.glb"
     (root / file).parent.mkdir(parents=True)
@@ -52,7 +52,7 @@ def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Slot:
     (root / "usr/share/hall/copyright").write_text("You may do with it what you like.\n")
     monkeypatch.setenv(VARIABLE, str(root))
     monkeypatch.setenv("C4S_HOME", str(tmp_path / "home"))
-    return Slot(
+    return SceneSlot(
         scene_id="hall",
         in_place_of="machine-shop",
         environment="indoor",
@@ -85,7 +85,7 @@ def test_without_the_packages_the_suite_is_that_of_the_kits(tmp_path: Path, monk
         assert held(chosen().values())[slot.scene_id] == slot.in_place_of
 
 
-def test_a_slot_changes_no_repair_of_another_scene(package: Slot) -> None:
+def test_a_slot_changes_no_repair_of_another_scene(package: SceneSlot) -> None:
     for visibility, seed in (("public", PUBLIC_SEED), ("private", SEED)):
         dealt = []
         for specs in (SCENES, chosen([package])):
@@ -97,13 +97,13 @@ def test_a_slot_changes_no_repair_of_another_scene(package: Slot) -> None:
             assert (one.group, one.chain, one.tier, one.nested) == (other.group, other.chain, other.tier, other.nested)
 
 
-def test_the_suite_says_what_was_brought(package: Slot) -> None:
+def test_the_suite_says_what_was_brought(package: SceneSlot) -> None:
     specs = chosen([package]).values()
     assert "by people (hall from hall-data 1-1)" in described(specs)
     assert {plan.spec.kind for plan in unit_plans(None)} == {"indoor", "outdoor", "text"}
 
 
-def test_another_file_leaves_the_parametric_scene(package: Slot, tmp_path: Path) -> None:
+def test_another_file_leaves_the_parametric_scene(package: SceneSlot, tmp_path: Path) -> None:
     assert absence(package) is None
     file = tmp_path / "unpacked" / package.file
     file.write_bytes(file.read_bytes() + b"\0")
@@ -111,7 +111,7 @@ def test_another_file_leaves_the_parametric_scene(package: Slot, tmp_path: Path)
     assert chosen([package]) == SCENES
 
 
-def test_a_missing_program_is_named(package: Slot) -> None:
+def test_a_missing_program_is_named(package: SceneSlot) -> None:
     lame = package.model_copy(update={"needs": ["no-such-program"]})
     assert absence(lame) == "no-such-program is not installed"
 
@@ -123,7 +123,7 @@ def test_a_root_that_is_no_folder_is_refused(text: str, monkeypatch: pytest.Monk
         chosen()
 
 
-def test_a_scene_is_brought_once_and_the_same_each_time(package: Slot, tmp_path: Path) -> None:
+def test_a_scene_is_brought_once_and_the_same_each_time(package: SceneSlot, tmp_path: Path) -> None:
     spec, packs = BroughtSpec(package), tmp_path / "packs"
     pack = spec.bring(packs)
     assert (pack.pack_id, pack.license, pack.ai_use) == ("open-hall", "CC0-1.0", "allowed")

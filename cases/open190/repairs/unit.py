@@ -17,6 +17,7 @@ from typing import Any, Final
 from c4s.errors import BadInput
 from c4s.evidence import Tracer
 from c4s.files import digest, read_json, write_json
+from c4s.folders import remove_tree
 from c4s.packs.store import PackStore
 from c4s.records.level import Level, Vector
 from c4s.records.pack import MANIFEST, Pack
@@ -60,9 +61,15 @@ DRAWING_VERSION: Final = 2
 """Part of a unit's digest: raise it when the same plan is drawn into other repairs."""
 DRAFTS, ROUNDS = 400, 24
 """Draws for one repair before a round gives up on it, and rounds; in each round every repair is drawn once."""
+ORIGINALS: Final = 6
+"""Where all rounds find nothing, the scene is left as people leave it in another way; so often at the most."""
 FEWEST_VIEWS: Final = 6
 """Views that no other repair of the unit has are enough for one; where there are fewer, all are."""
 Progress = Callable[[str], None]
+
+
+class _NothingFound(BadInput):
+    """A repair cannot be made in an original."""
 
 
 @dataclass(frozen=True)
@@ -110,8 +117,20 @@ class UnitBuilder:
             update={"package": truth_package(self.scene_id)}
         )
         self.progress(f"{self.name}: an original of {len(authored.actors)} actors")
+        for number in range(1, ORIGINALS):
+            drawn = self.scene_id if number == 1 else f"{self.scene_id}|{number}"
+            try:
+                return self._of_original(authored, drawn, out)
+            except _NothingFound as error:
+                self.progress(f"{self.name}: {error.what}; another original")
+                remove_tree(out, inside=out.parent)
+                out.mkdir()
+        return self._of_original(authored, f"{self.scene_id}|{ORIGINALS}", out)
+
+    def _of_original(self, authored: Level, drawn: str, out: Path) -> dict[str, Any]:
+        """Write the unit of one way to leave the scene; ``drawn`` names the draws that leave it so."""
         parted = self.place.parted if isinstance(self.place, BroughtPlace) else NOT_PARTED
-        disturbed = lived_in(authored, self.boxes, self.veil.chance(self.scene_id), parted=parted)
+        disturbed = lived_in(authored, self.boxes, self.veil.chance(drawn), parted=parted)
         with exports.bench(self.folders) as self._bench:
             original = settled(authored, disturbed, self._bench.snapshot)
             snapshot = self._bench.snapshot(original)
@@ -151,7 +170,7 @@ class UnitBuilder:
         else:
             left = [one for one in self.wanted if one.case_id not in seen]
             told = ", ".join(f"{reason} ({count})" for reason, count in self.refused.most_common(3))
-            raise BadInput(
+            raise _NothingFound(
                 f"no good repair found for {len(left)} of {len(self.wanted)}: {told}",
                 where=", ".join(f"{one.case_id} {one.group} {one.chain} {one.tier}" for one in left),
             )
