@@ -40,6 +40,11 @@ DIGITS = 3
 """Decimals of every place, angle and scale of a scene, and of all that a recipe writes."""
 
 
+Parted = Mapping[str, Sequence[tuple[Array, Array]]]
+"""World boxes of the parts of things that are too large and hollow for one, by the name of the actor."""
+NOT_PARTED: Parted = {}
+
+
 @dataclass
 class StandingBoxes:
     """World boxes of a level's actors, a row an actor; NaN where it shows no mesh."""
@@ -48,9 +53,14 @@ class StandingBoxes:
     high: Array
 
     @classmethod
-    def of(cls, actors: Sequence[LevelActor], boxes: Boxes) -> StandingBoxes:
-        """The boxes of some actors in their order."""
-        rows = [world_box(actor, actor.transform, boxes) for actor in actors]
+    def of(cls, actors: Sequence[LevelActor], boxes: Boxes, parted: Parted = NOT_PARTED) -> StandingBoxes:
+        """The boxes of some actors in their order; behind them those of the parts of what is ``parted``, whose own
+        rows are NaN: a room's walls are one thing, and what stands in the room does not meet them."""
+        rows = [
+            (np.full(3, np.nan),) * 2 if actor.name in parted else world_box(actor, actor.transform, boxes)
+            for actor in actors
+        ]
+        rows += [box for name in sorted(parted) for box in parted[name]]
         return cls(np.array([low for low, _ in rows]), np.array([high for _, high in rows]))
 
     def beside(self, row: int, low: Array, high: Array, air_cm: float) -> Array:
@@ -94,7 +104,12 @@ NO_PLANS = Plans({}, ())
 
 
 def lived_in(
-    level: Level, boxes: Boxes, chance: random.Random, plans: Plans = NO_PLANS, only: Collection[str] | None = None
+    level: Level,
+    boxes: Boxes,
+    chance: random.Random,
+    plans: Plans = NO_PLANS,
+    only: Collection[str] | None = None,
+    parted: Parted = NOT_PARTED,
 ) -> Level:
     """The level with things askew, uneven and mirrored; the same chance, the same level.
 
@@ -104,10 +119,11 @@ def lived_in(
         chance: where it is drawn from.
         plans: what recipes have in mind.
         only: stable ids of the things that may be disturbed; all when left out.
+        parted: boxes of the parts of what is hollow.
     """
     parents = {actor.parent for actor in level.actors}
     actors = [_rounded(actor) for actor in level.actors]
-    placed = StandingBoxes.of(actors, boxes)
+    placed = StandingBoxes.of(actors, boxes, parted)
     for row, actor in enumerate(actors):
         simple = actor.class_path == STATIC_MESH_ACTOR and len(actor.components) == 1
         own = id_of(actor) or ""

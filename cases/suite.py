@@ -57,7 +57,8 @@ from cases.veil import Veil
 from cases.views import changed
 
 SPARE = 1.5
-"""Where only so many repairs are kept, pictures are taken of this many times as many: some show too little."""
+"""Where only so many repairs are kept, pictures are taken of this many times as many: some show too little.
+Where too few of those can be used, the next ones are looked at."""
 SCENES_AT_ONCE = 2
 """An engine starts and writes its files on one processor; meanwhile that of another scene renders on the others."""
 Progress = Callable[[str], None]
@@ -158,15 +159,28 @@ class _Builder:
         corrupted: dict[str, Level] = {}
         if repairs:
             truth, corrupted = self._damaged(scene, truth, repairs, assets)
-        if self.definition.most is not None:
-            corrupted = self._sifted(repairs, truth, corrupted, folders, boxes_of(assets.values()))
-            repairs = [case for case in repairs if case.case_id in corrupted]
-            cases = [case for case in cases if isinstance(case, TextCase) or case.case_id in corrupted]
-            if not cases:
-                return
-        views = {case.case_id: list(case.views) for case in repairs}
+        if self.definition.most is None:
+            self._write(scene, truth, cases, corrupted)
+            return
+        texts = [case for case in cases if isinstance(case, TextCase)]
+        if texts:
+            self._write(scene, truth, texts, {})
+        while corrupted and self.taken[scene.scene_id] < self.definition.most:
+            good = self._sifted(repairs, truth, corrupted, folders, boxes_of(assets.values()), self.definition.most)
+            if good:
+                chosen = [case for case in repairs if case.case_id in good]
+                self._write(scene, truth, chosen, {case_id: corrupted[case_id] for case_id in good})
+            looked_at = {*good, *(one.case_id for one in self.refused)}
+            corrupted = {case_id: level for case_id, level in corrupted.items() if case_id not in looked_at}
+
+    def _write(
+        self, scene: SourceScene, truth: Level, cases: Sequence[RepairCase | TextCase], corrupted: dict[str, Level]
+    ) -> None:
+        """Take the pictures of cases of a scene, and write those that can be used."""
+        folders = [self.packs_root / pack_id for pack_id in scene.packs]
+        views = {case.case_id: list(case.views) for case in cases if isinstance(case, RepairCase)}
         with tempfile.TemporaryDirectory(dir=self.folder.root.parent) as scratch:
-            known = boxes_of(assets.values())
+            known = boxes_of(self.writer.assets(scene).values())
             told = {case_id: changed(truth, level, known) for case_id, level in corrupted.items()}
             exported = exports.scene(folders, truth, corrupted, views, told, Path(scratch), self.progress)
             for case in cases:
@@ -224,19 +238,20 @@ class _Builder:
         corrupted: dict[str, Level],
         folders: list[Path],
         boxes: Boxes,
-    ) -> dict[str, Level]:
-        """The corrupted levels of the first good cases, as many as are wanted."""
-        settings = {case.case_id: case.setting for case in repairs}
+        wanted: int,
+    ) -> list[str]:
+        """Ids of the first good cases: as many as are still wanted, and some to spare."""
+        settings, scene_id = {case.case_id: case.setting for case in repairs}, repairs[0].scene_id
         with closing(exports.snapshots(folders, {"": truth, **corrupted})) as exported:
             original = next(exported)[1]
             candidates = (
                 MadeCase(case_id, settings[case_id], corrupted[case_id], snapshot, original)
                 for case_id, snapshot in exported
             )
-            most = math.ceil(SPARE * (self.definition.most or len(repairs)))
+            most = math.ceil(SPARE * (wanted - self.taken[scene_id]))
             good, refused = sifted(candidates, boxes, PackStore(folders), most, self.progress)
         self.refused += refused
-        return {case_id: corrupted[case_id] for case_id in good}
+        return good
 
     def _taken(
         self, case: RepairCase, scene: SourceScene, truth: Level, corrupted: Level, exported: exports.Exported

@@ -49,7 +49,10 @@ SECTIONS: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
         "Coming from",
         ("docs/from-inspect.md", "docs/from-harbor.md", "docs/from-published-scorer.md", "docs/published-scorer.md"),
     ),
-    ("Reference", ("reference/commands.md", "docs/tools.md", "docs/warehouse.md", "reference/formats.md")),
+    (
+        "Reference",
+        ("reference/commands.md", "docs/tools.md", "docs/warehouse.md", "reference/formats.md", "docs/versions.md"),
+    ),
     ("How it is built", ("docs/design.md", "CONTRIBUTING.md")),
 )
 """Titles, and for each page its Markdown by its path in the checkout; ``reference/`` is made from the code. The

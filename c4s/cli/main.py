@@ -41,7 +41,7 @@ class _C4S(LazyGroup):
         "export": ("c4s.cli.exports:app", "What runs hold, in formats that other programs read."),
         "suite": ("c4s.cli.suite:app", "Suites: build, list, show, check, import."),
         "catalog": ("c4s.cli.catalog:app", "Asset packs: build, list, show, search."),
-        "verify": ("c4s.cli.verify:app", "Verify saved scenes: repair, physics, support."),
+        "verify": ("c4s.cli.verify:app", "Verify saved scenes: repair, physics, support, navigation."),
         "score": (
             "c4s.cli.score:score",
             "What another policy would change in a run (stored files stay as they are), or scores of a batch of rows.",

@@ -333,7 +333,10 @@ def make_cases(
     if refused:
         say(f"refused {len(refused)} others: {summed(refused)}; for one, {refused[0].case_id}: {refused[0].reason}")
     if len(suite.cases) < count:
-        say(f"{len(suite.cases)} of the {count} cases that were asked for: give another --seed or fewer --changes")
+        say(
+            f"{len(suite.cases)} of the {count} cases that were asked for, of {len(definition.cases)} that were tried: "
+            "give another --seed or fewer --changes"
+        )
 
 
 def _is_file(name: str) -> bool:

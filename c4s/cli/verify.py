@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from c4s.cli.batches import write_rows
-from c4s.cli.output import print_json, print_table, say
+from c4s.cli.output import check_new_file, print_json, print_table, say
 from c4s.errors import BadInput, MachineryFault, unknown
+from c4s.files import read_json, write_json
+from c4s.folders import check_out
 from c4s.numbers import half_up
 from c4s.protocol.settings import SETTINGS, TEXT_TO_SCENE
+from c4s.records.navigation import NavigationEvidence
 from c4s.records.snapshot import read_snapshot
 from c4s.records.verdict import Verdict
 
-app = typer.Typer(help="Verify saved scenes: repair, physics, support.", no_args_is_help=True)
+app = typer.Typer(help="Verify saved scenes: repair, physics, support, navigation.", no_args_is_help=True)
 Batch = Annotated[Path | None, typer.Option("--batch", help="JSON lines (optionally gzip), one row each")]
 Json = Annotated[bool, typer.Option("--json", help="the whole verdict as JSON")]
 
@@ -88,3 +92,36 @@ def support(batch: Annotated[Path, typer.Option("--batch", help="JSON lines (opt
     from c4s.verify.physics.batch import support_rows
 
     write_rows(batch, support_rows)
+
+
+@app.command()
+def navigation(
+    snapshot: Annotated[Path, typer.Option(help="snapshot of the saved scene")],
+    evidence: Annotated[
+        Path | None,
+        typer.Option(help="navigation.json of a trial, or what measure_reachability.py wrote; default: measured now"),
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="file to write, in the format of measure_reachability.py")] = None,
+    replace: Annotated[bool, typer.Option("--replace", help="overwrite a file of this name")] = False,
+    json_output: Json = False,
+) -> None:
+    """Embodied utility of a saved scene, by its own bodies or by a measurement of it."""
+    from c4s.navigation import measure_snapshot, published_output, read_published
+    from c4s.verify.navigation.verdict import verify_navigation
+
+    if out is not None:
+        check_new_file(out)
+        check_out(out, replace=replace, magic=b"{")
+    scene = read_snapshot(snapshot)
+    if evidence is None:
+        measured = measure_snapshot(scene)
+    else:
+        given = read_json(evidence, what="measurement", plain=True)
+        published = isinstance(given, Mapping) and "measurement_type" in given
+        where = str(evidence)
+        measured = (
+            read_published(given, scene, where=where) if published else NavigationEvidence.parse(given, where=where)
+        )
+    if out is not None:
+        write_json(out, published_output(measured, scene))
+    _print(verify_navigation(measured, scene), json_output)

@@ -252,13 +252,16 @@ def _opened(name: str) -> SuiteFolder:
 
 def stats(name: Built, json_output: Json = False) -> None:
     """A suite in numbers: cases, scenes, actors, palettes, requirements, operations, difficulty, visible pixels."""
-    from cases.workshop.statistics import statistics
+    from cases.workshop.statistics import held_slots, statistics
 
-    rows = statistics(SuiteFolder(built_suite(name)))
+    suite = SuiteFolder(built_suite(name))
+    rows, slots = statistics(suite), held_slots(suite)
     if json_output:
-        print_json({"suite": name, "settings": [asdict(row) for row in rows]})
+        print_json({"suite": name, "settings": [asdict(row) for row in rows], "slots": slots})
         return
     print_table(["", *(row.setting for row in rows)], _told(rows), title=f"{name} in numbers")
+    for scene, held in slots.items():
+        say(f"slot {scene}: {held}")
 
 
 def _told(rows: Sequence[SettingStatistics]) -> list[list[Any]]:

@@ -16,16 +16,6 @@ from typing import Any
 import unreal
 
 Point = Sequence[float]
-PROPERTIES = {
-    "radius_cm": "agent_radius",
-    "height_cm": "agent_height",
-    "slope_deg": "agent_max_slope",
-    "step_cm": "agent_max_step_height",
-    "min_region_area": "min_region_area",
-    "cell_cm": "cell_size",
-    "cell_height_cm": "cell_height",
-}
-"""Our settings, and the editor property of the mesh that holds each."""
 POLL_S = 0.25
 PROBES = 64
 """Points that are projected twice, to see whether a build has come to an end."""
@@ -40,7 +30,8 @@ _SKIN_CM = 1.0
 def build_mesh(settings: Mapping[str, float], low: Point, high: Point, settle_s: float) -> dict[str, Any]:
     """Build the mesh within a box: ``{"settled", "reason", "kept", "refused"}``.
 
-    ``kept`` are the settings as the mesh tells them after the build, ``refused`` those that it would not take.
+    Settings go by the mesh's editor properties. ``kept`` are those that it tells after the build, ``refused`` those
+    that it would not take.
     """
     world = _world()
     volume = _volume(low, high)
@@ -52,7 +43,7 @@ def build_mesh(settings: Mapping[str, float], low: Point, high: Point, settle_s:
         data = _data()
     if data is None:
         return {"settled": False, "reason": "the level has no RecastNavMesh", "kept": {}, "refused": sorted(settings)}
-    refused = sorted(name for name, value in settings.items() if not _written(data, PROPERTIES[name], value))
+    refused = sorted(name for name, value in settings.items() if not _written(data, name, value))
     _rebuild(world)
     settled = _settled(world, low, high, settle_s)
     reason = "" if settled else f"it did not settle in {settle_s:.0f} s"
@@ -100,7 +91,7 @@ def _kept(data: Any, settings: Mapping[str, float]) -> dict[str, float]:
     kept = {}
     for name in settings:
         try:
-            kept[name] = float(data.get_editor_property(PROPERTIES[name]))
+            kept[name] = float(data.get_editor_property(name))
         except Exception:  # a property that this engine does not tell
             continue
     return kept

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from c4s.collision import scene_bodies
 from c4s.engine import Engine
 from c4s.engine.answers import ask
-from c4s.navigation import NavigationSettings, NotBuilt, measure
+from c4s.navigation import NavigationSettings, NotBuilt, measure, settings_told
 from c4s.navigation.solids import navigation_bounds
 from c4s.protocol.navigation import PHASE_CM, SETTLE_LIMIT_S, SPEED_CM_S, STALL_S, STALLS
 from c4s.records.navigation import NavigationEvidence
@@ -90,12 +90,12 @@ class EditorNavigation:
             self._engine,
             "navigation.build_mesh",
             timeout_s=_TIMEOUT_S,
-            settings=self._settings.plain(),
+            settings=self._settings.properties(),
             low=_row(low),
             high=_row(high),
             settle_s=SETTLE_LIMIT_S,
         )
-        self._kept = dict(told["kept"])
+        self._kept = settings_told(told["kept"])
         if not told["settled"]:
             raise NotBuilt("not_settled", str(told["reason"]))
         return EditorMesh(self._engine, low, high)

@@ -10,7 +10,8 @@ from c4s.navigation.measuring import (
     measure_snapshot,
 )
 from c4s.navigation.mesh import NavigationMesh, SpaceMesh
-from c4s.navigation.settings import NavigationSettings
+from c4s.navigation.published import published_output, read_published
+from c4s.navigation.settings import NavigationSettings, settings_told
 from c4s.navigation.space import SpaceTooLarge, WalkableSpace, build_space, warm
 from c4s.navigation.walker import judge_walk
 
@@ -30,8 +31,11 @@ __all__ = [
     "judge_walk",
     "measure",
     "measure_snapshot",
+    "published_output",
+    "read_published",
     "rectangles",
     "selection",
+    "settings_told",
     "solids",
     "space",
     "walker",

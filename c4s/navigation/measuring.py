@@ -39,6 +39,7 @@ from c4s.records.navigation import (
     NavigationEvidence,
     NavigationFloors,
     NavigationMap,
+    PlaceRecord,
     TargetRecord,
     Triple,
     WalkRecord,
@@ -136,7 +137,7 @@ def measure(
         "engine_version": str(own.get("engine_version") or ""),
         "made_by": made_by,
         "asked": settings.plain(),
-        "targets": [_target_record(target) for target in targets],
+        "targets": target_records(targets),
         "unknown": {names[index]: reason for index, reason in scene.unresolved.items()},
     }
     builds: list[Falls] = []
@@ -165,6 +166,7 @@ def measure(
         ground_cm=chosen.ground_cm,
         anchor_cm=None if chosen.anchor is None else _triple(chosen.anchor),
         small=chosen.small,
+        places=[_place(last, projection) for projection in last.projections],
         walks=walks,
         map=_map(last),
         floors=_floors(last),
@@ -228,6 +230,12 @@ def _fall(projection: Projection, linked: Mapping[int, bool]) -> Fall:
     return "unreached" if projection.level == "none" else projection.level
 
 
+def _place(last: Falls, projection: Projection) -> PlaceRecord | None:
+    if projection.level != "storey":
+        return None
+    return PlaceRecord(point_cm=_triple(last.cells[projection.cell]), sample=projection.sample)
+
+
 def _reached(wanted: Sequence[WalkTarget], last: Falls) -> list[tuple[str, Array]]:
     """Approachable targets by name, with the cell of each."""
     return [
@@ -256,6 +264,11 @@ def _map(last: Falls) -> NavigationMap | None:
 
 def _floors(last: Falls) -> NavigationFloors | None:
     return floors_of(last.mesh.space, last.main) if isinstance(last.mesh, SpaceMesh) else None
+
+
+def target_records(targets: Sequence[WalkTarget]) -> list[TargetRecord]:
+    """Targets as evidence tells them."""
+    return [_target_record(target) for target in targets]
 
 
 def _target_record(target: WalkTarget) -> TargetRecord:

@@ -3,9 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from typing import Any, Final
 
 from c4s.protocol import navigation as rules
+
+PROPERTIES: Final = {
+    "radius_cm": "agent_radius",
+    "height_cm": "agent_height",
+    "slope_deg": "agent_max_slope",
+    "step_cm": "agent_max_step_height",
+    "min_region_area": "min_region_area",
+    "cell_cm": "cell_size",
+    "cell_height_cm": "cell_height",
+}
+"""The editor property of a ``RecastNavMesh`` that holds each setting."""
 
 
 @dataclass(frozen=True)
@@ -44,3 +57,13 @@ class NavigationSettings:
     def plain(self) -> dict[str, float]:
         """As a record keeps it."""
         return asdict(self)
+
+    def properties(self) -> dict[str, float]:
+        """As the editor properties of a ``RecastNavMesh``."""
+        return {PROPERTIES[name]: value for name, value in self.plain().items()}
+
+
+def settings_told(properties: Mapping[str, Any]) -> dict[str, float]:
+    """The settings that the editor properties of a ``RecastNavMesh`` tell."""
+    told = {name: properties.get(own) for name, own in PROPERTIES.items()}
+    return {name: float(value) for name, value in told.items() if isinstance(value, int | float)}

@@ -21,6 +21,7 @@ __all__ = [
     "judgement",
     "lease",
     "level",
+    "migration",
     "navigation",
     "pack",
     "plan",

@@ -62,9 +62,15 @@ class EvidenceFolder:
         """SHA-256 of each file that a stage made, by its relative name."""
         return self.root / "digests" / f"{maker}.json"
 
+    @property
+    def early_digests(self) -> Path:
+        """The one list of all files that c4s wrote before each stage had its own."""
+        return self.root / "digests.json"
+
     def listings(self) -> list[Path]:
         """The lists of digests that are there."""
-        return sorted((self.root / "digests").glob("*.json"))
+        found = sorted((self.root / "digests").glob("*.json"))
+        return found or [path for path in (self.early_digests,) if path.is_file()]
 
 
 class AttemptFolder:

@@ -11,7 +11,7 @@ from typing import Annotated, Final, Literal, Self
 
 from pydantic import Field, model_validator
 
-from c4s.protocol.navigation import Withheld
+from c4s.protocol.navigation import SAMPLES, Withheld
 from c4s.records.base import Record
 
 Triple = tuple[float, float, float]
@@ -61,6 +61,15 @@ class BuildRecord(Record):
     """A letter a target, in their order: see ``LETTERS``."""
     area_m2: float | None = None
     """Of the mesh, where that is known."""
+
+
+class PlaceRecord(Record):
+    """Where the footprint of a target falls."""
+
+    point_cm: Triple
+    """On the mesh, on the target's own storey."""
+    sample: int = Field(ge=0, lt=len(SAMPLES))
+    """Which of the footprint's nine samples fell there."""
 
 
 class WalkRecord(Record):
@@ -141,8 +150,9 @@ class NavigationEvidence(Record):
     schema_version: Literal["c4s.navigation.v1"] = "c4s.navigation.v1"
     engine: str
     engine_version: str = ""
-    made_by: Literal["walkable_space", "engine_mesh"]
-    """Our voxels over the snapshot's collision bodies, or the engine's own navigation mesh."""
+    made_by: Literal["walkable_space", "engine_mesh", "published_probe"]
+    """Our voxels over the snapshot's collision bodies, the engine's own navigation mesh, or the benchmark's own probe,
+    which builds once and lets nothing walk."""
     fault: Withheld | None = None
     """Why nothing could be measured."""
     detail: str = ""
@@ -161,6 +171,8 @@ class NavigationEvidence(Record):
     targets: list[TargetRecord] = Field(default_factory=list)
     """All actors."""
     builds: list[BuildRecord] = Field(default_factory=list)
+    places: list[PlaceRecord | None] = Field(default_factory=list)
+    """Of each target of the last build, None where its footprint falls on no place; empty where that is not told."""
     walks: list[WalkRecord] = Field(default_factory=list)
     map: NavigationMap | None = None
     floors: NavigationFloors | None = None
@@ -173,4 +185,6 @@ class NavigationEvidence(Record):
         pool = sum(not target.left for target in self.targets)
         if any(build.settled and len(build.falls) != pool for build in self.builds):
             raise ValueError("a build tells of each target where it falls")
+        if self.places and len(self.places) != pool:
+            raise ValueError("places are told of each target, or of none")
         return self

@@ -46,7 +46,8 @@ def noted_digests(folder: EvidenceFolder) -> Listing:
     noted: Listing = {}
     for path in folder.listings():
         made = read_written_json(path, what="list of digests", todo=_REMEDY)
-        if path.stem not in get_args(Maker) or noted.keys() & made.keys():
+        made_by_stage = path != folder.early_digests
+        if (made_by_stage and path.stem not in get_args(Maker)) or noted.keys() & made.keys():
             refuse([Change(path, "extra")], todo=_REMEDY)
         noted |= made
     return noted

@@ -30,7 +30,7 @@ VOCABULARY = (buildings, furniture, goods, nature, outdoors, rooms, small, vehic
 TOP_CM = 4.5
 """The support rule of text-to-scene knows only the top of a whole thing, and nothing that is further above."""
 SEABED_CM = 0.6
-"""Water carries nothing, so boats of source scenes lie on solid ground that far below its surface."""
+"""Water carries nothing, so boats lie on solid ground that far below its surface: sand, or the plate of a text."""
 GAP_CM = 0.2
 """Air under what stands on something: rounding never makes it sink."""
 Assets = str | Sequence[str]
@@ -463,10 +463,12 @@ class StagedPlace(Stage):
         tile: float = 1000.0,
         z: float = 0.0,
     ) -> None:
-        """Cover a rectangle with tiles of about ``tile`` cm; their upper faces lie at ``z``."""
+        """Cover a rectangle with tiles of about ``tile`` cm; their upper faces lie at ``z``, water's above a plate."""
         x0, y0, x1, y1 = box
         asset = self.one(family, side=tile) if family == "water" else self.one(family, of=of, side=tile)
-        if family == "water" and not self.tops_only:
+        if family == "water" and self.tops_only:
+            z += SEABED_CM
+        elif family == "water":
             self.ground(box, "Sand", tile=tile, z=z - SEABED_CM)
         columns, lines = max(1, round((x1 - x0) / tile)), max(1, round((y1 - y0) / tile))
         sx, sy = (x1 - x0) / columns / tile, (y1 - y0) / lines / tile

@@ -26,14 +26,16 @@ from c4s.records.suite import SELECTION, SUITE, PackRef, Suite, SuiteFolder, Vis
 from cases.definition import BUILDER_VERSION
 from cases.losses import told, truth_losses
 from cases.model import SuiteDefinition
+from cases.open190.brought import AnyPlace, BroughtPlace
 from cases.open190.build import source_scene, sources
 from cases.open190.layout import StagedPlace
-from cases.open190.library import SCENES
 from cases.open190.prompts import text_case
 from cases.open190.repairs.plan import NESTED, PUBLIC_SEED, Environment, WantedRepair, planned, planned_texts
 from cases.open190.repairs.unit import DRAWING_VERSION, UNIT, UnitBuilder
 from cases.open190.scenes import SceneSpec
 from cases.open190.secret import private_seed
+from cases.open190.slots import AnySpec, BroughtSpec, chosen, held
+from cases.open190.slots import told as slots_told
 from cases.open190.words import WORDS
 from cases.settle import to_build
 from cases.sharing import link_tree
@@ -55,7 +57,7 @@ Done = Callable[[int, int], None]
 class UnitPlan:
     """A unit before it is built."""
 
-    spec: SceneSpec
+    spec: AnySpec
     visibility: Visibility
     seed: str
     wanted: tuple[WantedRepair, ...] = ()
@@ -71,10 +73,11 @@ class UnitPlan:
 
 def unit_plans(private: str | None, scenes: Collection[str] = ()) -> list[UnitPlan]:
     """The units of the suite, or of some of its scenes; those of the private half where its seed is given."""
+    specs = chosen()
     rooms: dict[Environment, list[str]] = {
-        kind: [name for name, spec in SCENES.items() if spec.kind == kind] for kind in ("indoor", "outdoor")
+        kind: [name for name, spec in specs.items() if spec.kind == kind] for kind in ("indoor", "outdoor")
     }
-    texts = [name for name, spec in SCENES.items() if spec.kind == "text"]
+    texts = [name for name, spec in specs.items() if spec.kind == "text"]
     plans = []
     halves: list[tuple[Visibility, str]] = [("public", PUBLIC_SEED)]
     if private is not None:
@@ -83,9 +86,9 @@ def unit_plans(private: str | None, scenes: Collection[str] = ()) -> list[UnitPl
         repairs = planned(rooms, visibility, seed)
         for name in [*rooms["indoor"], *rooms["outdoor"]]:
             mine = tuple(one for one in repairs if one.scene_id == name)
-            plans.append(UnitPlan(SCENES[name], visibility, seed, mine))
+            plans.append(UnitPlan(specs[name], visibility, seed, mine))
         plans += [
-            UnitPlan(SCENES[name], visibility, seed, nested=nested)
+            UnitPlan(specs[name], visibility, seed, nested=nested)
             for name, (half, nested) in planned_texts(texts).items()
             if half == visibility
         ]
@@ -99,19 +102,38 @@ class _Places:
         self._packs, self._progress, self._replace = packs, progress, replace
         self._sources = sources()
         self._laid: dict[str, StagedPlace] = {}
+        self._brought: dict[str, BroughtPlace] = {}
 
     def of(self, spec: SceneSpec) -> StagedPlace:
-        """The place of a scene."""
+        """The place of a scene that is laid out."""
         if spec.scene_id not in self._laid:
             self._laid[spec.scene_id] = spec.place()
         return self._laid[spec.scene_id]
 
-    def forget(self, spec: SceneSpec) -> None:
+    def brought(self, spec: BroughtSpec) -> BroughtPlace:
+        """The place of a scene that was imported."""
+        if spec.scene_id not in self._brought:
+            self._brought[spec.scene_id] = spec.place(self._packs)
+        return self._brought[spec.scene_id]
+
+    def any(self, spec: AnySpec) -> AnyPlace:
+        """The place of a scene."""
+        return self.brought(spec) if isinstance(spec, BroughtSpec) else self.of(spec)
+
+    def forget(self, spec: AnySpec) -> None:
         """It is needed no more."""
         self._laid.pop(spec.scene_id, None)
+        self._brought.pop(spec.scene_id, None)
 
-    def pack(self, spec: SceneSpec) -> Pack:
+    def sources(self, spec: AnySpec) -> str:
+        """Digest of all that decides what a scene is."""
+        return spec.sources() if isinstance(spec, BroughtSpec) else self._sources
+
+    def pack(self, spec: AnySpec) -> Pack:
         """The pack of a scene, built unless these sources built the one that is there."""
+        if isinstance(spec, BroughtSpec):
+            self._progress(f"pack open-{spec.scene_id}: {spec.slot.package} {spec.slot.version}")
+            return spec.bring(self._packs, replace=self._replace)
         folder = self._packs / f"open-{spec.scene_id}"
         stamp = folder / PACK_STAMP
         ours = (folder / MANIFEST).is_file() and stamp.is_file() and read_json(stamp).get("sources") == self._sources
@@ -167,12 +189,12 @@ def _unit(plan: UnitPlan, places: _Places, packs: Path, progress: Progress) -> P
     pack = places.pack(plan.spec)
     dealt = [digest(plan.seed), [asdict(one) for one in plan.wanted]]
     made_by = [DRAWING_VERSION, BUILDER_VERSION]
-    quick = digest([made_by, sources(), pack.sha256(), dealt, _said(plan)])
+    quick = digest([made_by, places.sources(plan.spec), pack.sha256(), dealt, _said(plan)])
     noted = read_json(out / UNIT) if (out / UNIT).is_file() else {}
     if noted.get("quick") == quick:
         return out
-    place = places.of(plan.spec)
-    whole = digest([made_by, place.level().plain(), _relations(place), pack.sha256(), dealt, _texts(plan, place)])
+    place = places.any(plan.spec)
+    whole = digest([made_by, place.level().plain(), _relations(place), pack.sha256(), dealt, _texts(plan, places)])
     if noted.get("whole") == whole:
         write_json(out / UNIT, {**noted, "quick": quick})
         return out
@@ -183,7 +205,7 @@ def _unit(plan: UnitPlan, places: _Places, packs: Path, progress: Progress) -> P
             made = UnitBuilder(place, plan.spec.title, plan.wanted, plan.seed, packs, progress).build(folder)
         else:
             progress(f"{plan.name}: a text")
-            made = _text(plan, place, folder, packs, progress)
+            made = _text(plan, places, folder, packs, progress)
         write_json(folder / UNIT, {**made, "quick": quick, "whole": whole})
         put_folder(folder, out, marker=UNIT)
     return out
@@ -195,16 +217,18 @@ def _said(plan: UnitPlan) -> str:
     return "" if plan.wanted else digest([own, WORDS.get(plan.spec.scene_id, "")])
 
 
-def _relations(place: StagedPlace) -> list[list[str]]:
+def _relations(place: AnyPlace) -> list[list[str]]:
     return [[one.kind, one.subject, one.reference] for one in place.relations]
 
 
-def _texts(plan: UnitPlan, place: StagedPlace) -> str:
-    return "" if plan.wanted else repr(text_case(plan.spec, place))
+def _texts(plan: UnitPlan, places: _Places) -> str:
+    return "" if isinstance(plan.spec, BroughtSpec) or plan.wanted else repr(text_case(plan.spec, places.of(plan.spec)))
 
 
-def _text(plan: UnitPlan, place: StagedPlace, out: Path, packs: Path, progress: Progress) -> dict[str, Any]:
+def _text(plan: UnitPlan, places: _Places, out: Path, packs: Path, progress: Progress) -> dict[str, Any]:
     """Build the case of a text into ``out``."""
+    assert isinstance(plan.spec, SceneSpec)
+    place = places.of(plan.spec)
     case = replace(text_case(plan.spec, place), visibility=plan.visibility)
     scene = source_scene(plan.spec, place)
     definition = SuiteDefinition(SUITE_ID, TITLE, DESCRIPTION, scene.packs, (scene,), (case,))
@@ -236,6 +260,8 @@ def build_open190(
         MachineryFault: the engine failed.
     """
     plans = unit_plans(private_seed(), scenes)
+    for scene_id, line in slots_told().items():
+        progress(f"slot {scene_id}: {line}")
     units = build_units(plans, packs, progress, done, replace=replace)
     notes = [read_json(unit / UNIT) for unit in units]
     wanted = digest([[unit.name, note["whole"]] for unit, note in zip(units, notes, strict=True)])
@@ -252,18 +278,27 @@ def build_open190(
             sighted |= read_json(SuiteFolder(unit).sightings)
         names = sorted({f"open-{plan.spec.scene_id}" for plan in plans})
         references = [PackRef(pack_id=name, digest=Pack.read(packs / name / MANIFEST).sha256()) for name in names]
-        suite = folder.freeze(SUITE_ID, TITLE, DESCRIPTION, references)
+        suite = folder.freeze(SUITE_ID, TITLE, described([plan.spec for plan in plans]), references)
         losses = truth_losses(folder, packs, whole=sighted)
         for line in told(losses):
             progress(line)
         write_json(folder.root / STAMP, {"definition": wanted, "physics_of_truth": losses})
         write_json(folder.sightings, dict(sorted(sighted.items())))
-        _selection(suite, notes).write(folder.root / SELECTION)
+        _selection(suite, notes, held(plan.spec for plan in plans)).write(folder.root / SELECTION)
         put_folder(folder.root, root, marker=SUITE)
     return suite
 
 
-def _selection(suite: Suite, notes: Sequence[dict[str, Any]]) -> SelectionFile:
+def described(specs: Collection[AnySpec]) -> str:
+    """What the suite says of itself: which of its scenes people made, and where they come from."""
+    brought = {spec.scene_id: spec.slot for spec in specs if isinstance(spec, BroughtSpec)}
+    if not brought:
+        return DESCRIPTION
+    told = ", ".join(f"{name} from {slot.package} {slot.version}" for name, slot in brought.items())
+    return DESCRIPTION.replace("of 50 places made by kits", f"of places made by kits, and by people ({told})")
+
+
+def _selection(suite: Suite, notes: Sequence[dict[str, Any]], slots: dict[str, str]) -> SelectionFile:
     """Which cases are public, and the nested sets; chosen by the plan, so by no scores."""
     cases = {name: row for note in notes for name, row in note["cases"].items()}
     return SelectionFile(
@@ -276,6 +311,7 @@ def _selection(suite: Suite, notes: Sequence[dict[str, Any]]) -> SelectionFile:
             if (within := sorted(name for name, row in cases.items() if row["nested"] <= size))
         ],
         visibility={name: row["visibility"] for name, row in sorted(cases.items())},
+        slots=slots,
     )
 
 

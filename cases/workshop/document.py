@@ -203,6 +203,8 @@ class SelectionFile(Record):
     """Cases in no set, and what took their place."""
     visibility: dict[Name, Visibility]
     """Of each case that is not withdrawn."""
+    slots: dict[Name, str] = Field(default_factory=dict)
+    """Scenes of packages that may be installed or not: the package, or the scene that is in its place."""
 
 
 class SuiteFile(Record):

@@ -12,7 +12,8 @@ import numpy as np
 from c4s.files import read_json
 from c4s.protocol.settings import is_construction
 from c4s.records.level import Level
-from c4s.records.suite import AgentCase, SuiteFolder, WithheldCase
+from c4s.records.suite import SELECTION, AgentCase, SuiteFolder, WithheldCase
+from cases.workshop.document import SelectionFile
 
 GROUPS = ("Restore", "Lifecycle", "Layout", "Symmetry", "Transform")
 TIERS = ("easy", "medium", "hard")
@@ -62,6 +63,12 @@ def statistics(suite: SuiteFolder) -> list[SettingStatistics]:
         rows = found.setdefault(case.setting, [])
         rows.append((case.case_id, suite.agent_case(case.alias), suite.withheld_case(case.case_id)))
     return [_of(suite, setting, found[setting], seen) for setting in sorted(found, key=lambda name: name[0] != "t")]
+
+
+def held_slots(suite: SuiteFolder) -> dict[str, str]:
+    """What the slots of a suite hold, as its selection file tells: a package, or the scene in its place."""
+    place = suite.root / SELECTION
+    return SelectionFile.parse(read_json(place), where=str(place)).slots if place.is_file() else {}
 
 
 def _of(

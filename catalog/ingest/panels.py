@@ -29,9 +29,9 @@ def panels(piece: SurfacePiece) -> list[Points]:
     """Corners (cm) of the panels of a piece."""
     if len(piece.faces) > MOST_FACES:
         piece = _coarse(piece)
-    found: list[Points] = []
+    found, triangles = list[Points](), piece.triangles
     for rows, normal in _regions(piece):
-        found += _outlines(piece.triangles[rows], normal, piece.two_sided)
+        found += _outlines(triangles[rows], normal, piece.two_sided)
     return found
 
 

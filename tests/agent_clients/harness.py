@@ -1,4 +1,4 @@
-"""Runs a repair of the starter suite inside other programs that drive agents: Harbor, Inspect AI.
+"""Runs a repair of the starter suite inside other programs that drive agents: Harbor, Inspect AI, verifiers.
 
 ``python tests/agent_clients/harness.py [--install] [--case CASE] [HARNESS ...]`` prints a line a harness and agent,
 with the reward that arrived there (of a trajectory, its steps). ``--install`` installs each in an environment of its
@@ -19,6 +19,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 import harness_harbor
 import harness_inspect
+import harness_verifiers
 from harness_made import Made
 from matrix import built_suite
 
@@ -38,11 +39,20 @@ class Harness:
     run: Callable[[Path, str], list[Made]]
     files_of: str = ""
     """A package of which only files are needed, not what it depends on."""
+    beside: tuple[str, ...] = ()
+    """What else it needs in its environment."""
 
 
 HARNESSES = {
     "harbor": Harness("harbor", "harbor==0.24.0", ("python3.12", "python3.13"), harness_harbor.run),
     "inspect": Harness("inspect", "inspect-ai==0.3.285", (), harness_inspect.run, files_of="litellm"),
+    "verifiers": Harness(
+        "verifiers",
+        "verifiers==0.4.0",
+        ("python3.12", "python3.13"),
+        harness_verifiers.run,
+        beside=("uv", "setuptools>=80", "wheel"),
+    ),
 }
 
 
@@ -78,9 +88,8 @@ def _linked(source: str, target: str) -> str:
 
 def _installed(place: Path, harness: Harness) -> tuple[Path | None, str]:
     print(f"installing {harness.package}", flush=True)
-    pip = subprocess.run(
-        [str(place / "bin/python"), "-m", "pip", "install", "--quiet", harness.package], capture_output=True, text=True
-    )
+    install = [str(place / "bin/python"), "-m", "pip", "install", "--quiet", harness.package, *harness.beside]
+    pip = subprocess.run(install, capture_output=True, text=True)
     if not pip.returncode and harness.files_of:
         command = [str(place / "bin/python"), "-m", "pip", "install", "--quiet", "--no-deps", harness.files_of]
         pip = subprocess.run(command, capture_output=True, text=True)

@@ -9,7 +9,7 @@ import pytest
 
 from c4s.records.pack import Pack
 from c4s.verify.physics.verdict import verify_physics
-from cases.open190.layout import StagedPlace
+from cases.open190.layout import SEABED_CM, StagedPlace
 from cases.open190.library import SCENES
 from cases.open190.space import Solid, Space
 from cases.standing import snapshot_of, unsound
@@ -39,6 +39,14 @@ def test_a_scene_is_the_same_twice(scene_id: str) -> None:
     again = SCENES[scene_id].place()
     assert again.level() == laid(scene_id).level()
     assert list(again.assortment.things) == list(laid(scene_id).assortment.things)
+
+
+@pytest.mark.parametrize("scene_id", [SMALL_TEXT, "business-park"])
+def test_water_lies_above_the_plate(scene_id: str) -> None:
+    place = laid(scene_id)
+    heights = {item.z for item in place.items.values() if "Water" in item.label}
+    plate = {item.z for item in place.items.values() if item.thing.flat and "Water" not in item.label}
+    assert min(heights) >= SEABED_CM and 0.0 in plate
 
 
 def test_another_seed_makes_other_things() -> None:

@@ -16,6 +16,7 @@ from c4s.verify.physics.verdict import verify_physics
 from cases.audit import audit
 from cases.generate import generated, sound_things
 from cases.importers.importing import import_scene
+from cases.model import RepairCase
 from cases.stamp import refused_cases
 from cases.suite import build_suite
 
@@ -61,6 +62,26 @@ def test_what_is_kept_is_good_and_the_rest_is_told(yard: Path) -> None:
     refused = refused_cases(yard / "built")
     assert kept.isdisjoint(one.case_id for one in refused) and all(one.reason for one in refused)
     assert build_suite(made, yard / "built", packs, lambda line: None).sha256() == suite.sha256()
+
+
+def test_where_too_few_can_be_seen_the_next_ones_are_looked_at(yard: Path) -> None:
+    packs = yard / "packs"
+    report = import_scene(yard / "yard.csv", "hidden", suites=yard / "suites", packs=packs, ground=True)
+    level = Level.read(Path(report["level"]))
+    things = sound_things(level, [packs / "hidden"])
+    made = generated("hidden", level, things, packs, ["hidden"], count=1, changes=1, seed=1)
+    repairs = [case for case in made.cases if isinstance(case, RepairCase)]
+    sky = {"location_cm": (0.0, 0.0, 90_000.0), "target_cm": (0.0, 0.0, 99_000.0)}
+    blind = [
+        dataclasses.replace(case, views=[dataclasses.replace(view, **sky) for view in case.views])
+        for case in repairs[:-2]
+    ]
+    cases, lines = [*blind, *repairs[-2:]], list[str]()
+    suite = build_suite(dataclasses.replace(made, cases=cases), yard / "seen", packs, lines.append)
+    assert len(suite.cases) == 1
+    unseen = {one.case_id for one in refused_cases(yard / "seen") if one.kind == "seen"}
+    assert len(unseen) > 1 and suite.cases[0].case_id not in unseen
+    assert sum("of the original" in line for line in lines) > 1
 
 
 def test_a_scene_whose_truth_always_loses_makes_no_case(yard: Path) -> None:

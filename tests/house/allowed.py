@@ -23,6 +23,7 @@ VERIFIERS: dict[str, set[str]] = {
     "c4s/judge/model/judging.py": {"overview"},
     "c4s/judge/model/sights.py": {"overview"},
     "c4s/records/captures.py": {"overview"},
+    "c4s/records/migration.py": {"detailed", "overview", "physics"},
     "c4s/records/policy.py": {"overview"},
     "c4s/run/drive.py": {"integrity"},
     "c4s/run/limits.py": {"integrity"},
@@ -34,7 +35,7 @@ VERIFIERS: dict[str, set[str]] = {
     "flows/trial.py": {"integrity"},
 }
 """Not verifiers: the stage ``integrity``; a target's operation; keys of the published bundle, of a policy file, of a
-judgement and of the published rows; the purpose of a view."""
+judgement, of a score of 0.1.0 and of the published rows; the purpose of a view."""
 
 BACKENDS: dict[str, set[str]] = {
     "bench/attacks/trial.py": {"c4s.engine.headless.host.session"},

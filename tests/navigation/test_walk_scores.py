@@ -18,7 +18,7 @@ from c4s.records.verdict import Verdict
 from c4s.verify.navigation.verdict import verify_navigation
 from c4s.verify.navigation.verifier import NAVIGATION
 from c4s.verify.registry import weighed_of
-from tests.navigation.scenes import actor, crates, floor, scene
+from tests.navigation.scenes import RAMP, actor, crates, floor, scene
 
 WIDE = floor(6000, 6000)
 
@@ -244,6 +244,54 @@ def stuck_behind() -> list[dict[str, Any]]:
     """Half of the scene behind walls: an honest A of a half or so."""
     places = [(-250 + n % 5 * 100, n // 5 * 100) for n in range(15)]
     return [*pen(), *[actor(f"Far {n}", (x, y, 0), (x + 40, y + 40, 40)) for n, (x, y) in enumerate(places)]]
+
+
+def terrace() -> list[dict[str, Any]]:
+    """A block of 4 m with fifteen things on it, and twenty crates on the ground."""
+    places = [(700 + n % 5 * 300, -1000 + n // 5 * 300) for n in range(15)]
+    things = [actor(f"Up {n}", (x, y, 400), (x + 40, y + 40, 440)) for n, (x, y) in enumerate(places)]
+    return [
+        WIDE,
+        actor("Block", (500, -1500, 0), (2500, 1500, 400)),
+        *crates(20, y=2000, start=-2000, step=200),
+        *things,
+    ]
+
+
+def slope(degrees: float, **own: Any) -> dict[str, Any]:
+    """A slope that ends on the terrace."""
+    run = 400 / np.tan(np.radians(degrees))
+    return actor("Slope", (500 - run, -200, 0), (500, 200, 400), mesh=RAMP, **own)
+
+
+def sawtooth(rise: float, tread: float) -> list[dict[str, Any]]:
+    """A slope of steps that a body climbs one by one."""
+    count = int(400 / rise)
+    ahead = [500 - (count - 1 - n) * tread for n in range(count)]
+    return [actor(f"Tooth {n}", (x - tread, -200, 0), (500, 200, rise * (n + 1))) for n, x in enumerate(ahead)]
+
+
+@pytest.mark.parametrize(
+    ("way", "leads"),
+    [
+        ([slope(34)], True),
+        ([slope(36)], False),
+        ([slope(60)], False),
+        (sawtooth(33.3, 40), True),
+        (sawtooth(33.3, 10), False),
+        (sawtooth(10, 7), False),
+    ],
+)
+def test_a_slope_that_no_body_climbs_leads_nowhere(way: list[dict[str, Any]], leads: bool) -> None:
+    fallen = falls(measured(*terrace(), *way))
+    assert {fallen[f"Up {n}"] for n in range(15)} == {"connected" if leads else "unconnected"}
+
+
+def test_a_slope_that_no_picture_shows_is_told() -> None:
+    found = verdict(*terrace(), slope(30, hidden=True))
+    assert found.measurements["approachability"] == 1.0
+    assert notes(found)["hidden_solids"]["actors"] == ["Slope"] and "hidden_targets" in notes(found)
+    assert "hidden_solids" not in notes(verdict(*terrace(), slope(30)))
 
 
 CHEATS: dict[str, tuple[list[dict[str, Any]], str]] = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from warehouse.release.download import MANIFEST, write_download
 from warehouse.release.leaks import Leak, kinds_in, leaks_in, refuse_leaks
-from warehouse.release.packing import pack_release
+from warehouse.release.packing import look_through, pack_release
 from warehouse.release.panel import PrivateStanding, private_standings
 from warehouse.release.secrets import Secrets, secrets_of
 from warehouse.release.words import strings_of
@@ -16,6 +16,7 @@ __all__ = [
     "Secrets",
     "kinds_in",
     "leaks_in",
+    "look_through",
     "pack_release",
     "private_standings",
     "refuse_leaks",

@@ -79,9 +79,14 @@ def pack_release(
         path.relative_to(folder).as_posix(): digest_file(path) for path in sorted(folder.rglob("*")) if path.is_file()
     }
     write_json(folder / DIGESTS, digests)
-    refuse_leaks(folder, _with_names(secrets, private))
-    _refuse_keys(folder, digests)
+    look_through(folder, private=private, secrets=secrets)
     return digests
+
+
+def look_through(folder: Path, *, private: Iterable[SuiteFolder], secrets: Secrets) -> None:
+    """``MachineryFault`` where something that is private, or a key of this environment, stands in a folder."""
+    refuse_leaks(folder, _with_names(secrets, private))
+    _refuse_keys(folder)
 
 
 def _copy(source: Path, target: Path, kinds: frozenset[str]) -> None:
@@ -115,18 +120,18 @@ def _with_names(secrets: Secrets, suites: Iterable[SuiteFolder]) -> Secrets:
     return replace(secrets, pieces={**names, **secrets.pieces})
 
 
-def _refuse_keys(folder: Path, files: Iterable[str]) -> None:
+def _refuse_keys(folder: Path) -> None:
     keys = {
         name: value.encode()
         for name, value in os.environ.items()
         if name.endswith(("_KEY", "_TOKEN", "_SECRET", "_PASSWORD")) and len(value) >= LEAST_KEY
     }
-    for file in files if keys else ():
-        data = (folder / file).read_bytes()
+    for path in sorted(folder.rglob("*")) if keys else ():
+        data = path.read_bytes() if path.is_file() else b""
         for name, value in keys.items():
             if value in data:
                 raise MachineryFault(
-                    f"this would publish the value of {name}, which stands in {file}",
+                    f"this would publish the value of {name}, which stands in {path.relative_to(folder).as_posix()}",
                     where=folder.name,
                     todo="nothing was written; take the key out of that file",
                 )

@@ -79,7 +79,7 @@ class _Document:
         parts = [
             part
             for component in facts.get("components", [])
-            if component["mesh"] and component["visible"]
+            if component["mesh"] and component.get("visible", True)
             for part in self._parts(component, slots.get(f"{component['name']}|{component['class']}", {}), pose)
         ]
         made = {

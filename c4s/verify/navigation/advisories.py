@@ -10,7 +10,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, Final
 
 from c4s.navigation import approachable
-from c4s.protocol.navigation import BELOW_CM, PLATE_CM, TOWER_CM
+from c4s.protocol.navigation import AGENT_RADIUS_CM, BELOW_CM, PLATE_CM, TOWER_CM
 from c4s.records.navigation import LETTERS, Fall, NavigationEvidence, TargetRecord
 from c4s.verify.actors.collision import bodied_meshes, is_switched_off
 
@@ -61,7 +61,7 @@ def advisories_of(
         _names(
             "hidden_solids",
             "these are walked on or around although no picture shows them",
-            [target for target in evidence.targets if target.hidden and target.left == "surface"],
+            [target for target in evidence.targets if target.hidden and _carries_a_body(target)],
             0,
         ),
         _oversize(evidence),
@@ -139,6 +139,12 @@ def _undermined(evidence: NavigationEvidence, pool: Sequence[TargetRecord], fall
     )
     names = [pool[row].name for row in rows]
     return {"code": "raised_targets", "text": text, "actors": names, "approachability_with": share}
+
+
+def _carries_a_body(target: TargetRecord) -> bool:
+    """Whether a body may stand on it, as on a hidden slope to what is out of reach."""
+    wide = min(high - low for low, high in zip(target.low_cm[:2], target.high_cm[:2], strict=True))
+    return target.left == "surface" or (not target.left and wide >= 2 * AGENT_RADIUS_CM)
 
 
 def _is_wide(target: TargetRecord) -> bool:

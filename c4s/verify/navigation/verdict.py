@@ -44,7 +44,7 @@ def verify_navigation(evidence: NavigationEvidence | None, snapshot: Mapping[str
     notes = advisories_of(evidence, snapshot, pool)
     reason, detail = _unreliable(evidence, pool)
     if reason is not None:
-        return _withheld(reason, made, detail, notes)
+        return _withheld(reason, made | _share_alone(evidence), detail, notes)
     falls = _falls(evidence)
     floor = [fall for fall in falls if fall not in SCENERY]
     share = approachable(falls)
@@ -75,6 +75,14 @@ def _settings(evidence: NavigationEvidence) -> dict[str, Any]:
         "builds": [build.plain() for build in evidence.builds],
         "bounds_cm": evidence.bounds_cm,
     }
+
+
+def _share_alone(evidence: NavigationEvidence) -> dict[str, Any]:
+    """A of the benchmark's own probe, which tells no more than that; nothing of other measurements."""
+    if evidence.made_by != "published_probe" or evidence.fault is not None:
+        return {}
+    falls = _falls(evidence)
+    return {"approachability": approachable(falls), "targets": Counter(falls)}
 
 
 def _unreliable(evidence: NavigationEvidence, pool: Sequence[TargetRecord]) -> tuple[Withheld | None, str]:

@@ -20,7 +20,7 @@ from cases.admissible import unfit
 from cases.boxes import Array, Boxes, world_box
 from cases.corruption import STATIC_MESH_ACTOR, Author, Corruption, compound, id_of
 from cases.generate import SoundThing
-from cases.natural import DIGITS, LARGEST_CM, StandingBoxes, uneven
+from cases.natural import DIGITS, LARGEST_CM, NOT_PARTED, Parted, StandingBoxes, uneven
 from cases.open190.layout import Relation
 from cases.recipe import Kind
 from cases.standing import losing, unscored
@@ -53,6 +53,7 @@ class Changeable:
     boxes: Boxes
     store: PackStore
     relations: Sequence[Relation]
+    parted: Parted = field(default_factory=lambda: NOT_PARTED)
     placed: StandingBoxes = field(init=False)
     things: dict[str, SoundThing] = field(init=False)
     """What may be changed, by name: it stands, fits, carries nothing and is no part of a building."""
@@ -66,7 +67,7 @@ class Changeable:
     def __post_init__(self) -> None:
         self.rows = {actor.name: row for row, actor in enumerate(self.level.actors)}
         self.actors = {actor.name: actor for actor in self.level.actors}
-        self.placed = StandingBoxes.of(self.level.actors, self.boxes)
+        self.placed = StandingBoxes.of(self.level.actors, self.boxes, self.parted)
         self.things = self._things()
         groups: dict[tuple[str, str], list[str]] = defaultdict(list)
         mesh = {name: thing.mesh for name, thing in self.things.items()}

@@ -16,8 +16,8 @@ from c4s.render.masks import glimpse
 from cases.admissible import FULL
 from cases.generate import SoundThing
 from cases.model import CaseView
+from cases.open190.brought import AnyPlace, BroughtPlace
 from cases.open190.eyes import block, views
-from cases.open190.layout import StagedPlace
 from cases.open190.repairs.plan import Environment
 from cases.views import camera
 
@@ -53,11 +53,7 @@ class Lookout:
 
 
 def lookouts(
-    place: StagedPlace,
-    environment: Environment,
-    things: Mapping[str, SoundThing],
-    tracer: Tracer,
-    chance: random.Random,
+    place: AnyPlace, environment: Environment, things: Mapping[str, SoundThing], tracer: Tracer, chance: random.Random
 ) -> list[Lookout]:
     """Views of a scene that show many of some things, the best first.
 
@@ -119,13 +115,15 @@ def second(first: Lookout, pool: Sequence[Lookout], wanted: Collection[str], cha
     return pool[chance.choice(best)[1]] if best else None
 
 
-def _named(place: StagedPlace) -> list[CaseView]:
+def _named(place: AnyPlace) -> list[CaseView]:
     """The cameras of whoever laid the scene out, without the one above all."""
+    if isinstance(place, BroughtPlace):
+        return []
     return [replace(view, width=1280, height=720) for view in views(place)[1:]]
 
 
 def _drawn(
-    place: StagedPlace, environment: Environment, things: Mapping[str, SoundThing], chance: random.Random
+    place: AnyPlace, environment: Environment, things: Mapping[str, SoundThing], chance: random.Random
 ) -> list[CaseView]:
     names = sorted(things)
     found: list[CaseView] = []
@@ -138,7 +136,8 @@ def _drawn(
         eye = low + (high - low) * chance.random() ** 2
         spot = (round(x + far * math.cos(turn), 1), round(y + far * math.sin(turn), 1), round(max(eye, z + 40), 1))
         aim = (round(x, 1), round(y, 1), round(z, 1))
-        if place.space.free([block(*spot, AIR_CM)]):
+        seen_from = not isinstance(place, BroughtPlace) or place.may_look_from(spot[0], spot[1])
+        if seen_from and place.space.free([block(*spot, AIR_CM)]):
             found.append(CaseView(f"drawn-{number:03d}", spot, aim, round(chance.uniform(56, 72), 1)))
     return found
 

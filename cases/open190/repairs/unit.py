@@ -41,8 +41,8 @@ from cases.boxes import boxes_of
 from cases.checks import check_repair
 from cases.corruption import with_identities
 from cases.model import SourceScene
-from cases.natural import lived_in, rounded
-from cases.open190.layout import StagedPlace
+from cases.natural import NOT_PARTED, lived_in, rounded
+from cases.open190.brought import AnyPlace, BroughtPlace
 from cases.open190.repairs.changes import Changeable
 from cases.open190.repairs.difficulty import Hardness, hardness
 from cases.open190.repairs.drafts import RepairDraft, draft
@@ -85,7 +85,7 @@ class UnitBuilder:
         packs: where the packs lie; that of the scene is there.
     """
 
-    place: StagedPlace
+    place: AnyPlace
     title: str
     wanted: Sequence[WantedRepair]
     seed: str
@@ -110,11 +110,12 @@ class UnitBuilder:
             update={"package": truth_package(self.scene_id)}
         )
         self.progress(f"{self.name}: an original of {len(authored.actors)} actors")
-        disturbed = lived_in(authored, self.boxes, self.veil.chance(self.scene_id))
+        parted = self.place.parted if isinstance(self.place, BroughtPlace) else NOT_PARTED
+        disturbed = lived_in(authored, self.boxes, self.veil.chance(self.scene_id), parted=parted)
         with exports.bench(self.folders) as self._bench:
             original = settled(authored, disturbed, self._bench.snapshot)
             snapshot = self._bench.snapshot(original)
-            scene = Changeable(original, self.scene_id, snapshot, self.boxes, self.store, self.place.relations)
+            scene = Changeable(original, self.scene_id, snapshot, self.boxes, self.store, self.place.relations, parted)
             pool = lookouts(self.place, self.environment, scene.things, Tracer(snapshot, self.folders), self.chance)
             self.progress(f"{self.name}: {len(scene.things)} things to change, {len(pool)} views")
             if not pool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -10,8 +11,10 @@ import numpy as np
 import pytest
 from query_scene import Scene
 
-from c4s.navigation import NavigationSettings, approachable, measure_snapshot
+from c4s.navigation import NavigationSettings, approachable, measure_snapshot, published_output, read_published
 from c4s.records.navigation import LETTERS, NavigationEvidence
+from c4s.verify.navigation.verdict import verify_navigation
+from tests.navigation.published import SCRIPT, faults_of
 
 
 @pytest.fixture
@@ -60,6 +63,23 @@ def test_a_script_builds_a_mesh_and_asks_it(place: Scene) -> None:
     assert near is not None and near.x < 0
 
 
+def test_a_volume_brings_the_mesh_and_a_changed_setting_builds_it_anew(place: Scene) -> None:
+    unreal, navigation = place.unreal, place.unreal.NavigationSystemV1
+    volume(place, (1200, 1200, 400))
+    (data,) = [a for a in unreal.EditorLevelLibrary.get_all_level_actors() if isinstance(a, unreal.RecastNavMesh)]
+    beside = place.vector((-45, 0, 0))
+
+    def away() -> float:
+        found = navigation.project_point_to_navigation(place.world, beside, None, None, place.vector((200, 5, 50)))
+        return float(abs(found.x))
+
+    assert 34 <= away() - 10 <= 34 + 2 * 19
+    data.set_editor_property("agent_radius", 100.0)
+    assert 100 <= away() - 10 <= 100 + 2 * 19
+    volume(place, (900, 900, 400))
+    assert sum(isinstance(a, unreal.RecastNavMesh) for a in unreal.EditorLevelLibrary.get_all_level_actors()) == 1
+
+
 class Inside:
     """Calls the editor's scripts in this process, as an engine does."""
 
@@ -92,3 +112,32 @@ def test_the_evaluators_probe_finds_what_the_walkable_space_finds(place: Scene, 
 def test_a_level_without_a_volume_has_nothing_to_build(scene: Scene, tmp_path: Path, capsys: Any) -> None:
     scene.unreal.SystemLibrary.execute_console_command(scene.world, "RebuildNavigation")
     assert "no NavMeshBoundsVolume" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(not SCRIPT.is_file(), reason="the published measure_reachability.py is not here")
+def test_the_published_probe_runs_as_it_is_and_its_output_is_evidence(
+    place: Scene, engine: ModuleType, tmp_path: Path
+) -> None:
+    from c4s.editor.snapshot import export_snapshot
+
+    snapshot, out = export_snapshot(), tmp_path / "reachability.json"
+    volume(place, (1200, 1200, 400))
+    (data,) = [a for a in engine.EditorLevelLibrary.get_all_level_actors() if isinstance(a, engine.RecastNavMesh)]
+    for name, value in NavigationSettings().properties().items():
+        data.set_editor_property(name, value)
+    options = {"settle_wait_s": 0.01, "sample_count": 40}
+    given = {"SCENE_REACHABILITY_OUTPUT": str(out), "SCENE_REACHABILITY_OPTIONS_JSON": json.dumps(options)}
+    exec(compile(SCRIPT.read_text(), SCRIPT.name, "exec"), {"__name__": "__main__", **given})
+    theirs = json.loads(out.read_text())
+    assert theirs["diagnostics"]["status"] == "success" and faults_of(theirs) == []
+    measured = measure_snapshot(snapshot)
+    ours = json.loads(json.dumps(published_output(measured, snapshot)))
+    assert faults_of(ours) == [] and theirs["actors"].keys() - ours["actors"].keys() == {
+        path for path in theirs["actors"] if "NavMesh" in path
+    }
+    read = read_published(theirs, snapshot)
+    assert read.made_by == "published_probe" and read.kept.keys() == measured.kept.keys() - {"min_region_area"}
+    shares = [approachable([LETTERS[letter] for letter in one.builds[-1].falls]) for one in (read, measured)]
+    assert shares[0] == pytest.approx(shares[1], abs=0.06)
+    found = verify_navigation(read, snapshot)
+    assert found.measurements["reason_code"] == "settings_not_kept" and found.score is None

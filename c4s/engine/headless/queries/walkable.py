@@ -1,4 +1,4 @@
-"""The navigation mesh of the open level: a walkable space of its collision bodies, built when a script asks for it.
+"""The navigation mesh of the open level: a walkable space of its collision bodies.
 
 The kernels are loaded at the first build. One mesh is kept, that of the open level.
 """
@@ -78,13 +78,16 @@ class LevelMesh:
 
 
 _made: LevelMesh | None = None
+_tried: tuple[Any, NavigationSettings] | None = None
+"""Level and settings of the last build, whether it came to a mesh or not."""
 
 
 def build(low: Array, high: Array, settings: NavigationSettings) -> str:
     """Build the mesh of the open level within a box (cm); the text says why there is none now, empty where there is."""
-    global _made
+    global _made, _tried
     from c4s.navigation import SpaceMesh, SpaceTooLarge, build_space
 
+    _tried = (editor.world().map, settings)
     index = current()
     solid = [target for target in index.meeting(low, high) if target.asset is not None]
     bodies = [body for target in solid for body in index.bodies(target)]
@@ -99,3 +102,8 @@ def build(low: Array, high: Array, settings: NavigationSettings) -> str:
 def mesh() -> LevelMesh | None:
     """The mesh of the open level; None where none was built."""
     return _made if _made is not None and _made.level is editor.world().map else None
+
+
+def is_of(settings: NavigationSettings) -> bool:
+    """Whether the last build was one of the open level with these settings."""
+    return _tried is not None and _tried[0] is editor.world().map and _tried[1] == settings

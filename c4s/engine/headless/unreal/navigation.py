@@ -1,8 +1,10 @@
-"""Navigation: the mesh of a level with a ``NavMeshBoundsVolume``, built when a script asks for it.
+"""Navigation: the mesh of a level with a ``NavMeshBoundsVolume``.
 
-``RebuildNavigation`` on the console and ``on_navigation_bounds_updated`` build it, with the settings of the level's
-``RecastNavMesh``, which the first build spawns as Unreal does. Without one no point can be projected or reached, every
-ray is blocked, and there is no path. The mesh is not built anew by itself when the level changes.
+As in an editor that updates navigation by itself, the first volume brings the level's ``RecastNavMesh`` with it, and
+the mesh is there when a script first asks for it; it is built anew when a setting of the ``RecastNavMesh`` has changed
+since, on ``RebuildNavigation`` and on ``on_navigation_bounds_updated``, and not by itself when actors move: an editor
+does that between scripts. Without a volume no point can be projected or reached, every ray is blocked, and there is no
+path.
 """
 
 # ruff: noqa: B008  (signatures as in Unreal; no default is ever changed)
@@ -11,7 +13,7 @@ ray is blocked, and there is no path. The mesh is not built anew by itself when 
 from __future__ import annotations
 
 from enum import unique
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,14 +21,16 @@ from c4s.engine.headless.editor import world
 from c4s.engine.headless.pose import IDENTITY
 from c4s.engine.headless.queries import walkable
 from c4s.engine.headless.unreal.actors import Actor
-from c4s.engine.headless.unreal.actors.volumes import NavMeshBoundsVolume
+from c4s.engine.headless.unreal.actors.volumes import NAVIGATION_DATA, NavMeshBoundsVolume
 from c4s.engine.headless.unreal.containers import Array
 from c4s.engine.headless.unreal.core import Class, EnumBase, Object, Prop, api, public
 from c4s.engine.headless.unreal.structs import Vector
 
+if TYPE_CHECKING:
+    from c4s.navigation import NavigationSettings
+
 _EXTENT = np.array([50.0, 50.0, 250.0])
 """Where paths and rays look for the mesh around a place: the default extent of a query in Unreal."""
-_CLASS = "/Script/NavigationSystem.RecastNavMesh"
 
 
 @public
@@ -106,18 +110,31 @@ class NavigationPath(Object):
 
 def rebuild() -> None:
     """Build the mesh of the open level, as ``RebuildNavigation`` does; without a bounds volume nothing is built."""
-    from c4s.navigation import NavigationSettings
-
-    actors = world().actor_list()
-    boxes = [_box(actor) for actor in actors if isinstance(actor, NavMeshBoundsVolume)]
+    boxes = [_box(volume) for volume in _volumes()]
     if not boxes:
         world().log.warning("RebuildNavigation: the level has no NavMeshBoundsVolume, so there is nothing to build")
         return
-    data = next((actor for actor in actors if isinstance(actor, RecastNavMesh)), None)
-    if data is None:
-        data = world().spawn(_CLASS, IDENTITY, "RecastNavMesh-Default")
+    low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
+    why = walkable.build(low, high, _settings(_data()))
+    if why:
+        world().log.warning(f"the navigation mesh is not built: {why}")
+
+
+def _volumes() -> list[NavMeshBoundsVolume]:
+    return [actor for actor in world().actor_list() if isinstance(actor, NavMeshBoundsVolume)]
+
+
+def _data() -> RecastNavMesh:
+    """The level's navigation data; one whose volume brought none gets it now."""
+    found = next((actor for actor in world().actor_list() if isinstance(actor, RecastNavMesh)), None)
+    return world().spawn(NAVIGATION_DATA, IDENTITY, "RecastNavMesh-Default") if found is None else found
+
+
+def _settings(data: RecastNavMesh) -> NavigationSettings:
+    from c4s.navigation import NavigationSettings
+
     own = data.get_editor_property
-    settings = NavigationSettings(
+    return NavigationSettings(
         radius_cm=own("agent_radius"),
         height_cm=own("agent_height"),
         slope_deg=own("agent_max_slope"),
@@ -126,10 +143,6 @@ def rebuild() -> None:
         cell_cm=max(own("cell_size"), 1.0),
         cell_height_cm=max(own("cell_height"), 1.0),
     )
-    low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
-    why = walkable.build(low, high, settings)
-    if why:
-        world().log.warning(f"the navigation mesh is not built: {why}")
 
 
 def _box(volume: NavMeshBoundsVolume) -> tuple[Any, Any]:
@@ -145,21 +158,20 @@ def _vector(point: Any) -> Vector:
     return Vector(*(float(part) for part in point))
 
 
-def _mesh(what: str) -> walkable.LevelMesh | None:
-    """The mesh; the log says why a level with a navigation volume has none."""
-    found = walkable.mesh()
-    if found is None and any(isinstance(actor, NavMeshBoundsVolume) for actor in world().actor_list()):
-        world().log.warning(f"{what}: the navigation mesh is not built yet; RebuildNavigation on the console builds it")
-    return found
+def _mesh() -> walkable.LevelMesh | None:
+    """The mesh with the settings that the level has now; None without a volume, or where it cannot be built."""
+    if _volumes() and not walkable.is_of(_settings(_data())):
+        rebuild()
+    return walkable.mesh()
 
 
-def _route(what: str, start: Vector, end: Vector) -> tuple[Any, bool] | None:
-    found = _mesh(what)
+def _route(start: Vector, end: Vector) -> tuple[Any, bool] | None:
+    found = _mesh()
     return None if found is None else found.route(_array(start), _array(end), _EXTENT)
 
 
-def _length(what: str, start: Vector, end: Vector) -> tuple[NavigationQueryResult, float]:
-    found = _route(what, start, end)
+def _length(start: Vector, end: Vector) -> tuple[NavigationQueryResult, float]:
+    found = _route(start, end)
     if found is None:
         return NavigationQueryResult.INVALID, 0.0
     result = NavigationQueryResult.SUCCESS if found[1] else NavigationQueryResult.FAIL
@@ -206,7 +218,7 @@ class NavigationSystemV1(Object):
         query_extent: Vector = Vector(),
     ) -> Vector | None:
         """The nearest point that can be walked on, or None."""
-        found = _mesh("project_point_to_navigation")
+        found = _mesh()
         extent = _array(query_extent)
         there = None if found is None else found.project(_array(point), extent if extent.any() else _EXTENT)
         return None if there is None else _vector(there)
@@ -222,7 +234,7 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> Vector | None:
         """A point that can be walked to, or None."""
-        found = _mesh("get_random_reachable_point_in_radius")
+        found = _mesh()
         there = None if found is None else found.random_near(_array(origin), float(radius), reachable=True)
         return None if there is None else _vector(there)
 
@@ -237,7 +249,7 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> Vector | None:
         """A point that can be walked on, or None."""
-        found = _mesh("get_random_location_in_navigable_radius")
+        found = _mesh()
         there = None if found is None else found.random_near(_array(origin), float(radius), reachable=False)
         return None if there is None else _vector(there)
 
@@ -265,7 +277,7 @@ class NavigationSystemV1(Object):
         querier: Object | None = None,
     ) -> Vector | None:
         """Where a straight walk is stopped: at its start where there is no mesh."""
-        found = _mesh("navigation_raycast")
+        found = _mesh()
         if found is None:
             return ray_start.copy()  # type: ignore[no-any-return]
         return _vector(found.straight(_array(ray_start), _array(ray_end), _EXTENT))
@@ -281,7 +293,7 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> tuple[NavigationQueryResult, float]:
         """Result and length (cm) of a path."""
-        return _length("get_path_length", path_start, path_end)
+        return _length(path_start, path_end)
 
     @classmethod
     @api
@@ -294,7 +306,7 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> tuple[NavigationQueryResult, float]:
         """Result and cost of a path."""
-        return _length("get_path_cost", path_start, path_end)
+        return _length(path_start, path_end)
 
     @classmethod
     @api
@@ -307,7 +319,7 @@ class NavigationSystemV1(Object):
         filter_class: Class | type | None = None,
     ) -> NavigationPath | None:
         """A path, or None."""
-        found = _route("find_path_to_location_synchronously", path_start, path_end)
+        found = _route(path_start, path_end)
         return None if found is None else NavigationPath._found(*found)
 
     @classmethod
@@ -324,7 +336,7 @@ class NavigationSystemV1(Object):
         """A path to an actor, or None."""
         if goal_actor is None:
             return None
-        found = _route("find_path_to_actor_synchronously", path_start, goal_actor.get_actor_location())
+        found = _route(path_start, goal_actor.get_actor_location())
         return None if found is None else NavigationPath._found(*found)
 
 

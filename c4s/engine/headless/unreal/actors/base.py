@@ -77,6 +77,9 @@ class Actor(Placed):
         note(self)
         world().touch()
 
+    def _placed(self) -> None:
+        """A script has put it in a level."""
+
     def _kill(self) -> None:
         for component in self._components:
             component._dead = True

@@ -4,11 +4,16 @@
 
 from __future__ import annotations
 
+from c4s.engine.headless.editor import world
+from c4s.engine.headless.pose import IDENTITY
 from c4s.engine.headless.unreal.actors.base import Actor
 from c4s.engine.headless.unreal.components.shapes import CapsuleComponent, shape
 from c4s.engine.headless.unreal.containers import Name
 from c4s.engine.headless.unreal.core import Prop, public
 from c4s.engine.headless.unreal.lights import BrushComponent, PostProcessSettings
+
+NAVIGATION_DATA = "/Script/NavigationSystem.RecastNavMesh"
+"""Class of the navigation data that a level with navigation bounds has."""
 
 
 @public
@@ -53,9 +58,14 @@ class TriggerVolume(Volume):
 
 @public
 class NavMeshBoundsVolume(Volume):
-    """The region in which paths are found."""
+    """The region in which paths are found. The first one of a level brings the navigation data with it."""
 
     _class_module = "NavigationSystem"
+
+    def _placed(self) -> None:
+        if all(actor._class()._path() != NAVIGATION_DATA for actor in world().actor_list()):
+            world().spawn(NAVIGATION_DATA, IDENTITY, "RecastNavMesh-Default")
+            world().selection = [self]
 
 
 @public

@@ -29,7 +29,9 @@ def spawn_from_class(wanted: Class | type, location: Vector, rotation: Rotator) 
         world().log.error(f"SpawnActor: '{made._path()}' is not a class that can be placed")
         return None
     pose = Pose.from_rotator(location._triple(), rotation._triple())
-    return world().spawn(made._path(), finite(pose, made))  # type: ignore[no-any-return]
+    actor: Actor = world().spawn(made._path(), finite(pose, made))
+    actor._placed()
+    return actor
 
 
 def spawn_from_object(source: Object, location: Vector, rotation: Rotator) -> Actor | None:
