@@ -111,6 +111,12 @@ PROGRAMS = {
     "antigravity": "c4s.agents.clients.antigravity:Antigravity",
 }
 """The clients that are programs of their own and must be installed, each an ``ExternalClient``."""
+MODEL_CLIENTS = {
+    "api": "c4s.agents.api.agent:ApiAgent",
+    **PROGRAMS,
+    "command": "c4s.agents.clients.command:CommandClient",
+}
+"""The clients that use a model, each a ``ModelClient``."""
 CLIENTS = {
     "noop": "c4s.agents.baselines.noop:NoOp",
     "random": "c4s.agents.baselines.random:RandomAgent",
@@ -120,10 +126,8 @@ CLIENTS = {
     "planner": "c4s.agents.baselines.planner:Planner",
     "replay": "c4s.agents.replay:Replay",
     "outside": "c4s.agents.outside:Outside",
-    "api": "c4s.agents.api.agent:ApiAgent",
     **dict.fromkeys(CHEATS, "c4s.agents.cheats.agent:Cheat"),
-    **PROGRAMS,
-    "command": "c4s.agents.clients.command:CommandClient",
+    **MODEL_CLIENTS,
 }
 """c4s's own clients: name to ``module:class``; the class is made without arguments. Others join (``joining``)."""
 

@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 import typer
 
-from c4s.agents.base import CLIENTS, Agent, ModelClient, agent_of
+from c4s.agents.base import CLIENTS, MODEL_CLIENTS, Agent, ModelClient, agent_of
 from c4s.agents.joining import joined
 from c4s.cli.output import print_json, print_table, say
 from c4s.cli.suites import built_suite
@@ -41,7 +41,8 @@ def list_clients(json_output: Annotated[bool, typer.Option("--json")] = False) -
     for row in [*own, *others]:
         uses_model, problem = False, ""
         try:
-            agent = _agent_of(row["client"], row["from"])
+            plain = row["from"] == "c4s" and row["client"] not in MODEL_CLIENTS
+            agent = None if plain else _agent_of(row["client"], row["from"])
             if isinstance(agent, ModelClient):
                 uses_model = True
                 agent.ready(Configuration(name=row["client"], client=row["client"]))

@@ -10,8 +10,10 @@ from urllib.parse import urlparse
 
 from rich.console import Console
 
+from c4s.agents.base import CLIENTS, MODEL_CLIENTS, ModelClient, agent_of
 from c4s.cli.live import LiveView
 from c4s.records.attempt import AttemptOutcome
+from c4s.records.plan import Configuration
 from tests.run.conftest import Command
 from warehouse.database import rows
 
@@ -67,6 +69,11 @@ def test_every_client_is_listed_with_what_it_lacks(c4s: Command) -> None:
     assert {"noop", "planner", "replay", "api", "codex"} <= {row["client"] for row in listed}
     for row in listed:
         assert row["ready"] == (row["problem"] == "") and (row["model"] or row["ready"])
+
+
+def test_the_clients_that_use_a_model_are_those_that_say_so() -> None:
+    made = {name: agent_of(Configuration(name=name, client=name)) for name in CLIENTS}
+    assert {name for name, agent in made.items() if isinstance(agent, ModelClient)} == set(MODEL_CLIENTS)
 
 
 def test_a_line_is_shown_when_it_is_whole_and_a_picture_as_half_blocks(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
 import c4s
@@ -35,7 +36,10 @@ print(compiled.code_folder())
 
 
 def compiled() -> Path:
-    """The folder of compiled kernels for these sources, compiled now if there is none (half a minute, once)."""
+    """The folder of compiled kernels for these sources, compiled now if there is none (half a minute, once).
+
+    What another home had compiled beside the sources is used as it is.
+    """
     note = cache_root() / "kernels" / _stamp()
     found = _noted(note)
     if found is not None:
@@ -45,8 +49,10 @@ def compiled() -> Path:
         fcntl.flock(lock, fcntl.LOCK_EX)
         found = _noted(note)
         if found is None:
-            folders = _compile()
-            write_text(note, "\n".join(str(folder) for folder in folders))
+            folders = _beside() or _compile()
+            write_text(note, "\n".join(map(str, folders)))
+            with suppress(OSError):
+                write_text(folders[0] / note.name, "\n".join(map(str, folders)))
             found = folders[0]
     return found
 
@@ -55,6 +61,12 @@ def _noted(note: Path) -> Path | None:
     """The folder that an earlier compilation left, if it is still there."""
     folders = _folders(note)
     return folders[0] if folders and all(next(folder.glob("*/*.nbi"), None) for folder in folders) else None
+
+
+def _beside() -> list[Path]:
+    """The folders beside the sources, where a home noted there that all is compiled; none else."""
+    notes = (_SOURCES[0] / "__pycache__").glob(f"kernels-*/{_stamp()}")
+    return next((_folders(note) for note in notes if _noted(note) is not None), [])
 
 
 def _folders(note: Path) -> list[Path]:
