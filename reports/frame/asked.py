@@ -28,11 +28,10 @@ def made_with(warehouse: Path, board: Board, configuration: str) -> list[Row]:
 
 def pictures(warehouse: Path, board: Board, case_ids: Sequence[str]) -> list[Row]:
     """Every picture of some cases: those of a trial have its id, those of a case itself none."""
-    cases = ", ".join(text(one) for one in case_ids)
     return rows(
         warehouse,
         "SELECT trial_id, case_id, role, view, width, height, brightness, jpeg FROM pictures "
-        f"WHERE case_id IN ({cases}) AND {of_board(board)} ORDER BY case_id, role, trial_id, view",
+        f"WHERE {of_cases(board, case_ids)} ORDER BY case_id, role, trial_id, view",
     )
 
 
@@ -61,7 +60,12 @@ def of_board(board: Board) -> str:
 
 def of_case(board: Board, case_id: str) -> str:
     """The condition of a row of a public case of the board's suite."""
-    return f"case_id = {text(case_id)} AND {of_board(board)}"
+    return of_cases(board, [case_id])
+
+
+def of_cases(board: Board, case_ids: Sequence[str]) -> str:
+    """The condition of a row of some of the public cases of the board's suite."""
+    return f"case_id IN ({', '.join(map(text, case_ids))}) AND {of_board(board)}"
 
 
 def text(value: str) -> str:

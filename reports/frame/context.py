@@ -17,7 +17,7 @@ from reports.frame.studies import Answer, Studies
 from warehouse.stamps import CaseKey, case_stamps
 
 AT_ONCE: Final = 16
-"""Cases whose pictures are read together: some tens of MB."""
+"""Cases whose rows and pictures are read together: some tens of MB."""
 
 Found = TypeVar("Found")
 
@@ -105,14 +105,18 @@ class SiteContext:
 
     def _read_pictures(self, board: Board, case_id: str) -> None:
         """Those of the cases that stand beside it too: a question of pictures looks at the parts of all trials."""
-        cases = [case["case_id"] for case in board.cases]
-        first = cases.index(case_id) // AT_ONCE * AT_ONCE
-        chosen = cases[first : first + AT_ONCE]
+        chosen = self.beside(board, case_id)
         for one in chosen:
             self._pictures[board.suite, board.suite_digest, one] = defaultdict(list)
         for row in asked.pictures(self.warehouse, board, chosen):
             pictures = self._pictures[board.suite, board.suite_digest, row["case_id"]]
             pictures[row["trial_id"], row["role"]].append(self._save(row))
+
+    def beside(self, board: Board, case_id: str) -> list[str]:
+        """The cases that are read together with this one, itself among them."""
+        cases = [case["case_id"] for case in board.cases]
+        first = cases.index(case_id) // AT_ONCE * AT_ONCE
+        return cases[first : first + AT_ONCE]
 
     def thumbnail(self, board: Board, case_id: str, trial_id: str) -> SitePicture | None:
         """The first picture of a submission; None where there is none."""

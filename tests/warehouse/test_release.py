@@ -10,6 +10,7 @@ import io
 import json
 import lzma
 import random
+import shutil
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -182,22 +183,18 @@ def test_no_other_folder_is_taken_for_a_download(root: Path, tmp_path: Path) -> 
         write_download(root, tmp_path / "mine")
 
 
-def test_a_leak_ends_the_build_and_the_old_pages_stay(root: Path, tmp_path: Path, secrets: Secrets) -> None:
-    site = tmp_path / "site"
-    build_site(root, site)
-    (tmp_path / "planted").mkdir()
-    (tmp_path / "planted" / "notes.md").write_text(f"see {HIDDEN}")
+def test_a_leak_is_told_by_its_file_and_kind(tmp_path: Path, secrets: Secrets) -> None:
+    (tmp_path / "notes.md").write_text(f"see {HIDDEN}")
     with pytest.raises(MachineryFault, match=r"case in notes\.md") as caught:
-        refuse_leaks(tmp_path / "planted", secrets)
+        refuse_leaks(tmp_path, secrets)
     assert HIDDEN not in caught.value.line()
 
 
 def test_a_page_that_is_made_with_a_private_text_is_not_written(
-    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    root: Path, published: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Whatever a template brings onto a page, by a row that it should not have read, ends the build."""
-    site = tmp_path / "site"
-    build_site(root, site)
+    site = Path(shutil.copytree(published / "site", tmp_path / "site"))
     before = {path: path.read_bytes() for path in site.rglob("*") if path.is_file()}
     made = build.environment().overlay()
     page = "{% for word in words %}<b>{{ word }}</b>&nbsp;{% endfor %}"
