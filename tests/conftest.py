@@ -52,12 +52,6 @@ LONGEST = (
 begins last keeps the others waiting."""
 
 
-def pytest_xdist_auto_num_workers() -> int:
-    """Half as many again as there are processors: tests also wait, for engines, servers and deadlines."""
-    there = len(os.sched_getaffinity(0))
-    return there + (there + 1) // 2
-
-
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Bring the longest modules to the front; the rest stays in its order."""
     rank = {f"tests/{name}": place for place, name in enumerate(LONGEST)}
