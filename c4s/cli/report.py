@@ -83,13 +83,14 @@ def report(
 
 def _scan(folder: Path, json_output: bool) -> None:
     """Tell what of private cases stands in a folder; exit 1 where something does."""
+    from reports.viewer import three_script
     from warehouse.database import catch_up
     from warehouse.release import leaks_in, secrets_of
 
     if not folder.is_dir():
         raise BadInput("no such folder", where=str(folder), todo="name a folder that is to be published")
     catch_up(warehouse_root())
-    secrets = secrets_of(warehouse_root(), suites_root())
+    secrets = secrets_of(warehouse_root(), suites_root(), [three_script().decode()])
     found = leaks_in(folder, secrets) if secrets else []
     counted = {"texts": len(secrets.pieces), "pictures": len(secrets.pictures)}
     if json_output:

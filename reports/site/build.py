@@ -11,6 +11,7 @@ from c4s.folders import beside, check_own, put_folder
 from reports.frame import STATIC, SiteContext, SitePage, environment, links
 from reports.pages import KINDS
 from reports.site.ledger import LEDGER, PageMade, SiteLedger, code_digest, ledger_of
+from reports.viewer import three_script
 from warehouse.database import held_open
 from warehouse.release import refuse_leaks, secrets_of
 from warehouse.stamps import case_stamps
@@ -52,7 +53,7 @@ def _build(warehouse: Path, site: Path, suites: Path | None) -> Path:
     if old is not None and old.made_of == made_of and _is_whole(site, old):
         return site / links.LEADERBOARD
     with beside(site) as scratch:
-        secrets = secrets_of(warehouse, suites)
+        secrets = secrets_of(warehouse, suites, [three_script().decode()])
         building = Building(SiteContext(warehouse, scratch / site.name), site, old)
         ledger = building.write(made_of, secrets.digest())
         refuse_leaks(scratch / site.name, secrets, building.looked_through(ledger.secrets))

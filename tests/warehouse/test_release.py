@@ -235,6 +235,11 @@ def test_files_of_a_suite_tell_more_of_its_private_cases(root: Path, tmp_path: P
         (published / "file").write_bytes(data)
         assert leaks_in(published, alone) == []
         assert [leak.kind for leak in leaks_in(published, both)] == [kind]
+    (published / "file").write_bytes(b"new Lathe(a silver weathercock on top)")
+    assert (
+        leaks_in(published, both)
+        and leaks_in(published, secrets_of(root, suites, ["a Silver Weathercock on top"])) == []
+    )
     for data in (b"see red-robin-12.html: a gate is open", jpeg(6)):
         (published / "file").write_bytes(data)
         assert leaks_in(published, both) == []

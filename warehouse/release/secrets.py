@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import itertools
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from pathlib import Path
@@ -55,7 +55,7 @@ class Secrets:
         return bool(self.pieces or self.pictures)
 
 
-def secrets_of(warehouse: Path, suites: Path | None = None) -> Secrets:
+def secrets_of(warehouse: Path, suites: Path | None = None, libraries: Sequence[str] = ()) -> Secrets:
     """The secrets of the private cases of a warehouse; none where it has no private case.
 
     A piece that public cases hold too, or that c4s itself says, is no secret: a source scene that both panels share, a
@@ -66,6 +66,7 @@ def secrets_of(warehouse: Path, suites: Path | None = None) -> Secrets:
         warehouse: its rows: what was planned, found, said and drawn.
         suites: the folder of suites; where a suite with private cases lies there, its files are read too: aliases,
             requirements, assets and pictures that no row has.
+        libraries: texts of others that pages carry: a word of theirs is no secret, be it an asset's name too.
     """
     if not rows(warehouse, f"SELECT 1 FROM schedule WHERE visibility = '{PRIVATE}' LIMIT 1"):
         return Secrets()
@@ -83,7 +84,7 @@ def secrets_of(warehouse: Path, suites: Path | None = None) -> Secrets:
     known: set[str] = set()
     others = {text for _, text in _texts(warehouse, suites, PUBLIC)}
     lengths = lengths_of(wanted)
-    for text in itertools.chain([_own_words()], _names_of_what_ran(warehouse), others):
+    for text in itertools.chain([_own_words(), *libraries], _names_of_what_ran(warehouse), others):
         known |= {
             piece for piece in found_in(text, wanted, lengths) if wanted[piece] not in NAMES or stands(piece, text)
         }
