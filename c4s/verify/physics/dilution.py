@@ -7,8 +7,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from c4s.verify.actors.roles import bounds_of, is_non_solid
 from c4s.verify.physics.scene import actor_name
@@ -57,10 +55,15 @@ def _apart(actors: Sequence[Mapping[str, Any]], faulty: set[str]) -> set[int]:
         return set()
     origin, half = (np.array([box[part] for box in solid.values()]).reshape(-1, 3) for part in (0, 1))
     low, high = origin - half - APART_CM, origin + half
-    near = [np.flatnonzero(((low <= high[row]) & (high >= low[row])).all(axis=1)) for row in range(len(solid))]
-    rows = np.repeat(np.arange(len(solid)), [len(row) for row in near])
-    edges = coo_array((np.ones(len(rows), np.int8), (rows, np.concatenate(near))), shape=(len(solid), len(solid)))
-    group = connected_components(edges, directed=False)[1]
+    group = np.full(len(solid), -1)
+    for first in range(len(solid)):
+        waiting = [first] if group[first] < 0 else []
+        while waiting:
+            row = waiting.pop()
+            near = ((low <= high[row]) & (high >= low[row])).all(axis=1)
+            found = np.flatnonzero(near & (group < 0))
+            group[found] = first
+            waiting += found.tolist()
     marked = np.array([actor_name(actors[i]) in faulty for i in solid])
     faults, sizes = np.bincount(group, marked), np.bincount(group)
     scene = max(range(len(sizes)), key=lambda one: (faults[one], sizes[one]))

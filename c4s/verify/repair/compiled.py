@@ -177,10 +177,10 @@ def _relaxed(
 ) -> None:
     """Take ``step`` off every slack and lower those that a row reaches for less, which come from ``column`` then.
 
-    What is settled has NaN for a slack, which nothing is below.
+    What is settled has NaN for a slack, which nothing is below. No slack is -0, whose bits are not those of 0.
     """
     for other in range(len(costs)):
-        reduced = (costs[other] - row_dual) - column_dual[other]
+        reduced = (costs[other] - row_dual) - column_dual[other] + 0.0
         known = slack[other] - step
         better = reduced < known
         slack[other] = reduced if better else known

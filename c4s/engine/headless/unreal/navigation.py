@@ -124,10 +124,17 @@ def _volumes() -> list[NavMeshBoundsVolume]:
     return [actor for actor in world().actor_list() if isinstance(actor, NavMeshBoundsVolume)]
 
 
+_last: RecastNavMesh | None = None
+"""The navigation data of the last question: thousands of questions look for it once."""
+
+
 def _data() -> RecastNavMesh:
     """The level's navigation data; one whose volume brought none gets it now."""
-    found = next((actor for actor in world().actor_list() if isinstance(actor, RecastNavMesh)), None)
-    return world().spawn(NAVIGATION_DATA, IDENTITY, "RecastNavMesh-Default") if found is None else found
+    global _last
+    if _last is None or _last._dead:
+        found = next((actor for actor in world().actor_list() if isinstance(actor, RecastNavMesh)), None)
+        _last = world().spawn(NAVIGATION_DATA, IDENTITY, "RecastNavMesh-Default") if found is None else found
+    return _last
 
 
 def _settings(data: RecastNavMesh) -> NavigationSettings:
@@ -160,7 +167,8 @@ def _vector(point: Any) -> Vector:
 
 def _mesh() -> walkable.LevelMesh | None:
     """The mesh with the settings that the level has now; None without a volume, or where it cannot be built."""
-    if _volumes() and not walkable.is_of(_settings(_data())):
+    known = _last is not None and not _last._dead
+    if (known or _volumes()) and not walkable.is_of(_settings(_data())) and _volumes():
         rebuild()
     return walkable.mesh()
 
