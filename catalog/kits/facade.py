@@ -5,6 +5,9 @@ from __future__ import annotations
 from catalog.kits.maker import KitMaker
 from catalog.shapes.patches import Point3
 
+BUILDINGS = "buildings"
+"""The category of all that has a facade."""
+
 
 def window(m: KitMaker, width: float, height: float, at: Point3, yaw: float = 0.0) -> None:
     """A framed window that looks to +Y of its frame; ``at`` is the middle of its sill on the wall's face."""
