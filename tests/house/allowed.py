@@ -75,7 +75,6 @@ FILES: dict[str, set[str]] = {
     "cases/open190/today.py": {"whole"},
     "cases/open190/bygone.py": {"whole"},
     "cases/starter/outdoor_texts.py": {"whole"},
-    "catalog/kits/vehicles.py": {"whole"},
     "tests/agent_clients/scripted_endpoint.py": {"whole"},
     "tests/catalog/test_collision_bodies.py": {"whole"},
     "tests/engine/test_engine_agent_scripts.py": {"whole"},
