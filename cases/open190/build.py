@@ -32,8 +32,8 @@ from cases.views import camera
 from catalog.build import build_pack, sources_digest
 
 REPORT = "report.json"
-LAID_OUT_BY = ("bygone", "districts", "eyes", "indoor", "layout", "outdoor", "scenes", "space", "today")
-"""Modules of this package that decide what a scene is."""
+LAID_OUT_BY = ("eyes.py", "layout/**/*.py", "parts/**/*.py", "places/**/*.py", "scenes.py", "space.py")
+"""Which files of this package decide what a scene is."""
 
 
 def source_scene(spec: SceneSpec, place: StagedPlace) -> SourceScene:
@@ -43,9 +43,16 @@ def source_scene(spec: SceneSpec, place: StagedPlace) -> SourceScene:
     )
 
 
+def laid_out_by() -> list[Path]:
+    """The files of this package that decide what a scene is."""
+    here = Path(__file__).parent
+    return sorted(path for pattern in LAID_OUT_BY for path in here.glob(pattern))
+
+
 def sources() -> str:
     """Digest of all sources that decide how a scene is laid out, and what its things are."""
-    own = [(name, digest_file(Path(__file__).with_name(f"{name}.py"))) for name in LAID_OUT_BY]
+    here = Path(__file__).parent
+    own = [(path.relative_to(here).as_posix(), digest_file(path)) for path in laid_out_by()]
     return digest([sources_digest(), own])
 
 

@@ -35,7 +35,8 @@ class SceneSpec:
         return place
 
 
-SCENES: dict[str, SceneSpec] = {}
+REGISTERED: dict[str, SceneSpec] = {}
+"""By their modules, as these are imported; ``cases.open190.library`` has them in order."""
 
 
 def scene(
@@ -44,7 +45,7 @@ def scene(
     """Register a scene."""
 
     def register(build: Build) -> Build:
-        SCENES[scene_id] = SceneSpec(scene_id, kind, title, style, build, plate_m, slot)
+        REGISTERED[scene_id] = SceneSpec(scene_id, kind, title, style, build, plate_m, slot)
         return build
 
     return register

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import inspect
 from collections import Counter
 from functools import cache
+from pathlib import Path
 
 import pytest
 
 from c4s.records.pack import Pack
 from c4s.verify.physics.verdict import verify_physics
+from cases.open190.build import laid_out_by
 from cases.open190.layout import SEABED_CM, StagedPlace
 from cases.open190.library import SCENES
+from cases.open190.parts.streets import street
+from cases.open190.scenes import REGISTERED
 from cases.open190.space import Solid, Space
 from cases.standing import snapshot_of, unsound
 from catalog.build import build_pack
@@ -32,6 +37,17 @@ def test_there_are_ten_indoor_ten_outdoor_and_thirty_text_scenes() -> None:
     assert kinds == {"indoor": 10, "outdoor": 10, "text": 30}
     assert sum(spec.slot for spec in SCENES.values()) >= 5
     assert {spec.plate_m for spec in SCENES.values() if spec.kind == "text"} == {130.0, 200.0}
+
+
+def test_every_scene_has_a_place_in_the_order() -> None:
+    assert set(SCENES) == set(REGISTERED)
+
+
+def test_the_digest_of_sources_is_over_every_file_that_lays_a_scene_out() -> None:
+    rules = (street, Space, *StagedPlace.__mro__[:-2])
+    files = {Path(inspect.getfile(one)) for one in (*(spec.build for spec in SCENES.values()), *rules)}
+    assert len(files) > 60
+    assert files <= set(laid_out_by())
 
 
 @pytest.mark.parametrize("scene_id", [SMALL_TEXT, SMALL_ROOM])

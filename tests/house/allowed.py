@@ -68,12 +68,6 @@ PRINTS: dict[str, set[str]] = {"c4s/cli/batches.py": {"sys.stdout.write"}}
 """JSON lines, as they come; their characters are ASCII."""
 
 FILES: dict[str, set[str]] = {
-    "cases/open190/districts.py": {"whole"},
-    "cases/open190/indoor.py": {"whole"},
-    "cases/open190/layout.py": {"whole"},
-    "cases/open190/outdoor.py": {"whole"},
-    "cases/open190/today.py": {"whole"},
-    "cases/open190/bygone.py": {"whole"},
     "cases/starter/outdoor_texts.py": {"whole"},
     "tests/agent_clients/scripted_endpoint.py": {"whole"},
     "tests/catalog/test_collision_bodies.py": {"whole"},
