@@ -10,7 +10,7 @@ from typing import Final
 from c4s.errors import BadInput
 from c4s.judge.desk import Desk
 from c4s.judge.model.version import model_version
-from c4s.judge.rule.judging import judge_evidence, rule_version
+from c4s.judge.rule.version import rule_version
 from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.judge import JudgeConfiguration, JudgeKind
 from c4s.records.judgement import Judgements
@@ -27,6 +27,12 @@ class Judge:
     """Whether it asks a model over a network."""
 
 
+def _judge_by_rule(_: JudgeConfiguration, evidence: Evidence, __: Desk) -> Judgements:
+    from c4s.judge.rule.judging import judge_evidence
+
+    return judge_evidence(evidence)
+
+
 def _judge_by_model(configuration: JudgeConfiguration, evidence: Evidence, desk: Desk) -> Judgements:
     from c4s.judge.model.judging import judge_by_model
 
@@ -34,7 +40,7 @@ def _judge_by_model(configuration: JudgeConfiguration, evidence: Evidence, desk:
 
 
 JUDGES: Final[dict[JudgeKind, Judge]] = {
-    "rule": Judge(lambda _, evidence, __: judge_evidence(evidence), lambda _: rule_version()),
+    "rule": Judge(_judge_by_rule, lambda _: rule_version()),
     "model": Judge(_judge_by_model, model_version, online=True),
 }
 READS: Final[frozenset[EvidenceName]] = frozenset({"candidate_snapshot", "captures", "requirements", "binding"})

@@ -12,7 +12,6 @@ import itertools
 from typing import TypeAlias
 
 import numpy as np
-from scipy.spatial import KDTree
 
 from c4s.semantics.boxes import BoundsTree, Flags, Rows
 from c4s.semantics.inventory import Array
@@ -37,6 +36,8 @@ def between_any(points: Array, references: Array) -> Flags:
     found = np.zeros(len(points), dtype=bool)
     if len(places) < 2:
         return found
+    from scipy.spatial import KDTree
+
     close = KDTree(places).query(points, k=min(CLOSE, len(places)))[1]
     for one, other in itertools.combinations(range(close.shape[1]), 2):
         rows = np.flatnonzero(~found)

@@ -10,7 +10,6 @@ from collections.abc import Callable, Sequence
 from typing import Final, TypeAlias
 
 import numpy as np
-from scipy.spatial import KDTree
 
 from c4s.semantics.inventory import Array, Thing
 
@@ -56,6 +55,8 @@ def nearest(points: Array) -> Array:
     places, inverse, count = np.unique(points, axis=0, return_inverse=True, return_counts=True)
     ways = np.zeros(len(places))
     if len(places) > 1:
+        from scipy.spatial import KDTree
+
         close = KDTree(places).query(places, k=min(_TIES, len(places)))[1]
         every = np.hypot(*(places[:, None] - places[close]).transpose(2, 0, 1))
         every[close == np.arange(len(places))[:, None]] = np.inf
@@ -69,6 +70,8 @@ def _concentration(points: Array, folds: int) -> float:
     places = np.unique(points, axis=0)
     if len(places) < 3:
         return 0.0
+    from scipy.spatial import KDTree
+
     close = KDTree(places).query(places, k=2)[1][:, 1]
     offsets = places[close] - places
     return float(np.abs(np.exp(1j * folds * np.arctan2(offsets[:, 1], offsets[:, 0])).mean()))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
 
 from c4s.semantics.boxes import Flags
 from c4s.semantics.inventory import Array
@@ -47,6 +46,8 @@ def in_ring_of_others(points: Array) -> Flags:
 
 def _ring(corners: Array) -> Array | None:
     """Corners of the hull, counter-clockwise."""
+    from scipy.spatial import ConvexHull, QhullError
+
     try:
         return np.asarray(corners[ConvexHull(corners).vertices])
     except (QhullError, ValueError):

@@ -12,7 +12,6 @@ from itertools import combinations
 from typing import Final
 
 import numpy as np
-from scipy.stats import pearsonr, rankdata, spearmanr
 
 from c4s.stats.bootstrap import Floats, Integers
 from c4s.stats.ranks import settled
@@ -60,16 +59,22 @@ def reversed_counts(estimates: Floats, truth: Floats, gap: float = REVERSED_GAP)
 
 def average_ranks(scores: Floats) -> Floats:
     """Ranks from 1, the highest score first; equal scores share the mean of theirs (for correlations)."""
+    from scipy.stats import rankdata
+
     return np.asarray(rankdata(-settled(scores)), dtype=np.float64)
 
 
 def spearman(one: Floats, two: Floats) -> float | None:
     """Spearman's rank correlation; None where it has no value: under three things, or all equal in one of the two."""
+    from scipy.stats import spearmanr
+
     return _correlation(spearmanr, settled(one), settled(two))
 
 
 def pearson(one: Floats, two: Floats) -> float | None:
     """Pearson's correlation; None where it has no value."""
+    from scipy.stats import pearsonr
+
     return _correlation(pearsonr, one, two)
 
 

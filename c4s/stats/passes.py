@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.special import comb
 
 from c4s.stats.bootstrap import Floats
 
@@ -30,5 +29,7 @@ def pass_all(successes: object, runs: object, k: int) -> Floats:
 def _share(start: float, sign: float, hits: Floats, runs: Floats, k: int) -> Floats:
     if k < 1:
         raise ValueError("one run or more is expected")
+    from scipy.special import comb
+
     with np.errstate(invalid="ignore", divide="ignore"):
         return np.asarray(np.where(runs >= k, start + sign * comb(hits, k) / comb(runs, k), np.nan))

@@ -12,7 +12,6 @@ from collections.abc import Callable
 from typing import Final
 
 import numpy as np
-from scipy.stats import t as student
 
 from c4s.stats.bootstrap import LEVEL, Design, Floats
 
@@ -48,6 +47,8 @@ def clustered_variances(design: Design, values: object) -> Floats:
 
 def multiplier(freedom: float, level: float = LEVEL, power: float = POWER) -> float:
     """How many standard errors a true difference has to be so as to be found with this power, two-sided."""
+    from scipy.stats import t as student
+
     return float(student.ppf((1 + level) / 2, freedom) + student.ppf(power, freedom))
 
 

@@ -13,7 +13,6 @@ from itertools import combinations
 from statistics import fmean
 
 import numpy as np
-from scipy.spatial.distance import jensenshannon
 
 from c4s.stats.bootstrap import Floats
 
@@ -92,4 +91,6 @@ def _share(successes: object, runs: object) -> Floats:
 
 
 def _distance(one: Floats, two: Floats) -> float:
+    from scipy.spatial.distance import jensenshannon
+
     return 0.0 if np.array_equal(one, two) else float(jensenshannon(one, two))

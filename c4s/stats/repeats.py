@@ -10,7 +10,6 @@ from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import kendalltau
 
 from c4s.stats.ranks import DIGITS, settled
 
@@ -70,6 +69,8 @@ def tau_b(one: NDArray[np.float64], two: NDArray[np.float64]) -> float | None:
     first, second = settled(one), settled(two)
     if len(first) < 2 or np.ptp(first) == 0 or np.ptp(second) == 0:
         return None
+    from scipy.stats import kendalltau
+
     return round(float(kendalltau(first, second, variant="b").statistic), DIGITS)
 
 

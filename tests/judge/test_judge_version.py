@@ -13,7 +13,7 @@ from c4s.judge.model import version
 from c4s.judge.model.prompts import prompt_versions
 from c4s.judge.names import judge_configuration
 from c4s.judge.registry import judge_version
-from c4s.judge.rule.judging import DECIDE, rule_version
+from c4s.judge.rule.version import DECIDE, rule_version
 from c4s.records.folder import RunFolder
 from c4s.records.judge import JudgeConfiguration
 from c4s.records.plan import Plan

@@ -91,7 +91,7 @@ def test_a_changed_word_list_or_rule_makes_another_judge_and_another_verdict(tmp
 
     def versions() -> list[str]:
         ask = (
-            "from c4s.judge.rule.judging import rule_version\n"
+            "from c4s.judge.rule.version import rule_version\n"
             "from c4s.records.version import code_version\n"
             "print(rule_version(), code_version('verify', 'protocol'))"
         )

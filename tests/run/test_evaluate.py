@@ -17,7 +17,7 @@ import pytest
 from bench.waiting import until
 from c4s.files import digest_file
 from c4s.home import runs_root
-from c4s.judge.rule.judging import rule_version
+from c4s.judge.rule.version import rule_version
 from c4s.protocol.rules import GATE
 from c4s.records.pack import Pack
 from c4s.records.plan import Plan

@@ -4,7 +4,6 @@ tab:main-results; SA01, SA02, SA28-SA30)."""
 from __future__ import annotations
 
 import numpy as np
-from scipy.stats import spearmanr
 
 from c4s.protocol.case import SEMANTIC
 from c4s.records.analysis import Chart, Column, Findings, Table, Value
@@ -128,6 +127,8 @@ def _association(observed: dict[str, Floats]) -> list[str]:
     """Spearman's rank correlation of the two setting scores (SA02)."""
     if MODEL not in observed or observed[MODEL].shape[1] < 3:
         return []
+    from scipy.stats import spearmanr
+
     rho = float(spearmanr(observed["s_t2s"][0], observed["s_i2s"][0]).statistic)
     return (
         []

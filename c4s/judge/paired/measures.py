@@ -15,7 +15,6 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
-from scipy.ndimage import distance_transform_edt, uniform_filter
 
 from c4s.errors import BadInput
 from c4s.protocol.paired import CHAMFER_PX, DEPTH_EDGE_CM, DEPTH_EDGES, FAR_CM, RGB, SILHOUETTE
@@ -74,6 +73,8 @@ def mask_measures(target: tuple[Flags, Array], truth: tuple[Flags, Array]) -> Ma
 
 
 def _similarity(one: Array, other: Array) -> float:
+    from scipy.ndimage import uniform_filter
+
     a, b = uniform_filter(one, WINDOW_PX), uniform_filter(other, WINDOW_PX)
     spread = uniform_filter(one * one, WINDOW_PX) - a * a + uniform_filter(other * other, WINDOW_PX) - b * b
     common = uniform_filter(one * other, WINDOW_PX) - a * b
@@ -91,5 +92,7 @@ def _edges(depth: Array) -> Flags:
 def _edge_similarity(one: Flags, other: Flags) -> float:
     if not one.any() or not other.any():
         return float(one.any() == other.any())
+    from scipy.ndimage import distance_transform_edt
+
     ways = [distance_transform_edt(~edges)[seen].mean() for edges, seen in ((other, one), (one, other))]
     return float(max(0.0, 1.0 - np.mean(ways) / CHAMFER_PX))

@@ -1,3 +1,3 @@
 """The offline rule judge."""
 
-__all__ = ["judging"]
+__all__ = ["judging", "version"]

@@ -9,25 +9,17 @@ from c4s.judge.names import RULE
 from c4s.judge.paired.judging import paired_by_measures
 from c4s.judge.rule.overview import DimensionPart, dimensions, structural_integrity
 from c4s.judge.rule.pixels import ActorColors
+from c4s.judge.rule.version import rule_version
 from c4s.protocol.bundle import Requirements, read_requirements
 from c4s.protocol.numbers import mean
 from c4s.protocol.rules import OVERVIEW_VIEWS
 from c4s.protocol.settings import is_construction
 from c4s.records.evidence import Evidence
 from c4s.records.judgement import ClaimJudgement, Judgements, OverviewDimension, OverviewJudgement, OverviewPart
-from c4s.records.version import code_version
 from c4s.semantics.binding import binding_of
 from c4s.semantics.kinds import Facts
 from c4s.semantics.state import ActorColor, StateDecider
 from c4s.semantics.views import Views, read_views
-
-DECIDE = ("judge/rule", "judge/paired", "semantics", "protocol", "geometry")
-"""Folders of ``c4s`` whose sources decide what the rule judge says."""
-
-
-def rule_version() -> str:
-    """Changes with any source or word list that the rule judge decides by."""
-    return code_version(*DECIDE)
 
 
 def judge_evidence(evidence: Evidence) -> Judgements:

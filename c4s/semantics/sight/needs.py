@@ -13,7 +13,6 @@ from dataclasses import dataclass, field
 from typing import Final, Literal
 
 import numpy as np
-from scipy.spatial import KDTree
 
 from c4s.protocol.bundle import LOGIC_TYPES, Predicate
 from c4s.semantics.boxes import morton_order
@@ -192,6 +191,8 @@ class Needs:
         """The references, of many those nearest to the subjects."""
         if len(references) <= (MOST_THINGS if each > 1 else GROUP):
             return references
+        from scipy.spatial import KDTree
+
         near = KDTree(self._centres[references]).query(self._centres[subjects], k=min(each, len(references)))[1]
         return self._sample(sorted({references[place] for place in np.ravel(near).tolist()}))
 
@@ -199,6 +200,8 @@ class Needs:
         """The things that stand closest together, with the one whose neighbours are nearest in the middle."""
         if len(things) <= GROUP:
             return things
+        from scipy.spatial import KDTree
+
         ways, near = KDTree(self._centres[things]).query(self._centres[things], k=GROUP)
         heart = int(np.argmin(np.round(ways[:, -1], 3)))
         return sorted(things[place] for place in near[heart].tolist())

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.cluster.hierarchy import fcluster, linkage
 
 from c4s.evidence.shots import Camera, Probe
 from c4s.semantics.boxes import Flags
@@ -79,6 +78,8 @@ def _groups(centres: Array) -> list[Any]:
     """Rows of targets that stand together, those with most first; at most as many groups as there are views."""
     if len(centres) == 1:
         return [np.array([0])]
+    from scipy.cluster.hierarchy import fcluster, linkage
+
     labels = fcluster(linkage(centres, "single"), TOGETHER_CM, "distance")
     groups = [np.flatnonzero(labels == label) for label in np.unique(labels)]
     return sorted(groups, key=lambda rows: (-len(rows), int(rows[0])))[:MOST_VIEWS]

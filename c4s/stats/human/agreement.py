@@ -12,7 +12,6 @@ from itertools import combinations
 from typing import Final
 
 import numpy as np
-from scipy.stats import spearmanr
 
 from c4s.stats.bootstrap import LEVEL, Design, Floats, domain_means, percentile_interval
 from c4s.stats.human.consensus import TIE, consensus, log_worths
@@ -89,6 +88,8 @@ def tau_by_prompt(scores: Floats, worths: Floats) -> Floats:
 
 def rho_by_prompt(scores: Floats, worths: Floats) -> Floats:
     """Spearman's rho with average ranks, as ``tau_by_prompt``."""
+    from scipy.stats import spearmanr
+
     return _rank_correlation(scores, worths, lambda one, two: float(spearmanr(one, two).statistic))
 
 

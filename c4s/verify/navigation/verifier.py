@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from c4s.navigation import measure_snapshot
 from c4s.protocol.settings import SETTINGS
 from c4s.records.evidence import Evidence, EvidenceName
 from c4s.records.evidence_digests import WALKED
 from c4s.records.navigation import NavigationEvidence
 from c4s.records.verdict import Verdict
-from c4s.verify.navigation.verdict import NAME, verify_navigation
 from c4s.verify.verifier import Components, Finding, Verifier, shares
 
 _FALLS = {
@@ -26,6 +24,8 @@ def _measure(evidence: Evidence) -> dict[EvidenceName, Mapping[str, Any]]:
     """The walkable space of the exported bodies. An engine that knows its own mesh has been probed before."""
     if evidence.has("navigation"):
         return {}
+    from c4s.navigation import measure_snapshot
+
     snapshot = evidence.json("candidate_snapshot")
     return {} if _has_own_mesh(snapshot) else {"navigation": measure_snapshot(snapshot).plain()}
 
@@ -36,6 +36,8 @@ def _has_own_mesh(snapshot: Mapping[str, Any]) -> bool:
 
 
 def _verify(evidence: Evidence) -> Verdict:
+    from c4s.verify.navigation.verdict import verify_navigation
+
     given = None
     if evidence.has("navigation"):
         given = NavigationEvidence.parse(evidence.json("navigation"), where=str(evidence.path("navigation")))
@@ -61,7 +63,7 @@ def _findings(verdict: Verdict) -> Iterator[Finding]:
 
 
 NAVIGATION = Verifier(
-    name=NAME,
+    name="navigation",
     title="Embodied utility",
     settings=SETTINGS,
     needs=frozenset({"candidate_snapshot", "navigation"}),

@@ -1,0 +1,14 @@
+"""A worker process loads what its stage works with, not what every stage of a trial might."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+HEAVY = ("duckdb", "jsonschema", "mcp", "numba", "pandas", "pyarrow", "scipy")
+
+
+def test_stages_are_known_without_what_they_work_with() -> None:
+    code = f"import sys, c4s.run.stages; print(*(name for name in {HEAVY} if name in sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout.split() == []
