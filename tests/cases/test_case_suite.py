@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -24,7 +25,7 @@ from cases.suite import build_suite
 from cases.views import orbit
 from catalog.build import build_pack
 from catalog.starter import farm
-from tests.built import built_packs
+from tests.built import built_once, built_packs
 
 TEXT = "A field with two cows and a barn."
 
@@ -71,10 +72,26 @@ def small() -> SuiteDefinition:
     return SuiteDefinition("small", "Small", "", ["c4s-farm"], [scene], [repair, text])
 
 
-def test_a_suite_is_built_whole_and_again_to_the_same_digest(packs: Path, tmp_path: Path) -> None:
-    first = build_suite(small(), tmp_path / "a", packs, lambda line: None)
+def paddock_home(factory: pytest.TempPathFactory) -> Path:
+    """A home with the farm's pack and the suite ``small``, built once a test run; for reading."""
+
+    def build(root: Path) -> None:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("C4S_HOME", str(root))
+            shutil.copytree(built_packs(factory, "c4s-farm"), root / "packs")
+            built = build_suite(small(), root / "suites/small", root / "packs", lambda line: None)
+            assert SuiteFolder(root / "suites/small").suite() == built
+
+    return built_once(factory, "paddock-home", build)
+
+
+def test_a_suite_is_built_whole_and_again_to_the_same_digest(
+    packs: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    shutil.copytree(paddock_home(tmp_path_factory) / "suites/small", tmp_path / "a")
     folder = SuiteFolder(tmp_path / "a")
-    assert folder.suite() == first and [case.case_id for case in first.cases] == ["paddock-cow", "paddock-text"]
+    first = folder.suite()
+    assert [case.case_id for case in first.cases] == ["paddock-cow", "paddock-text"]
     _check_repair(folder)
     _check_text(folder)
     steps: list[str] = []

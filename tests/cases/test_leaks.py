@@ -14,9 +14,7 @@ from c4s.errors import BadInput
 from c4s.records.level import Level, LevelActor
 from c4s.records.suite import AgentCase, SuiteFolder
 from cases.leaks import CHECKS, check_leaks, leaks
-from cases.suite import build_suite
-from tests.built import built_packs
-from tests.cases.test_case_suite import small
+from tests.cases.test_case_suite import paddock_home
 from tests.starter import starter_home
 
 COW = "paddock-cow"
@@ -24,9 +22,7 @@ COW = "paddock-cow"
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    place = tmp_path_factory.mktemp("leaks") / "small"
-    build_suite(small(), place, built_packs(tmp_path_factory, "c4s-farm"), lambda line: None)
-    return place
+    return paddock_home(tmp_path_factory) / "suites/small"
 
 
 @pytest.fixture

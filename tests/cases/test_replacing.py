@@ -25,9 +25,9 @@ from cases.importers.importing import import_scene
 from cases.importers.scene import imported_scene
 from cases.suite import build_suite
 from catalog.build import ensure_pack
-from tests.built import built_packs
-from tests.cases.test_case_suite import small
+from tests.cases.test_case_suite import paddock_home, small
 from tests.cli.test_bad_input import TASK
+from tests.run.conftest import command_in
 from tests.run.frozen import flipped
 
 
@@ -37,13 +37,7 @@ def quiet(line: str) -> None:
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A home with the farm's pack and the suite ``small``."""
-    home = tmp_path_factory.mktemp("home")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("C4S_HOME", str(home))
-        shutil.copytree(built_packs(tmp_path_factory, "c4s-farm"), home / "packs")
-        build_suite(small(), home / "suites/small", home / "packs", quiet)
-    return home
+    return paddock_home(tmp_path_factory)
 
 
 @pytest.fixture
@@ -161,14 +155,7 @@ def test_a_place_is_never_empty_while_folders_change_places(tmp_path: Path) -> N
 
 
 def c4s(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "c4s.cli", *arguments],
-        env={**os.environ, "C4S_HOME": str(home)},
-        text=True,
-        capture_output=True,
-        timeout=100,
-        check=False,
-    )
+    return command_in(home)(*arguments, timeout=100)
 
 
 def test_imported_tasks_and_their_packs(built: Path, tmp_path: Path) -> None:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +14,7 @@ from c4s.files import digest_bytes
 from c4s.protocol.graph.check import check_bundle
 from tests.cases.model_endpoint import model_endpoint
 from tests.cases.test_extraction import good
+from tests.run.conftest import command_in
 from tests.shared import SHARED
 
 PUBLISHED = SHARED / "upstream/benchmark/public/text-to-scene/bazaar"
@@ -29,14 +28,7 @@ PROMPT = "\n".join([DESCRIPTION, "", "=== ASSET PALETTE ===", "", *ROWS, ""])
 
 
 def c4s(home: Path, *arguments: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "c4s.cli", *map(str, arguments)],
-        env={**os.environ, "C4S_HOME": str(home)},
-        text=True,
-        capture_output=True,
-        timeout=120,
-        check=False,
-    )
+    return command_in(home)(*map(str, arguments), timeout=120)
 
 
 def done(home: Path, *arguments: object) -> Any:

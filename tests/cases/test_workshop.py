@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -19,23 +17,17 @@ from c4s.records.pack import Pack
 from c4s.records.suite import SuiteFolder
 from cases.workshop import SuiteFile
 from tests.built import built_packs
+from tests.cli.warm import warm_process
 
 KEPT = ("hay_bale", "crate", "wheelbarrow", "scarecrow", "hay_cart", "cow", "sheep", "tool_rack", "wood_pile", "plough")
 
 
 def c4s(home: Path, *arguments: object, code: int = 0) -> str:
     """What a command says on both streams; its exit code is looked at."""
-    done = subprocess.run(
-        [sys.executable, "-m", "c4s.cli", *map(str, arguments)],
-        env={**os.environ, "C4S_HOME": str(home), "COLUMNS": "200"},
-        text=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        timeout=280,
-        check=False,
-    )
-    assert done.returncode == code, done.stdout
-    return done.stdout
+    settings = {**os.environ, "C4S_HOME": str(home), "COLUMNS": "200"}
+    done = warm_process().call([*map(str, arguments)], cwd=Path.cwd(), environment=settings, limit_s=280)
+    assert done.code == code, done.out + done.err
+    return done.out + done.err
 
 
 @pytest.fixture(scope="module")

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
 
-from catalog.build import build_starter
-from tests.built import built_once
+from tests.built import built_once, built_packs
 
 
 @pytest.fixture(scope="session")
 def indoor_packs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return built_once(tmp_path_factory, "indoor-packs", lambda root: build_starter(root, ["c4s-office", "c4s-home"]))
+    def gather(root: Path) -> None:
+        for pack_id in ("c4s-office", "c4s-home"):
+            shutil.copytree(built_packs(tmp_path_factory, pack_id) / pack_id, root / pack_id)
+
+    return built_once(tmp_path_factory, "indoor-packs", gather)

@@ -21,3 +21,11 @@ def verify_overview(asked: Any, snapshot: Record, catalog: Record, captures: Rec
     """Overview Alignment of a scene by a bundle, or by a bare prompt."""
     bundle, prompt = (None, asked) if isinstance(asked, str) else (asked, "")
     return overview.verify_overview(judge_by_rule(bundle, prompt, snapshot, catalog, captures))
+
+
+def verify_both(
+    bundle: Any, snapshot: Record, catalog: Record, captures: Record | None = None
+) -> tuple[Verdict, Verdict]:
+    """Detailed and Overview Alignment of a scene by a bundle, of one judging."""
+    judgements = judge_by_rule(bundle, "", snapshot, catalog, captures)
+    return detailed.verify_detailed(bundle, judgements), overview.verify_overview(judgements)

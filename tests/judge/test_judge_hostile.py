@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from c4s.errors import BadInput
 from c4s.protocol.bundle import MAXIMUM_NODES, read_requirements
-from tests.judge.judged import verify_detailed, verify_overview
+from tests.judge.judged import verify_both, verify_detailed, verify_overview
 
 NAMES = ("desk", "lamp", "crate")
 CATALOG = {
@@ -77,7 +77,7 @@ def captures(scene: list[dict[str, Any]]) -> dict[str, Any]:
 
 def scores(asked: dict[str, Any], scene: list[dict[str, Any]], **extra: Any) -> tuple[float, float]:
     snapshot = {"actors": scene, **extra}
-    found = [verify(asked, snapshot, CATALOG, captures(scene)).score for verify in (verify_detailed, verify_overview)]
+    found = [verdict.score for verdict in verify_both(asked, snapshot, CATALOG, captures(scene))]
     assert all(score is not None and 0 <= score <= 1 for score in found)
     return float(found[0] or 0), float(found[1] or 0)
 
@@ -182,8 +182,7 @@ def test_a_damaged_bundle_is_judged_or_one_line(data: st.DataObject) -> None:
         holder[last] = data.draw(ODD)
     scene = [actor(n, path, (n * 100, 0, 0), (50, 50, 50)) for n, path in enumerate(PATHS)]
     try:
-        verify_overview(asked, {"actors": scene}, CATALOG, captures(scene))
-        verify_detailed(asked, {"actors": scene}, CATALOG, captures(scene))
+        verify_both(asked, {"actors": scene}, CATALOG, captures(scene))
     except BadInput as error:
         assert "\n" not in error.line()
 
