@@ -18,7 +18,12 @@ from typing import Final
 
 ROOT: Final = Path(__file__).resolve().parents[1]
 PACKAGES: Final = "python3,python3-venv,make,git,ca-certificates"
-SHORT: Final = ("make setup", ".venv/bin/c4s --version", ".venv/bin/c4s run starter -a noop -c outdoor-farm-yard")
+SHORT: Final = (
+    "make setup",
+    ".venv/bin/c4s --version",
+    ".venv/bin/c4s suite build starter",
+    ".venv/bin/c4s run starter -a noop -c outdoor-farm-yard",
+)
 WHOLE: Final = ("make demo",)
 TREE: Final = "root/c4s"
 CERTIFICATES: Final = "etc/ssl/certs/ca-certificates.crt"
@@ -29,7 +34,15 @@ mkdir dev/shm; ln -s /proc/self/fd dev/fd
 exec chroot . sh -c "cd /root/c4s && $2"
 """
 """What runs in a mount namespace of its own: all that it mounts is gone with it."""
-KEPT: Final = ("PIP_", "HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY", "http_proxy", "https_proxy", "no_proxy")
+KEPT: Final = (
+    "PIP_CERT",
+    "PIP_INDEX_URL",
+    "PIP_DEFAULT_TIMEOUT",
+    "HTTP_PROXY",
+    "HTTPS_PROXY",
+    "http_proxy",
+    "https_proxy",
+)
 
 
 def made(folder: Path, release: str) -> Path:
@@ -45,7 +58,7 @@ def made(folder: Path, release: str) -> Path:
 
 def tried(place: Path, commands: Sequence[str]) -> Iterator[tuple[str, int, float]]:
     """Each command with its exit code and processor seconds."""
-    kept = {name: value for name, value in os.environ.items() if name.startswith(KEPT)}
+    kept = {name: value for name, value in os.environ.items() if name in KEPT}
     environment = {"HOME": "/root", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", **kept}
     for command in commands:
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
