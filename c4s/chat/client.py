@@ -28,6 +28,7 @@ from c4s.files import parse_json, whole_characters
 from c4s.meter.usage import UNKNOWN, MalformedUsage, Usage
 from c4s.meter.wire import BY_NAME
 from c4s.meter.wire.base import Reading
+from c4s.proxies import check_proxies
 
 CONNECT_S, ANSWER_S = 30.0, 1200.0
 
@@ -60,8 +61,8 @@ class ChatClient:
     ) -> None:
         """``note`` is given one record for every failure, without address and key; an answer that is not whole after
         ``answer_s`` is one."""
+        check_proxies()
         self._http = httpx.Client(
-            trust_env=False,
             timeout=httpx.Timeout(answer_s, connect=CONNECT_S),
             limits=httpx.Limits(max_connections=None, max_keepalive_connections=64),
         )

@@ -9,6 +9,7 @@ import typer
 
 from c4s.cli import boundary
 from c4s.cli.lazy import LazyGroup
+from c4s.proxies import spare_loopback
 
 
 class _C4S(LazyGroup):
@@ -124,4 +125,5 @@ def command() -> Any:
 
 def main() -> NoReturn:
     """Entry point: exit 0 done, 1 the answer is no, 2 bad usage or bad input, 3 the machinery failed."""
+    spare_loopback()
     boundary.run(lambda: command()(prog_name="c4s", standalone_mode=False))

@@ -25,6 +25,7 @@ from c4s.errors import MachineryFault
 from c4s.meter.exchange import Exchange, Timeouts
 from c4s.meter.metered import MeterRun
 from c4s.meter.wire import wire_of
+from c4s.proxies import check_proxies
 
 START_TIMEOUT_S = 20.0
 _FREE = re.compile(r"(^|/)models(/[^/:]+(/[^/:]+)?)?$|/messages/count_tokens$|/models/[^:]+:countTokens$")
@@ -46,6 +47,7 @@ class Meter:
 
     def __enter__(self) -> Self:
         """Listen. The protocol is named so that asyncio turns off Nagle's algorithm, which would add 40 ms."""
+        check_proxies()
         listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
         listener.bind(("127.0.0.1", 0))
         listener.listen(loopback.BACKLOG)

@@ -68,7 +68,7 @@ class Notifier:
             answer = httpx.post(
                 self._url, content=body.encode(), headers={"content-type": "application/json"}, timeout=POST_S
             )
-        except (httpx.HTTPError, httpx.InvalidURL, ValueError, OSError) as error:
+        except (httpx.HTTPError, httpx.InvalidURL, ValueError, OSError, ImportError) as error:
             return type(error).__name__
         return "" if answer.is_success else f"it answered {answer.status_code}"
 

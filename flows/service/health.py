@@ -9,6 +9,7 @@ from typing import Any, Final
 import flows
 from c4s.errors import MachineryFault
 from c4s.files import read_yaml
+from c4s.proxies import check_proxies
 from flows.service.names import POOLS
 
 _TIMEOUT_S: Final = 10.0
@@ -19,6 +20,7 @@ def health(url: str) -> str:
     """What is wrong with the server of a URL; empty where it answers."""
     import httpx
 
+    check_proxies()
     try:
         answer = httpx.get(f"{url.rstrip('/')}/health", timeout=_TIMEOUT_S)
     except (httpx.HTTPError, httpx.InvalidURL) as error:
