@@ -17,7 +17,7 @@ from cases.zeroad.archive import Archive
 from cases.zeroad.pmd import PmdMesh, read_pmd
 from catalog.ingest.surface import SourcePart, Surface, has_alpha, texture_png
 
-MOST_PIXELS, DEEPEST = 256, 6
+MOST_PIXELS, DEEPEST = 512, 6
 """Pixels a side of a texture; how many props may hang on props."""
 TURN = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """Of the axes east, up and north into Unreal's: X is north, Y east, Z up."""
