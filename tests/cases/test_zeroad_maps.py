@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import struct
 import zipfile
 from pathlib import Path
@@ -12,7 +13,9 @@ import pytest
 from PIL import Image
 
 from c4s.errors import BadInput
+from c4s.files import digest_file
 from cases.importers.imported import ImportedScene
+from cases.open190.slots import VARIABLE, BroughtSpec, MapPart, SceneSlot, absence
 from cases.zeroad import Square, read_map
 from cases.zeroad.pmd import read_pmd
 from cases.zeroad.pmp import read_pmp
@@ -141,6 +144,45 @@ def test_triangles_look_outwards(scene: ImportedScene) -> None:
 def test_a_square_off_the_map_is_refused(archive: Path) -> None:
     with pytest.raises(BadInput, match="does not lie on this map"):
         read_map(archive, MAP, Square(8, 8, SIDE))
+
+
+INSTALLED = Path(os.environ.get(VARIABLE, "/")) / "usr/share/games/0ad/mods/public/public.zip"
+
+
+@pytest.mark.skipif(not INSTALLED.is_file(), reason="0ad-data is not installed, nor unpacked where C4S_SLOTS says")
+def test_a_map_of_the_game_is_read() -> None:
+    scene = read_map(INSTALLED, "maps/scenarios/sandbox_iberians.xml", Square(74, 40, 12))
+    assert len(scene.actors) > 20 and not scene.skipped
+    assert {part.surface.texture is None for asset in scene.assets.values() for part in asset.parts} == {False}
+
+
+def test_a_slot_may_be_a_part_of_a_map(archive: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    root = archive.parent
+    (root / "copyright").write_text("Hamlet, by its makers.\n")
+    monkeypatch.setenv(VARIABLE, str(root))
+    monkeypatch.setenv("C4S_HOME", str(root / "home"))
+    slot = SceneSlot(
+        scene_id="hamlet",
+        in_place_of="town-square",
+        environment="outdoor",
+        title="A hamlet",
+        manager="Debian",
+        package="hamlet-data",
+        version="1-1",
+        install="apt install hamlet-data",
+        file=archive.name,
+        file_sha256=digest_file(archive),
+        licence_file="copyright",
+        licence="CC-BY-SA-3.0",
+        map=MapPart(name=MAP, column=0, row=0, side=SIDE),
+    )
+    assert absence(slot) is None
+    pack = BroughtSpec(slot).bring(root / "packs")
+    assert (pack.license, pack.ai_use) == ("CC-BY-SA-3.0", "allowed")
+    assert "Hamlet, by its makers." in (root / "packs/open-hamlet/LICENSE.txt").read_text()
+    place = BroughtSpec(slot).place(root / "packs")
+    assert {"hut_1_hut", "hut_1_barrel", "Ground"} <= {actor.name for actor in place.level().actors}
+    assert list(place.parted) == ["Ground"]
 
 
 def test_broken_files_are_named(tmp_path: Path) -> None:
