@@ -46,7 +46,7 @@ class Square:
         return 0 < east_m - low[0] < high and 0 < north_m - low[1] < high
 
 
-class Ground:
+class MapGround:
     """The ground of a square of a terrain; ``zero_m`` is its commonest height, and nothing in the scene."""
 
     def __init__(self, terrain: Terrain, square: Square, water_m: float) -> None:

@@ -16,10 +16,10 @@ from c4s.records.pack import BoxBody, CollisionBody
 from cases.importers.imported import ImportedScene, Matrix, SceneActor, SceneAsset, SceneLight
 from cases.zeroad.actors import template_of
 from cases.zeroad.archive import Archive
-from cases.zeroad.ground import Ground, Square
+from cases.zeroad.ground import MapGround, Square
 from cases.zeroad.pmp import read_pmp
 from cases.zeroad.shapes import Shapes, cut_at_ground, turned
-from cases.zeroad.things import Piece, about_its_foot, split
+from cases.zeroad.things import ActorPiece, about_its_foot, split
 
 ALIVE = ("units/", "actor|units/", "gaia/fauna", "actor|fauna/", "actor|particle/", "skirmish/", "trigger/")
 """Who lives, and what is nothing to see, is left out."""
@@ -60,7 +60,7 @@ class _Map:
         terrain = read_pmp(archive.data(member.removesuffix(".xml") + ".pmp"), member)
         water = float(self.root.findtext("Environment/Water/WaterBody/Height") or -1000)
         self.square = square
-        self.ground = Ground(terrain, square, water)
+        self.ground = MapGround(terrain, square, water)
         self.scene = ImportedScene(metric=True)
         self.shapes = Shapes(archive)
         self.looks: dict[tuple[str, int, bool], list[_Kept]] = {}
@@ -132,11 +132,13 @@ class _Map:
         shapes = self.shapes.of(actor, random.Random(f"{actor}|{number}"))
         name = actor.rpartition("/")[2].removesuffix(".xml")
         grows = any(word in actor for word in GROWS)
-        pieces = [Piece(name, [shape.part for shape in shapes])] if grows or not level else split(name, shapes)
+        pieces = [ActorPiece(name, [shape.part for shape in shapes])] if grows or not level else split(name, shapes)
         found = []
         for count, piece in enumerate(pieces):
             if level:
-                piece = Piece(piece.name, [cut for part in piece.parts if (cut := cut_at_ground(part)) is not None])
+                piece = ActorPiece(
+                    piece.name, [cut for part in piece.parts if (cut := cut_at_ground(part)) is not None]
+                )
                 if not piece.parts:
                     continue
             own = piece.box[0][2] if level else 0.0
@@ -153,7 +155,7 @@ class _Map:
         return found
 
 
-def _trunk(piece: Piece) -> BoxBody:
+def _trunk(piece: ActorPiece) -> BoxBody:
     """The body of what grows: its trunk, so that things may stand under its leaves."""
     low, high = piece.box
     tall = float(high[2] - max(low[2], 0.0))

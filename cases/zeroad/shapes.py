@@ -27,7 +27,7 @@ SEE_THROUGH = ("trans_wind.xml", "waterfall.xml")
 
 
 @dataclass
-class Shape:
+class ActorShape:
     """A mesh of an actor or of one of its props: what it is called, and its part."""
 
     name: str
@@ -51,21 +51,21 @@ class Shapes:
     missing: dict[str, str] = field(default_factory=dict)
     """Props and textures that could not be read, and why."""
 
-    def of(self, actor: str, chance: random.Random) -> list[Shape]:
+    def of(self, actor: str, chance: random.Random) -> list[ActorShape]:
         """All shapes of an actor about its place; ``BadInput`` where it has none."""
         found = list(self._shapes(actor, chance, np.eye(4), 0))
         if not found:
             raise BadInput("an actor without a mesh", where=actor)
         return found
 
-    def _shapes(self, actor: str, chance: random.Random, matrix: Matrix, depth: int) -> Iterator[Shape]:
+    def _shapes(self, actor: str, chance: random.Random, matrix: Matrix, depth: int) -> Iterator[ActorShape]:
         look = look_of(self.archive, actor, chance)
         points: dict[str, Matrix] = {}
         if look.mesh:
             mesh = self._mesh(look.mesh)
             points = mesh.points
             if mesh.faces.size:
-                yield Shape(actor.rpartition("/")[2].removesuffix(".xml"), self._part(look, mesh, matrix))
+                yield ActorShape(actor.rpartition("/")[2].removesuffix(".xml"), self._part(look, mesh, matrix))
         for point, props in look.props.items():
             for prop in props if depth < DEEPEST else ():
                 place = points.get(point)

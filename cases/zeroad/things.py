@@ -10,7 +10,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from cases.importers.imported import Matrix
-from cases.zeroad.shapes import Shape
+from cases.zeroad.shapes import ActorShape
 from catalog.ingest.surface import SourcePart
 
 APART_CM, SAMPLE_CM, MOST_SAMPLES = 15.0, 15.0, 60_000
@@ -20,7 +20,7 @@ STANDS_CM = (-80.0, 15.0)
 
 
 @dataclass
-class Piece:
+class ActorPiece:
     """Parts that hang together, and what they are called."""
 
     name: str
@@ -33,11 +33,11 @@ class Piece:
         return points.min(axis=0), points.max(axis=0)
 
 
-def split(name: str, shapes: list[Shape]) -> list[Piece]:
+def split(name: str, shapes: list[ActorShape]) -> list[ActorPiece]:
     """The pieces of an actor, the one that is no thing of its own first (where there is one)."""
     rows = [(shape, faces) for shape in shapes for faces in _connected(shape.part)]
     label = _joined([shape.part.vertices[faces] for shape, faces in rows])
-    rest, found = Piece(name, []), []
+    rest, found = ActorPiece(name, []), []
     for number in range(int(label.max()) + 1):
         own = [row for row, its in zip(rows, label, strict=True) if its == number]
         parts = [
@@ -45,7 +45,7 @@ def split(name: str, shapes: list[Shape]) -> list[Piece]:
             for shape in shapes
             if any(other is shape for other, _ in own)
         ]
-        piece = Piece(own[0][0].name, parts)
+        piece = ActorPiece(own[0][0].name, parts)
         low, high = piece.box
         stands = STANDS_CM[0] <= low[2] <= STANDS_CM[1] and high[2] > LEAST_CM
         if stands and LEAST_CM <= float((high - low).max()) <= LARGEST_CM:
@@ -55,7 +55,7 @@ def split(name: str, shapes: list[Shape]) -> list[Piece]:
     return [rest, *found] if rest.parts else found
 
 
-def about_its_foot(piece: Piece, low_cm: float) -> tuple[Piece, Matrix]:
+def about_its_foot(piece: ActorPiece, low_cm: float) -> tuple[ActorPiece, Matrix]:
     """A piece about the middle of its lower side, and where that was."""
     low, high = piece.box
     foot = np.array([*(low + high)[:2] / 2, low_cm])
@@ -71,7 +71,7 @@ def about_its_foot(piece: Piece, low_cm: float) -> tuple[Piece, Matrix]:
                 faces=number.reshape(-1, 3),
             )
         )
-    return Piece(piece.name, parts), foot
+    return ActorPiece(piece.name, parts), foot
 
 
 def _connected(part: SourcePart) -> list[np.ndarray[tuple[int, int], np.dtype[np.int64]]]:
