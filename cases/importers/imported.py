@@ -25,7 +25,7 @@ PLACE_DIGITS = 7
 class SceneAsset:
     """A mesh that actors share: parts in cm and Unreal's axes about its pivot.
 
-    ``ground``: its bodies are slabs under its surface, which nothing is to be seen of.
+    ``ground``: its bodies are taken as they are told: slabs under its surface, a trunk within leaves.
     """
 
     name: str

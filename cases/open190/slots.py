@@ -26,14 +26,29 @@ from c4s.records.pack import MANIFEST, Pack
 from c4s.records.pack import STAMP as PACK_STAMP
 from c4s.records.suite import IMPORTED_SCENE
 from cases.importers.importing import import_scene
+from cases.importers.scene import write_scene
 from cases.open190.brought import BroughtPlace
 from cases.open190.library import SCENES
 from cases.open190.scenes import SceneSpec
+from cases.zeroad import Square, read_map
 from catalog.build import sources_digest
+from catalog.ingest.collision import HullChoice
+from catalog.ingest.licence import licence
 
 VARIABLE: Final = "C4S_SLOTS"
 TABLE: Final = Path(__file__).with_name("slots.yaml")
 ROOT: Final = Path("/")
+WATER_IS_SOFT: Final = HullChoice("auto", (("water", "none"),))
+"""Nothing stands on the water of a map."""
+
+
+class MapPart(Record):
+    """A square of a map: the map's name in its archive, its first tile to the east and north, and tiles a side."""
+
+    name: str
+    column: int
+    row: int
+    side: int
 
 
 class SceneSlot(Record):
@@ -60,6 +75,8 @@ class SceneSlot(Record):
     """Patterns of actors that are left out."""
     room_cm: tuple[float, float, float, float, float] | None = None
     """Plan (x0, y0, x1, y1) of a room, and the height of its lamps."""
+    map: MapPart | None = None
+    """The part of a map of 0 A.D. that is the scene; ``file`` is the archive that holds it."""
 
 
 @cache
@@ -79,12 +96,18 @@ def slots_root() -> Path:
     return Path(told).absolute()
 
 
+@cache
+def _digest(file: Path, size: int, changed_ns: int) -> str:
+    """Of a file as it was then: one archive of a gigabyte may hold several scenes."""
+    return digest_file(file)
+
+
 def absence(slot: SceneSlot) -> str | None:
     """Why a slot's scene cannot be used here; None where it can."""
     file = slots_root() / slot.file
     if not file.is_file():
         return f"{slot.package} is not installed"
-    if digest_file(file) != slot.file_sha256:
+    if _digest(file, file.stat().st_size, file.stat().st_mtime_ns) != slot.file_sha256:
         return f"its file is not the one of {slot.package} {slot.version}"
     missing = [name for name in slot.needs if shutil.which(name) is None]
     return f"{', '.join(missing)} is not installed" if missing else None
@@ -119,8 +142,10 @@ class BroughtSpec:
     def sources(self) -> str:
         """Digest of all that decides what is imported."""
         import cases.importers
+        import cases.zeroad
 
-        files = sorted(Path(cases.importers.__file__).parent.glob("*.py"))
+        packages = [cases.importers, *([] if self.slot.map is None else [cases.zeroad])]
+        files = [file for one in packages for file in sorted(Path(str(one.__file__)).parent.glob("*.py"))]
         own = [[path.name, digest_file(path)] for path in (*files, Path(__file__))]
         return digest([sources_digest(), own, self.slot.model_dump(mode="json")])
 
@@ -135,18 +160,35 @@ class BroughtSpec:
             return Pack.read(packs / self.pack_id / MANIFEST)
         root = slots_root()
         with beside(level.parent) as scratch:
+            self._import(root, scratch, packs, replace=replace)
+            put_folder(scratch / self.pack_id, level.parent, marker=IMPORTED_SCENE)
+        write_json(stamp, {"sources": self.sources()})
+        return Pack.read(packs / self.pack_id / MANIFEST)
+
+    def _import(self, root: Path, scratch: Path, packs: Path, *, replace: bool) -> None:
+        source, words, part = root / self.slot.file, _told_licence(self.slot, root, scratch), self.slot.map
+        if part is None:
             import_scene(
-                root / self.slot.file,
+                source,
                 self.pack_id,
                 suites=scratch,
                 packs=packs,
                 without=self.slot.without,
-                license_file=_told_licence(self.slot, root, scratch),
+                license_file=words,
                 replace=replace,
             )
-            put_folder(scratch / self.pack_id, level.parent, marker=IMPORTED_SCENE)
-        write_json(stamp, {"sources": self.sources()})
-        return Pack.read(packs / self.pack_id / MANIFEST)
+            return
+        write_scene(
+            read_map(source, part.name, Square(part.column, part.row, part.side)),
+            self.pack_id,
+            source=source,
+            told=licence(source.parent, given=words),
+            suites=scratch,
+            packs=packs,
+            without=self.slot.without,
+            hulls=WATER_IS_SOFT,
+            replace=replace,
+        )
 
     def place(self, packs: Path) -> BroughtPlace:
         """The scene as the repairs take it; it was brought before."""

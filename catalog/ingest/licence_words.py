@@ -118,7 +118,7 @@ ALLOWS_AI = re.compile(
 FREE_FOR_ALL = re.compile(
     r"CC0-1\.0|CC-BY(?:-[0-9A-Z.]+)*|MIT(?:-0)?|Apache-2\.0|BSD-[0-9A-Za-z-]+|ISC|Zlib|Unlicense|WTFPL|PDDL-1\.0|LicenseRef-PublicDomain"
 )
-LIMITED = re.compile(r"-(?:NC|ND|SA)\b")
+LIMITED = re.compile(r"-(?:NC|ND)\b|-SA(?!-[34]\.0)")
 
 
 def licences_in(text: str) -> list[str]:
@@ -179,8 +179,9 @@ def _creative(found: re.Match[str]) -> str:
 def ai_use(licence: str, text: str) -> tuple[AiUse, str]:
     """Whether content may be used by AI, and what says so.
 
-    Words about it in ``text`` decide; else a licence that allows every use allows this one. Licences that limit the use
-    (NC, ND, SA, GPL) and unknown ones say nothing about it.
+    Words about it in ``text`` decide; else a licence that allows every use allows this one. CC-BY-SA does, from 3.0 on:
+    that the work is named and shared alike binds who passes it on. Licences that limit the use (NC, ND), the GPL and
+    unknown ones say nothing about it.
     """
     if (found := FORBIDS_AI.search(text)) is not None:
         return "forbidden", f"the licence text says: {' '.join(found.group().split())[:100]}"

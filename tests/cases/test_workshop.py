@@ -13,7 +13,7 @@ import yaml
 from c4s.files import canonical_json, read_json
 from c4s.records.asking import CaseReview
 from c4s.records.frozen import Frozen
-from c4s.records.pack import Pack
+from c4s.records.pack import MANIFEST, Pack
 from c4s.records.suite import SuiteFolder
 from cases.workshop import SuiteFile
 from tests.built import built_packs
@@ -111,7 +111,14 @@ def test_freezing_wants_reviews_of_others_and_a_release_has_public_cases_alone(
     assert "files are as they were frozen" in c4s(home, "suite", "check", "yard")
     out = tmp_path / "release"
     c4s(home, "suite", "export", "yard", "--public", "--out", out)
-    assert [case.case_id for case in SuiteFolder(out).suite().cases] == ["yard-01-move"]
+    release = SuiteFolder(out).suite()
+    assert [case.case_id for case in release.cases] == ["yard-01-move"]
+    for pack in release.packs:
+        told = (out / "licences" / f"{pack.pack_id}.txt").read_text()
+        own = Pack.read(home / "packs" / pack.pack_id / MANIFEST)
+        assert f"Licence: {own.license}\n" in told
+        words = home / "packs" / pack.pack_id / "LICENSE.txt"
+        assert not words.is_file() or told.endswith(words.read_text())
     assert "this is there already" in c4s(home, "suite", "export", "yard", "--public", "--out", out, code=2)
 
 
