@@ -5,23 +5,19 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from c4s.protocol.baselines import BASELINES
+from tests.cli.warm import warm_process
 
 
 def _c4s(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "c4s.cli", *arguments],
-        env={**os.environ, "C4S_HOME": str(home)},
-        text=True,
-        capture_output=True,
-        timeout=200,
-        check=False,
+    done = warm_process().call(
+        arguments, cwd=Path.cwd(), environment={**os.environ, "C4S_HOME": str(home)}, limit_s=200
     )
+    return subprocess.CompletedProcess(arguments, done.code, done.out, done.err)
 
 
 def _task(folder: Path, text: str) -> Path:

@@ -16,7 +16,7 @@ from tests.reports.hostile import make_hostile
 from tests.reports.kinds import page_of_kind
 from tests.reports.made_site import make_site
 from tests.reports.played import play
-from tests.run.conftest import build_small
+from tests.run.handed_on import baselines_home
 
 UNUSUAL = "Käthes Ergebnisse #1 – 100% дом"
 
@@ -30,8 +30,8 @@ def made_home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def played_home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A home where baselines played (``played``): ``suites``, ``runs``, ``warehouse``, ``site``."""
-    small = built_once(tmp_path_factory, "small-home", build_small)
-    return built_once(tmp_path_factory, "played-home", lambda root: play(root, small))
+    baselines = baselines_home(tmp_path_factory)
+    return built_once(tmp_path_factory, "played-home", lambda root: play(root, baselines))
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import os
 import re
@@ -15,6 +16,7 @@ from typing import Any
 import pytest
 
 from bench.waiting import until
+from c4s.errors import BadInput
 from c4s.files import digest_file
 from c4s.home import runs_root
 from c4s.judge.rule.version import rule_version
@@ -23,7 +25,8 @@ from c4s.records.pack import Pack
 from c4s.records.plan import Plan
 from c4s.records.version import code_version
 from c4s.verify.registry import DECIDE
-from tests.run.conftest import Command, apart, environment, trial_in
+from tests.run.conftest import Command, apart, command_in, environment, trial_in
+from tests.run.handed_on import baselines_home, copy_of
 from warehouse.database import rows
 
 CASES = ["text-flat-family"]
@@ -38,19 +41,15 @@ SAVING = tuple(name for name in LADDER if name != "vandal")
 
 
 @pytest.fixture(scope="module")
-def ran(home: Path) -> Path:
+def ran(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The home after all six baselines ran."""
-    done = subprocess.run(
-        [sys.executable, "-m", "c4s.cli", "run", "small", "--json"],
-        env=environment(home),
-        text=True,
-        capture_output=True,
-        timeout=290,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout)["ran"] == 18
-    return home
+    return copy_of(baselines_home(tmp_path_factory), tmp_path_factory.mktemp("evaluated") / "home")
+
+
+@pytest.fixture
+def c4s(ran: Path) -> Command:
+    """Run the command line in that home."""
+    return command_in(ran)
 
 
 def _scores(home: Path) -> dict[tuple[str, str], dict[str, object]]:
@@ -228,28 +227,22 @@ def test_a_part_of_what_is_done_is_reused_and_another_run_id_tells_who_holds_it(
     assert (listed["other"]["state"], listed["other"]["done"], listed["other"]["planned"]) == ("done", 3, 3)
 
 
-def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(home: Path, c4s: Command, tmp_path: Path) -> None:
+def test_a_client_that_is_not_there_is_told_before_and_in_the_flow(
+    ran: Path, c4s: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from flows.evaluate import evaluate
+
     agent = tmp_path / "agent.yaml"
     agent.write_text("{name: absent, client: codex, model: some-model, options: {program: /nowhere/codex}}\n")
-    refused = c4s("run", "small", "-a", str(agent), "--run-id", "absent")
-    assert not (home / "runs" / "absent").exists()
-    assert refused.returncode == 2 and len(refused.stderr.strip().splitlines()) == 1, refused.stderr
-    assert "codex" in refused.stderr and "npm install" in refused.stderr
-    flow = (
-        "import asyncio; from flows.evaluate import evaluate; "
-        f"asyncio.run(evaluate('small', [{str(agent)!r}], run_id='absent', cases={CASES!r}))"
-    )
-    failed = subprocess.run(
-        [sys.executable, "-c", flow],
-        env=environment(home) | OFFLINE,
-        text=True,
-        capture_output=True,
-        timeout=200,
-        check=False,
-    )
-    told = [line for line in failed.stderr.splitlines() if line.startswith("c4s.errors.BadInput: ")]
-    assert failed.returncode != 0 and told and "npm install" in told[0], failed.stderr
-    assert not (home / "runs" / "absent").exists()
+    told = c4s("run", "small", "-a", str(agent), "--run-id", "absent")
+    assert not (ran / "runs" / "absent").exists()
+    assert told.returncode == 2 and len(told.stderr.strip().splitlines()) == 1, told.stderr
+    assert "codex" in told.stderr and "npm install" in told.stderr
+    monkeypatch.setenv("C4S_HOME", str(ran))
+    refused: Any = evaluate.fn("small", [str(agent)], run_id="absent", cases=CASES)
+    with pytest.raises(BadInput, match="npm install"):
+        asyncio.run(refused)
+    assert not (ran / "runs" / "absent").exists()
 
 
 def test_the_flow_runs_each_stage_as_a_task_and_gives_the_same_scores(ran: Path, tmp_path: Path) -> None:

@@ -22,6 +22,7 @@ from c4s.run import stages
 from c4s.run.plan import Trial, make_plan, trials
 from c4s.score.policies import POLICIES
 from tests.run.conftest import apart, command_in, trial_in
+from tests.run.handed_on import baselines_home, hand_on
 
 TEXT, REPAIR = "text-flat-family", "indoor-flat-01-mirrored-bath"
 RUN = ("run", "small", "-a", "planner", "-c", TEXT, "--run-id", "labels")
@@ -39,10 +40,9 @@ def own(home: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def trial(own: Path) -> tuple[Trial, Plan]:
+def trial(own: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Trial, Plan]:
     """A trial of the text case that was run and scored, and its plan."""
-    done = command_in(own)(*RUN)
-    assert done.returncode == 0, done.stderr
+    hand_on(baselines_home(tmp_path_factory), own, ["planner"], [TEXT], "labels")
     plan = Plan.read(own / "runs/labels/plan.json")
     return next(trials(own / "runs/labels", own / "suites/small", plan)), plan
 

@@ -193,7 +193,8 @@ def test_stages_that_the_scene_breaks_are_outcomes_and_a_dead_worker_is_a_pendin
 
 def test_a_run_that_is_killed_leaves_no_process(home: Path, tmp_path: Path) -> None:
     here = apart(tmp_path / "home", home)
-    command = [sys.executable, "-m", "c4s.cli", "run", "small", "-a", "noop", "--slots", "2"]
+    two = ("-c", "text-flat-family", "-c", "indoor-flat-01-mirrored-bath")
+    command = [sys.executable, "-m", "c4s.cli", "run", "small", "-a", "noop", *two, "--slots", "2"]
     process = subprocess.Popen(
         command, env=environment(here), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
     )

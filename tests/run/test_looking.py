@@ -13,17 +13,16 @@ from c4s.records.captures import Captures
 from c4s.records.folder import TrialFolder
 from c4s.records.suite import SuiteFolder
 from c4s.semantics.sight.pairs import HELD_OUT_DEG
-from tests.run.conftest import apart, command_in, trial_in
+from tests.run.conftest import trial_in
+from tests.run.handed_on import baselines_home
 
 CASE = "indoor-flat-02-living-room"
 
 
 @pytest.fixture(scope="module")
-def trials(home: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, TrialFolder]]:
+def trials(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, TrialFolder]]:
     """A repair by an agent that does nothing, and by one that restores everything."""
-    own = apart(tmp_path_factory.mktemp("looking") / "home", home)
-    done = command_in(own)("run", "small", "-a", "noop", "-a", "oracle", "-c", CASE, "--slots", "1")
-    assert done.returncode == 0, done.stderr
+    own = baselines_home(tmp_path_factory)
     return own, {agent: trial_in(own, "small", agent, CASE) for agent in ("noop", "oracle")}
 
 

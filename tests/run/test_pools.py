@@ -23,12 +23,15 @@ from c4s.run.lease import in_force
 from c4s.run.owner import is_gone
 from c4s.run.store import FolderLeases
 from tests.run.conftest import Command, apart, command_in, environment, trial_in
+from tests.run.handed_on import baselines_home, hand_on
 from tests.run.servers import answers, free_port, postgres, postgres_programs
 from tests.run.test_evaluate import OFFLINE
 from warehouse.database import rows
 
 CASES = ["indoor-flat-01-mirrored-bath", "indoor-flat-02-living-room"]
 AGENTS = ["noop", "oracle"]
+ASKED_S = 0.5
+"""Between two questions to the server, which shares the processors with the work that it is asked for."""
 SILENT = """
 import asyncio, json
 from prefect.client.orchestration import get_client
@@ -102,6 +105,11 @@ class Service:
         return answer.json()
 
     def start(self, deployment: str, **parameters: Any) -> str:
+        """Start a deployment over the server's interface; the flow run's id."""
+        found = self.client.get(f"{self.url}/deployments/name/{deployment}").raise_for_status().json()
+        return str(self.api(f"deployments/{found['id']}/create_flow_run", parameters=parameters)["id"])
+
+    def start_by_hand(self, deployment: str, **parameters: Any) -> str:
         """Start a deployment as an operator does; the flow run's id."""
         given = [f"--param={name}={json.dumps(value)}" for name, value in parameters.items()]
         command = [sys.executable, "-m", "prefect", "deployment", "run", deployment, *given]
@@ -116,7 +124,7 @@ class Service:
             ended = run["state_type"] in ("COMPLETED", "FAILED", "CRASHED", "CANCELLED")
             return f"{run['state_type']} {run['state']['message'] or ''}" if ended else None
 
-        return until(over)
+        return until(over, pause_s=ASKED_S)
 
     def holder(self, leases: Path) -> Lease:
         """Who holds a lease, as soon as somebody does."""
@@ -168,10 +176,12 @@ def service(home: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Se
 
 
 @pytest.mark.timeout(900)
-def test_whoever_is_killed_the_run_ends_as_an_undisturbed_one(service: Service, c4s: Command) -> None:
+def test_whoever_is_killed_the_run_ends_as_an_undisturbed_one(
+    service: Service, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     own, run = service.home, service.home / "runs/small"
     parameters = {"suite": "small", "agents": AGENTS, "cases": CASES, "workers": "pools"}
-    first = service.start("evaluate/pools", **parameters)
+    first = service.start_by_hand("evaluate/pools", **parameters)
     trial = trial_in(own, "small", "noop", CASES[0])
     engine = service.holder(trial.leases)
     os.kill(engine.owner.pid, signal.SIGKILL)
@@ -185,9 +195,7 @@ def test_whoever_is_killed_the_run_ends_as_an_undisturbed_one(service: Service, 
     second = service.start("evaluate/pools", **parameters)
     assert service.ended(second).startswith("COMPLETED")
     alone = apart(own.parent / "alone", own)
-    agents = [word for name in AGENTS for word in ("-a", name)]
-    cases = [word for name in CASES for word in ("-c", name)]
-    assert c4s("run", "small", *agents, *cases, home=alone).returncode == 0
+    hand_on(baselines_home(tmp_path_factory), alone, AGENTS, CASES)
     assert contents(own) == contents(alone)
     assert len(list(run.glob("*/*/r1/attempt-?.interrupted-*"))) <= 2
     assert len(rows(own / "warehouse", "SELECT * FROM outcomes")) == len(AGENTS) * len(CASES)

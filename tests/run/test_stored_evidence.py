@@ -7,7 +7,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from tests.run.conftest import Command, apart, environment, trial_in
+import pytest
+
+from tests.run.conftest import apart, environment, trial_in
+from tests.run.handed_on import baselines_home, hand_on
 from tests.run.test_evaluate import OFFLINE
 from warehouse.database import rows
 
@@ -20,9 +23,11 @@ print(json.dumps([asyncio.run(rejudge("small")), curate("small")]))
 """
 
 
-def test_evidence_is_judged_anew_without_an_engine(home: Path, tmp_path: Path, c4s: Command) -> None:
+def test_evidence_is_judged_anew_without_an_engine(
+    home: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     own = apart(tmp_path / "home", home)
-    assert c4s("run", "small", "-a", "oracle", "-a", "noop", "-c", CASE, home=own).returncode == 0
+    hand_on(baselines_home(tmp_path_factory), own, ["oracle", "noop"], [CASE])
     question = "SELECT configuration, score FROM outcomes ORDER BY configuration"
     before = rows(own / "warehouse", question)
     trial = trial_in(own, "small", "oracle", CASE)

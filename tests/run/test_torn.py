@@ -13,8 +13,9 @@ import pytest
 from c4s.files import digest_file
 from c4s.records.plan import Plan
 from c4s.records.score import TrialScore
-from tests.run.conftest import Command, apart, command_in, trial_in
+from tests.run.conftest import Command, apart, trial_in
 from tests.run.frozen import changed, edited, flipped
+from tests.run.handed_on import baselines_home, hand_on
 from warehouse.database import rows
 
 MIRRORED, LIVING = "indoor-flat-01-mirrored-bath", "indoor-flat-02-living-room"
@@ -28,8 +29,7 @@ Again = Callable[..., str]
 def ran(home: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A home with a run of two trials."""
     own = apart(tmp_path_factory.mktemp("torn") / "home", home)
-    done = command_in(own)(*RUN)
-    assert done.returncode == 0, done.stderr
+    hand_on(baselines_home(tmp_path_factory), own, ["noop"], [MIRRORED, LIVING])
     return own
 
 
