@@ -38,7 +38,7 @@ def refused(root: Path, error: duckdb.Error, where: str, names: Iterable[str]) -
         return BadInput(f"there is no file {missing[1]!r}", where=where)
     if not isinstance(error, duckdb.ParserException | duckdb.CatalogException):
         whole = not isinstance(error, duckdb.BinderException | duckdb.ConversionException)
-        damaged = broken_part(root, whole=whole)
+        damaged = broken_part(root, UNHELD, whole=whole)
         if damaged is not None or "No files found" in str(error):
             return damaged or broken_rows(root, error)
     text = " ".join(str(error).partition("\n\nLINE")[0].split())
@@ -49,14 +49,14 @@ def refused(root: Path, error: duckdb.Error, where: str, names: Iterable[str]) -
 
 def broken_rows(root: Path, error: duckdb.Error) -> BadInput:
     """What keeps the tables from being read."""
-    return broken_part(root, whole=True) or BadInput(
+    return broken_part(root, UNHELD, whole=True) or BadInput(
         f"rows are missing: {_told(error)}", where=str(root), todo="`c4s report --from-runs` writes them anew"
     )
 
 
-def broken_part(root: Path, *, whole: bool) -> BadInput | None:
-    """The first file of rows outside the database that cannot be read, or has other columns. ``whole``: rows too."""
-    for table in UNHELD:
+def broken_part(root: Path, tables: Iterable[str], *, whole: bool) -> BadInput | None:
+    """The first part of the tables that cannot be read, or has other columns. ``whole``: its rows are read too."""
+    for table in tables:
         for path in sorted((root / table).glob("suite=*/configuration=*/*.parquet")):
             try:
                 _opened(table, path, whole=whole)

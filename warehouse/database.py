@@ -13,7 +13,7 @@ import duckdb
 import pyarrow as pa
 
 from c4s.errors import BadInput
-from warehouse.damage import refused
+from warehouse.damage import broken_part, refused
 from warehouse.records import TABLES
 from warehouse.refresh import NAME, catch_up, is_current, open_books, rebuild
 from warehouse.tables import questions
@@ -46,7 +46,7 @@ def connect(root: Path, allow: Sequence[Path] = ()) -> duckdb.DuckDBPyConnection
             raise BadInput("there is no such folder", where=str(folder), todo="--allow takes a folder")
     path = root / NAME
     if not path.exists():
-        raise BadInput("no warehouse here yet", where=str(root), todo="run `c4s run` or `c4s report` first")
+        raise _unusable(root, "no warehouse here yet", root, "run `c4s run` or `c4s report` first")
     try:
         connection, books = open_books(path)
     except duckdb.Error as error:
@@ -55,11 +55,11 @@ def connect(root: Path, allow: Sequence[Path] = ()) -> duckdb.DuckDBPyConnection
             raise BadInput(
                 f"process {holder[1]} has it open for writing", where=str(path), todo="close it there, then ask again"
             ) from None
-        raise _damaged(path) from None
+        raise _damaged(root) from None
     if books is None:
-        raise BadInput("another version of c4s made this file", where=str(path), todo="run `c4s report`")
+        raise _unusable(root, "another version of c4s made this file", path, "run `c4s report`")
     if books.place != str(root.absolute()):
-        raise BadInput("the warehouse was moved since this file was made", where=str(path), todo="run `c4s report`")
+        raise _unusable(root, "the warehouse was moved since this file was made", path, "run `c4s report`")
     places = ", ".join("'" + str(one.absolute()).replace("'", "''") + "'" for one in (root, *allow))
     connection.execute(f"SET allowed_directories = [{places}]")
     connection.execute("SET enable_external_access = false")
@@ -81,10 +81,15 @@ def held_open(root: Path, allow: Sequence[Path] = ()) -> Iterator[None]:
             _HELD.reset(token)
 
 
-def _damaged(path: Path) -> BadInput:
-    return BadInput(
-        "this is no file of DuckDB, or a damaged one", where=str(path), todo="delete it, then run `c4s report`"
+def _damaged(root: Path) -> BadInput:
+    return _unusable(
+        root, "this is no file of DuckDB, or a damaged one", root / NAME, "delete it, then run `c4s report`"
     )
+
+
+def _unusable(root: Path, what: str, where: Path, todo: str) -> BadInput:
+    """Why there is nothing to ask; where the rows are what `c4s report` would refuse, it is they."""
+    return broken_part(root, TABLES, whole=False) or BadInput(what, where=str(where), todo=todo)
 
 
 def ask(root: Path, sql: str, *, where: str = "query") -> tuple[list[str], list[tuple[Any, ...]]]:

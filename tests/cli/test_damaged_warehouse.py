@@ -44,6 +44,17 @@ def _without_a_column(path: Path) -> None:
     pq.write_table(table.drop_columns(["status"]), path)
 
 
+def _without_its_last_column(path: Path) -> None:
+    table = pq.ParquetFile(path).read()
+    pq.write_table(table.drop_columns(table.column_names[-1:]), path)
+
+
+def _made_by_older_code(file: Path) -> None:
+    """What a database says of itself after its tables were defined anew."""
+    with duckdb.connect(str(file)) as connection:
+        connection.execute("DROP TABLE IF EXISTS rows.made")
+
+
 def _of_other_types(path: Path) -> None:
     table = pq.ParquetFile(path).read()
     index = table.schema.get_field_index("repeat")
@@ -137,6 +148,21 @@ def test_a_file_that_is_no_warehouse(damage: str, warm: Warm, home: Path) -> Non
         _remove(file)
     assert _call(warm, home, "report").code == 0
     assert _call(warm, home, *QUERY).out == WHOLE
+
+
+RELEASE = ["release", "--out", "released", "--suite", "yard"]
+
+
+@pytest.mark.parametrize("command", [QUERY, RELEASE], ids=["sql", "release"])
+def test_a_warehouse_whose_rows_are_old_too(command: list[str], warm: Warm, home: Path) -> None:
+    folder = home / "warehouse/outcomes/suite=yard/configuration=noop"
+    _replaced(part := next(folder.glob("*.parquet")), _without_its_last_column)
+    _made_by_older_code(home / "warehouse/c4s.duckdb")
+    done = _call(warm, home, *command)
+    _refused(done, "delete the warehouse, then run `c4s report --from-runs`", part.name)
+    shutil.rmtree(home / "warehouse")
+    assert _call(warm, home, "report", "--from-runs").code == 0
+    assert _call(warm, home, *command).code == 0
 
 
 def test_a_warehouse_that_another_process_has_open(warm: Warm, home: Path) -> None:
