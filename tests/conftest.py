@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import signal
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -49,6 +50,12 @@ LONGEST = (
 )
 """Modules whose tests last longest (``--durations=0`` tells). One process runs all of a module, so a long one that
 begins last keeps the others waiting."""
+
+
+def pytest_configure() -> None:
+    """Hear Ctrl-C, and with it all that tests start, where a shell's ``&`` has it ignored."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

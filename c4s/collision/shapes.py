@@ -71,6 +71,12 @@ class Body:
         """The coal geometry, in the body's own frame."""
         return self.form.coal
 
+    @property
+    def points(self) -> Array:
+        """The corners in the world; of a round body those of the box inside."""
+        local = SIGNS * self.form.half if self.form.corners is None else self.form.corners
+        return np.asarray(local @ self.rotation.T + self.translation)
+
     @cached_property
     def coal_pose(self) -> Any:
         """The pose as coal's transform."""

@@ -8,17 +8,19 @@ import sys
 import numpy as np
 import pytest
 from collision_scenes import actor, cube, scene
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from oracle import exact_depth
 from scipy.spatial import ConvexHull
 
 from c4s.collision import contacts
-from c4s.collision.depth import PROOF_CM
+from c4s.collision.depth import PROOF_CM, PROOF_SHARE
 from c4s.geometry.transform import affine
 
 BOX = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
 KINDS = st.sampled_from(["box", "sphere", "capsule", "hull"])
+SLACK_CM = PROOF_CM + PROOF_SHARE * 300
+"""How exact a proven depth is where no two bodies of a test overlap by more than 300 cm."""
 SEEDS = st.integers(0, 2**32 - 1)
 
 
@@ -70,11 +72,13 @@ def test_any_two_kinds_equal_the_minkowski_difference(seed, first, second, far):
         meshes[name] = record
         actors.append(actor(name, name, location + np.array([far, -far, far]), turn, scale))
         cores.append(core @ affine((0, 0, 0), turn, scale)[:3, :3].T + location)
-    assert measured(meshes, *actors) == pytest.approx(exact_depth(*cores, radii), abs=PROOF_CM)
+    assert measured(meshes, *actors) == pytest.approx(exact_depth(*cores, radii), abs=SLACK_CM)
 
 
 @settings(max_examples=100, deadline=None)
 @given(SEEDS, st.sampled_from([0.0, 90.0, 45.0, 180.0, 1e-7, 1e-4]))
+@example(313839, 1e-4)
+@example(417, 1e-4)
 def test_boxes_in_closed_form_equal_coal_on_the_same_hulls(seed, turn):
     rng = np.random.default_rng(seed)
     half = rng.uniform(0.5, 80, (2, 3))
@@ -85,7 +89,7 @@ def test_boxes_in_closed_form_equal_coal_on_the_same_hulls(seed, turn):
     boxes = {str(k): [{"kind": "box", "center": [0, 0, 0], "half_extent": half[k].tolist()}] for k in range(2)}
     hulls = {str(k): [{"kind": "hull", "vertices": (BOX * half[k]).tolist()}] for k in range(2)}
     actors = [actor(f"A{k}", str(k), *places[k]) for k in range(2)]
-    assert measured(boxes, *actors) == pytest.approx(measured(hulls, *actors), abs=PROOF_CM)
+    assert measured(boxes, *actors) == pytest.approx(measured(hulls, *actors), abs=SLACK_CM)
 
 
 @pytest.mark.parametrize("corners", [150, 400])
