@@ -47,6 +47,18 @@ def mark_edges(first: int, last: int, width: int, height: int, buffers: Buffers,
             edge[here] = found
 
 
+@inner
+def _blocked_columns(y: int, width: int, height: int, buffers: Buffers, blocked: NDArray[np.int64]) -> None:
+    """Count by column the pixels of a filter's rows of which some ray of occlusion was blocked."""
+    for x in range(width):
+        blocked[x] = 0
+    for j in range(max(y - 2, 0), min(y + 2, height)):
+        for x in range(width):
+            there = j * width + x
+            if buffers.open[there, 0] != buffers.open[there, 1]:
+                blocked[x] += 1
+
+
 @kernel
 def combine_rows(
     first: int,
@@ -59,16 +71,22 @@ def combine_rows(
 ) -> None:
     """Write direct plus occluded ambient light of some rows, and count the luminance of their surfaces.
 
-    Occlusion is averaged over 4x4 neighbours on the same plane, one full period of the sample pattern.
+    Occlusion is averaged over 4x4 neighbours on the same plane, one full period of the sample pattern; where no ray of
+    theirs was blocked there is none.
     """
     normal, point = buffers.normal, buffers.point
+    blocked = np.zeros(width, dtype=np.int64)
     for y in range(first, last):
+        _blocked_columns(y, width, height, buffers, blocked)
         for x in range(width):
             here = y * width + x
             away, rays = 1e-6 + buffers.open[here, 0], 1e-6 + buffers.open[here, 1]
             n0, n1, n2 = normal[here, 0], normal[here, 1], normal[here, 2]
             seen = n0 * n0 + n1 * n1 + n2 * n2 > 0.5
-            if seen:
+            near_blocked = 0
+            for i in range(max(x - 2, 0), min(x + 2, width)):
+                near_blocked += blocked[i]
+            if seen and near_blocked > 0:
                 away, rays = 1e-6, 1e-6
                 p0, p1, p2 = point[here, 0], point[here, 1], point[here, 2]
                 near = 0.004 * buffers.depth[here] + 0.5

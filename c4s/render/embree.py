@@ -57,7 +57,7 @@ def library() -> ctypes.CDLL:
         "rtcNewScene": (pointer, [pointer]),
         "rtcReleaseScene": (None, [pointer]),
         "rtcSetSceneFlags": (None, [pointer, integer]),
-        "rtcCommitScene": (None, [pointer]),
+        "rtcJoinCommitScene": (None, [pointer]),
         "rtcNewGeometry": (pointer, [pointer, integer]),
         "rtcReleaseGeometry": (None, [pointer]),
         "rtcCommitGeometry": (None, [pointer]),
@@ -93,6 +93,9 @@ def functions() -> Functions:
 
 class RayScene:
     """Meshes and their instances, ready for rays.
+
+    The caller's thread joins the build: handed over instead, one thread's build is done by a worker that never sleeps
+    again.
 
     Args:
         vertices: a (n, 3) float32 array a mesh, cm.
@@ -134,7 +137,7 @@ class RayScene:
             lib.rtcCommitGeometry(geometry)
             lib.rtcAttachGeometryByID(self.handle, geometry, number)
             lib.rtcReleaseGeometry(geometry)
-        lib.rtcCommitScene(self.handle)
+        lib.rtcJoinCommitScene(self.handle)
         code = lib.rtcGetDeviceError(self._device)
         if code:
             raise MachineryFault(f"Embree could not build the scene (error {code})", where="renderer")
@@ -161,7 +164,7 @@ class RayScene:
         lib.rtcAttachGeometry(scene, geometry)
         lib.rtcReleaseGeometry(geometry)
         lib.rtcSetSceneFlags(scene, _ROBUST)
-        lib.rtcCommitScene(scene)
+        lib.rtcJoinCommitScene(scene)
         return scene
 
     @property
