@@ -86,7 +86,6 @@ def scene(
         package=truth.package,
         out=out / "truth",
         cameras=plan,
-        keep_pictures=True,
     )
     inputs, starts = _inputs(packs, corrupted, views, out / "inputs", progress) if corrupted else ({}, {})
     captures = EvidenceFolder(out / "truth").captures
@@ -126,7 +125,7 @@ class Bench:
         """Pictures of the level that is open, with their masks beside them, in the order of the cameras."""
         self._taken += 1
         folder = self._out / "engine" / f"views-{self._taken}"
-        records = take_pictures(self._engine, cameras, folder, keep=True)
+        records = take_pictures(self._engine, cameras, folder)
         return [folder / record["file"] for record in records]
 
 
@@ -176,7 +175,7 @@ def _inputs(
             _open(engine, level, case_id)
             write_json(files[case_id], ask(engine, "snapshot.export_snapshot"))
             folder = out / "engine" / f"views-{case_id}"
-            take_pictures(engine, [reduced(view) for view in views[case_id]], folder, keep=True)
+            take_pictures(engine, [reduced(view) for view in views[case_id]], folder)
             pictures[case_id] = [out / "pictures" / case_id / f"{view.name}.png" for view in views[case_id]]
             shutil.copytree(folder, out / "pictures" / case_id)
     return files, pictures

@@ -80,13 +80,13 @@ class CleanEngine:
             probe_navigation(self._engine, snapshot).write(folder.navigation)
         note_digests(folder, WALKED, [folder.navigation])
 
-    def look(self, out: Path, cameras: Cameras, *, keep_pictures: bool = False) -> None:
+    def look(self, out: Path, cameras: Cameras) -> None:
         """Take pictures into ``out/captures``, beside the snapshot that was exported; earlier ones are replaced.
 
         Writes ``<view>.png`` and ``<view>.actors.npz`` for each camera, their index and the list of their digests. An
         engine that has no masks gets them by ``c4s.evidence.masks``.
-        Pictures that were kept of the same scene are not taken again; ``keep_pictures`` keeps these
-        (``c4s.evidence.pictures``). Without a camera the index has no view.
+        Pictures that are kept of the same scene are not taken again (``c4s.evidence.pictures``). Without a camera the
+        index has no view.
 
         Raises:
             SceneUnreadable: the engine cannot draw it.
@@ -98,7 +98,7 @@ class CleanEngine:
         pictures = self._folder / "engine" / f"captures-{self._looks}"
         shots = cameras(snapshot, self.probe) if callable(cameras) else Shots(cameras)
         with _refusals("cannot_be_drawn", "the level cannot be drawn", self._package):
-            records = take_pictures(self._engine, shots.cameras, pictures, keep=keep_pictures)
+            records = take_pictures(self._engine, shots.cameras, pictures)
         if not all("actors" in record for record in records):
             records = with_masks(records, pictures, self._traced(snapshot))
         with tempfile.TemporaryDirectory(dir=self._folder) as folder:

@@ -44,7 +44,6 @@ def look(
     package: str,
     out: Path,
     cameras: Cameras,
-    keep_pictures: bool = False,
     offered: Sequence[str] | None = None,
 ) -> None:
     """Take pictures of the submitted level into ``out/captures``, where ``export_evidence`` has put its snapshot.
@@ -57,24 +56,17 @@ def look(
         engine=engine, packs=packs, submission_content=submission_content, package=package, offered=offered
     ) as clean:
         clean.walk(out)
-        clean.look(out, cameras, keep_pictures=keep_pictures)
+        clean.look(out, cameras)
 
 
 def export_and_look(
-    *,
-    engine: str,
-    packs: Sequence[Path],
-    submission_content: Path,
-    package: str,
-    out: Path,
-    cameras: Cameras = (),
-    keep_pictures: bool = False,
+    *, engine: str, packs: Sequence[Path], submission_content: Path, package: str, out: Path, cameras: Cameras = ()
 ) -> None:
     """Both stages in one engine. Without a camera the index of captures has no view."""
     with open_clean(engine=engine, packs=packs, submission_content=submission_content, package=package) as clean:
         clean.export(out)
         clean.walk(out)
-        clean.look(out, cameras, keep_pictures=keep_pictures)
+        clean.look(out, cameras)
 
 
 def export_level(*, engine: str, packs: Sequence[Path], level: Path, out: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ import pytest
 
 from c4s.engine.headless.process.boot import boot
 from c4s.evidence import export_and_look
+from c4s.evidence.kept import KeptPicture, drop_oldest, keep_picture, kept_picture
 from c4s.files import read_json
 from c4s.home import cache_root
 
@@ -21,7 +23,6 @@ CAMERA = {
     "width": 64,
     "height": 36,
 }
-SAVED = "/Game/Kept/Room"
 
 
 def _room(unreal: Any) -> tuple[Any, Any, Any]:
@@ -85,7 +86,7 @@ def test_a_scene_that_looks_the_same_takes_the_kept_picture(tmp_path: Path, monk
             cube.set_actor_location(unreal.Vector(0, 10, 50), False, False)
         assert saving.save_map(world, f"/Game/Kept/{name}")
 
-    def take(name: str, keep: bool = False) -> tuple[dict[str, Any], bytes]:
+    def take(name: str) -> tuple[dict[str, Any], bytes]:
         out = tmp_path / "evidence" / name
         export_and_look(
             engine="headless",
@@ -94,7 +95,6 @@ def test_a_scene_that_looks_the_same_takes_the_kept_picture(tmp_path: Path, monk
             package=f"/Game/Kept/{name}",
             out=out,
             cameras=[CAMERA],
-            keep_pictures=keep,
         )
         view = read_json(out / "captures" / "captures.json")["views"][0]
         assert (out / "captures" / view["actors"]).is_file()
@@ -102,14 +102,67 @@ def test_a_scene_that_looks_the_same_takes_the_kept_picture(tmp_path: Path, monk
 
     rendered, picture = take("Room")
     kept = cache_root() / "pictures"
-    assert not kept.exists(), "only a suite's own scenes are kept"
-    assert take("Room", keep=True) == (rendered, picture)
     files = sorted(kept.iterdir())
     assert [file.suffix for file in files] == [".json", ".npz", ".png"] and files[2].read_bytes() == picture
+    written = [file.stat().st_ino for file in files]
     assert take("Same") == (rendered, picture)
-    files[2].write_bytes(b"kept")
-    assert take("Same") == (rendered, b"kept")
+    assert [file.stat().st_ino for file in sorted(kept.iterdir())] == written, "taken from there, not rendered"
     moved, other = take("Moved")
-    assert other not in (picture, b"kept") and moved["visible"] != rendered["visible"]
+    assert other != picture and moved["visible"] != rendered["visible"]
     shutil.rmtree(kept)
     assert take("Same") == (rendered, picture)
+
+
+MADE = KeptPicture(b"picture" * 100, b"mask" * 100, {"Cube": 7})
+
+
+def _home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("C4S_HOME", str(tmp_path))
+    return cache_root() / "pictures"
+
+
+@pytest.mark.parametrize("suffix", [".png", ".npz", ".json"])
+@pytest.mark.parametrize("damage", [b"", b"other", b"[1]", b'{"visible": {}}', None])
+def test_a_damaged_file_is_as_if_nothing_were_kept(
+    suffix: str, damage: bytes | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept = _home(tmp_path, monkeypatch)
+    assert kept_picture("a") is None
+    keep_picture("a", MADE)
+    assert kept_picture("a") == MADE
+    file = kept / f"a{suffix}"
+    if damage is None:
+        file.unlink()
+    else:
+        file.write_bytes(damage)
+    assert kept_picture("a") is None
+    keep_picture("a", MADE)
+    assert kept_picture("a") == MADE
+
+
+def test_the_least_recently_used_are_dropped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    kept = _home(tmp_path, monkeypatch)
+    drop_oldest()
+    for number, key in enumerate("abcd"):
+        keep_picture(key, MADE)
+        for file in kept.glob(f"{key}.*"):
+            os.utime(file, (number, number))
+    (kept / ".e.png.abcdefgh").write_bytes(b"being written")
+    size = sum(file.stat().st_size for file in kept.glob("a.*"))
+    drop_oldest(4 * size)
+    assert all(kept_picture(key) for key in "dcba"), "all fit, and reading is use"
+    os.utime(kept / "a.json", (3, 3))
+    os.utime(kept / "c.json", (4, 4))
+    drop_oldest(2 * size)
+    assert [key for key in "abcd" if kept_picture(key)] == ["b", "d"]
+    drop_oldest(0)
+    assert [file.name for file in kept.iterdir()] == [".e.png.abcdefgh"]
+
+
+def test_what_cannot_be_written_is_not_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    kept = _home(tmp_path, monkeypatch)
+    kept.parent.mkdir(parents=True)
+    kept.write_bytes(b"no folder")
+    keep_picture("a", MADE)
+    drop_oldest()
+    assert kept_picture("a") is None
