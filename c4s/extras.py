@@ -7,8 +7,13 @@ from typing import Final, Literal
 
 from c4s.errors import BadInput
 
-Extra = Literal["service", "s3", "telemetry"]
-PACKAGES: Final[dict[Extra, str]] = {"service": "prefect", "s3": "s3fs", "telemetry": "opentelemetry.sdk"}
+Extra = Literal["service", "s3", "plots", "telemetry"]
+PACKAGES: Final[dict[Extra, str]] = {
+    "service": "prefect",
+    "s3": "s3fs",
+    "plots": "matplotlib",
+    "telemetry": "opentelemetry.sdk",
+}
 """By extra the package whose presence tells that it is installed."""
 
 

@@ -61,6 +61,11 @@ def _beyond_the_run_lock() -> set[str]:
             "C4S_STORE=s3://bucket/place needs s3fs, which is not installed (pip install 'c4s[s3]')",
         ),
         (
+            ["analyze", "main-results", "--plot", "charts"],
+            {},
+            "--plot needs matplotlib, which is not installed (pip install 'c4s[plots]')",
+        ),
+        (
             ["run", "yard", "-a", "noop", "--run-id", "told"],
             {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"},
             "OTEL_EXPORTER_OTLP_ENDPOINT needs opentelemetry.sdk, which is not installed "
@@ -96,7 +101,7 @@ def test_without_what_only_extras_and_tests_need_every_module_is_there_and_a_tri
     tmp_path: Path, world: Path
 ) -> None:
     missing = _beyond_the_run_lock()
-    assert {"prefect", "fastapi", "sqlalchemy", "s3fs", "pytest", "unreal"} <= missing
+    assert {"prefect", "fastapi", "sqlalchemy", "s3fs", "matplotlib", "pytest", "unreal"} <= missing
     environment = hiding(tmp_path, missing) | {"C4S_HOME": str(world / "home")}
     subprocess.run([sys.executable, "-c", EVERY_MODULE], env=environment, timeout=200, check=True)
     done = _c4s(environment, "agent", "try", "noop", "--suite", "yard", "--case", "yard")

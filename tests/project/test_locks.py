@@ -33,7 +33,7 @@ def test_what_runs_holds_what_the_wheel_asks_for_and_the_model_and_no_extra() ->
 
 def test_the_whole_holds_what_is_developed_with() -> None:
     whole = {row.name for row in locked(WHOLE)}
-    assert EXTRAS.keys() == {"service", "s3", "telemetry", "inspect", "dev"}
+    assert EXTRAS.keys() == {"service", "s3", "plots", "telemetry", "inspect", "dev"}
     assert [name for extra in EXTRAS.keys() - {"inspect"} for name in sorted(_names(EXTRAS[extra]) - whole)] == []
 
 
