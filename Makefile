@@ -4,7 +4,7 @@ STAMP := .venv/.installed
 
 COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-annotate --no-strip-extras --group model
 
-.PHONY: setup demo docs test test-clients lint bench lock
+.PHONY: setup demo docs test test-clients lint bench lock dist
 
 setup: $(STAMP)
 
@@ -40,6 +40,9 @@ lint: setup
 
 bench: setup
 	$(BIN)/python -m bench
+
+dist: setup
+	@$(BIN)/python -m bench.dist
 
 lock:
 	$(COMPILE) --extra dev pyproject.toml -o requirements.lock

@@ -1,7 +1,7 @@
-"""``python -m bench.installed [--json] [--keep FOLDER]``: what an installation takes on disk, package by package.
+"""``python -m bench.installed [--json] [--python PROGRAM] [--keep FOLDER]``: what an installation takes on disk.
 
-An empty environment gets ``requirements-run.lock`` and the wheel of the last commit, is added up, and added up again
-after ``deploy/slim.sh``. Compared are the environment that runs this (``make setup``: all that development needs), and
+An empty environment gets ``requirements-run.lock`` and the wheel of the last commit, is added up by package, and
+added up again after ``deploy/slim.sh``. Compared are the environment that runs this (``make setup``: all that development needs), and
 what each extra adds. Ends with 1 where more than two thirds of the 1.8 GB are left that an installation took before
 there were extras.
 """
@@ -30,12 +30,12 @@ _BLOCK: Final = 512
 _NAME: Final = re.compile(r"^[\w.-]+")
 
 
-def install(place: Path) -> None:
-    """Make an environment with what runs c4s."""
+def install(place: Path, python: str) -> None:
+    """Make an environment of a Python with what runs c4s."""
     with tempfile.TemporaryDirectory(prefix="c4s-wheel-") as scratch:
         tree = Path(scratch, "tree")
         wheel, _ = build(tree, Path(scratch, "out"), exported(tree))
-        subprocess.run([sys.executable, "-m", "venv", str(place)], check=True)
+        subprocess.run([python, "-m", "venv", str(place)], check=True)
         pip = [str(place / "bin/python"), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps"]
         subprocess.run([*pip, "--require-hashes", "-r", str(ROOT / RUN)], check=True)
         subprocess.run([*pip, str(wheel)], check=True)
@@ -78,17 +78,21 @@ def _asked(one: Distribution) -> Iterator[tuple[str, str]]:
             yield normal(name[0]), extra[1] if extra else ""
 
 
+def _said(*command: str | Path) -> str:
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
 def measured(place: Path) -> dict[str, Any]:
-    """What an environment with c4s alone takes, before and after it is slimmed, and what is more here."""
+    """What an environment with c4s alone takes, before and after it is slimmed, and how much more is here."""
     alone = found(next(place.glob("lib/python3.*/site-packages")))
     own = alone["c4s"]
     packages = {name: held_mb(one) for name, one in alone.items()}
     before = whole_mb(place)
     subprocess.run(["sh", str(ROOT / "deploy/slim.sh"), str(place)], check=True)
-    subprocess.run([str(place / "bin/c4s"), "--version"], check=True, capture_output=True)
     here = found()
     return {
-        "python": sys.version.split()[0],
+        "python": _said(place / "bin/python", "--version").removeprefix("Python "),
+        "c4s": _said(place / "bin/c4s", "--version").splitlines(),
         "installed_mb": before,
         "slimmed_mb": whole_mb(place),
         "developed_mb": whole_mb(Path(sys.prefix)),
@@ -116,11 +120,12 @@ def main() -> int:
     """Install, measure and print; 0 when at most two thirds are left."""
     parser = argparse.ArgumentParser(prog="python -m bench.installed", description=__doc__)
     parser.add_argument("--json", action="store_true", help="as JSON, every package")
+    parser.add_argument("--python", default=sys.executable, help="of which Python (default: this one)")
     parser.add_argument("--keep", type=Path, help="new folder for the environment (default: a temporary one)")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="c4s-installed-") as scratch:
         place = (given.keep or Path(scratch, "environment")).absolute()
-        install(place)
+        install(place, given.python)
         told = measured(place)
     print(json.dumps(told, indent=1) if given.json else "\n".join(lines(told)))
     return int(told["slimmed_mb"] > BEFORE_MB * SHARE)
