@@ -1,9 +1,9 @@
 """``python -m bench.installed [--json] [--python PROGRAM] [--keep FOLDER]``: what an installation takes on disk.
 
 An empty environment gets ``requirements-run.lock`` and the wheel of the last commit, is added up by package, and
-added up again after ``deploy/slim.sh``. Compared are the environment that runs this (``make setup``: all that development needs), and
-what each extra adds. Ends with 1 where more than two thirds of the 1.8 GB are left that an installation took before
-there were extras.
+added up again after ``deploy/slim.sh``. Compared are the environment that runs this (``make setup``: all that
+development needs), and what each extra adds. Ends with 1 where more than two thirds of the 1.8 GB are left that an
+installation took before there were extras.
 """
 
 from __future__ import annotations
