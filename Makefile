@@ -2,7 +2,9 @@ PYTHON ?= python3
 BIN := .venv/bin
 STAMP := .venv/.installed
 
-.PHONY: setup demo docs test test-clients lint bench lock
+COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-annotate --no-strip-extras --group model
+
+.PHONY: setup demo docs test test-clients lint bench lock dist
 
 setup: $(STAMP)
 
@@ -39,5 +41,9 @@ lint: setup
 bench: setup
 	$(BIN)/python -m bench
 
+dist: setup
+	@$(BIN)/python -m bench.dist
+
 lock:
-	uv pip compile --universal --python-version 3.11 --generate-hashes --no-header --no-annotate --no-strip-extras --extra dev pyproject.toml -o requirements.lock
+	$(COMPILE) --extra dev pyproject.toml -o requirements.lock
+	$(COMPILE) --constraints requirements.lock pyproject.toml -o requirements-run.lock

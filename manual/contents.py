@@ -8,7 +8,7 @@ from typing import Final
 
 ROOT: Final = Path(__file__).resolve().parents[1]
 SECTIONS: Final[tuple[tuple[str, tuple[str, ...]], ...]] = (
-    ("Start", ("README.md", "docs/userlands.md")),
+    ("Start", ("README.md", "docs/installation.md", "docs/userlands.md")),
     (
         "Tutorials",
         (

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from c4s import extras
 from c4s.cli.output import print_json, print_table, say
 from c4s.errors import BadInput
 from c4s.files import MOST_WHOLE
@@ -80,6 +81,8 @@ def analyze(
             check_new(folder)
     if csv is not None and csv == plot:
         raise BadInput("tables and charts need a folder each", where=str(csv), todo="--plot another folder")
+    if plot is not None:
+        extras.need("plots", "--plot")
     given = {"agents": agent, "draws": draws, "seed": seed, "level": level, "pool": pool, "holm": holm or None}
     options = StudyOptions.parse({key: value for key, value in given.items() if value is not None})
     wanted = WantedScope(

@@ -12,6 +12,7 @@ from typing import Annotated
 
 import typer
 
+from c4s import extras
 from c4s.agents.base import PROGRAMS, agent_of
 from c4s.cli.output import print_json, print_table
 from c4s.engine import backend as backend_of
@@ -23,6 +24,7 @@ from c4s.records.plan import Configuration
 from c4s.run.store import STORE, open_store
 
 LEAST_FREE_GB = 2.0
+HOME = "C4S_HOME"
 
 
 @dataclass(frozen=True)
@@ -39,14 +41,22 @@ def _findings() -> Iterator[Diagnosis]:
     yield _sandbox()
     flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").is_file() else ""
     yield Diagnosis("AVX2", " avx2" in flags, True, f"pictures are drawn on the CPU ({platform.machine()})")
-    free = shutil.disk_usage(home().parent if not home().exists() else home()).free / 1e9
-    yield Diagnosis("disk", free > LEAST_FREE_GB, True, f"{free:.0f} GB free for {home()}")
+    try:
+        place = home()
+    except BadInput as fault:
+        if HOME in os.environ:
+            raise
+        yield Diagnosis(HOME, False, True, f"{fault.line()}; all else is looked at from there")
+        return
+    free = shutil.disk_usage(place if place.exists() else place.parent).free / 1e9
+    yield Diagnosis("disk", free > LEAST_FREE_GB, True, f"{free:.0f} GB free for {place}")
     yield Diagnosis(
         "starter suite",
         (suites_root() / "starter/suite.json").is_file(),
         False,
         "built" if (suites_root() / "starter/suite.json").is_file() else "build it: c4s suite build starter",
     )
+    yield Diagnosis("sentence model", *_model())
     yield from _store()
     yield from _prefect()
     for what, there, text in backend_of("unreal").findings():
@@ -74,6 +84,14 @@ def _sandbox() -> Diagnosis:
         if name != used:
             told.append(f"{name} does not work here: {missing}" if missing else _COSTS[name])
     return Diagnosis("sandbox", True, True, "; ".join(told))
+
+
+def _model() -> tuple[bool, bool, str]:
+    """The model of the asset search."""
+    from c4s.weights import standing
+
+    there, text = standing()
+    return there, False, text
 
 
 def _judges() -> Iterator[Diagnosis]:
@@ -129,6 +147,10 @@ def _store() -> Iterator[Diagnosis]:
 
 def _prefect() -> Iterator[Diagnosis]:
     """The Prefect server of ``PREFECT_API_URL`` or of `c4s up`; without one, flows run in the command's process."""
+    if not extras.is_installed("service"):
+        text = f"Prefect is not installed, flows run in one process ({extras.install('service')})"
+        yield Diagnosis("Prefect server", False, False, text)
+        return
     from flows.service import Service
 
     service = Service.read()

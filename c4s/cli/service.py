@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from c4s import extras
 from c4s.cli.output import print_json, say
 from c4s.errors import BadInput, unknown
 from c4s.stderr import tell
@@ -38,6 +39,7 @@ def up(
 
     Give it again after a change or a crash: what runs stays as it is. `c4s down` ends all of it.
     """
+    extras.need("service", "`c4s up`")
     from flows.service import ServiceAsked
     from flows.service import up as start
 
@@ -78,6 +80,7 @@ def worker(
 
     `C4S_HOME` has to be the folder that the machines share, or `C4S_STORE` the object store.
     """
+    extras.need("service", "`c4s worker`")
     from flows.service import POOLS, supervise
     from flows.service.health import health
 

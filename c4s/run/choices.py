@@ -18,6 +18,7 @@ from c4s.records.folder import RunFolder
 from c4s.records.plan import Configuration, LeftOut, Plan
 from c4s.records.suite import SuiteCase, SuiteFolder, WithheldFolder
 from c4s.score.policies import POLICIES
+from c4s.weights import model_folder
 
 
 def check_labels(engine: str, policy: str) -> None:
@@ -113,8 +114,8 @@ def check_judge(plan: Plan, limit_usd: float | None = None) -> None:
 def check_ready(configurations: Sequence[Configuration]) -> None:
     """``BadInput`` or ``MachineryFault`` for what cannot be started on this machine, with what to do.
 
-    That is a client, the key of its model's endpoint, or the sandbox that ``C4S_SANDBOX`` names; a spending limit that
-    is no amount is refused too.
+    That is a client, the key of its model's endpoint, the sentence model of the asset search, or the sandbox that
+    ``C4S_SANDBOX`` names; a spending limit that is no amount is refused too.
     """
     backend()
     spending_limit()
@@ -126,3 +127,4 @@ def check_ready(configurations: Sequence[Configuration]) -> None:
             agent.ready(chosen)
             name, endpoint, _ = check_model(chosen, agent.endpoint, agent.wire_of(chosen))
             key_of(name, endpoint)
+    model_folder()

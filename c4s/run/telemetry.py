@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Final
 
-from c4s.errors import BadInput
+from c4s import extras
 from c4s.records.journal import Event
 from c4s.records.progress import Snapshot
 
@@ -30,14 +30,7 @@ def is_asked_for() -> bool:
     """Whether a collector is named. ``BadInput`` where one is and the library is not there."""
     if not os.environ.get(VARIABLE, "").strip():
         return False
-    try:
-        import opentelemetry.exporter.otlp.proto.http
-        import opentelemetry.sdk.trace  # noqa: F401
-    except ImportError:
-        raise BadInput(
-            f"{VARIABLE} is set, and OpenTelemetry's library is not installed",
-            todo="install c4s[telemetry], or unset the variable",
-        ) from None
+    extras.need("telemetry", VARIABLE)
     return True
 
 

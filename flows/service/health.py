@@ -49,7 +49,7 @@ def deployments(url: str) -> list[str]:
 
 def prefect_yaml() -> Path:
     """Where the deployments are declared."""
-    return Path(flows.__file__).resolve().parents[1] / "prefect.yaml"
+    return Path(flows.__file__).resolve().parent / "prefect.yaml"
 
 
 def _ask(url: str, what: str) -> list[dict[str, Any]]:

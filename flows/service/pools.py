@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import flows
-from c4s.errors import BadInput, MachineryFault
+from c4s.errors import MachineryFault
 from c4s.files import digest_bytes, digest_file
 from flows.service.health import prefect_yaml
 from flows.service.names import POOLS
@@ -35,14 +35,12 @@ def make_pools(url: str) -> list[str]:
 def declared_digest() -> str:
     """Digest of all that a deployment is made of: the declarations, and the flows with their parameters."""
     places = [prefect_yaml(), *sorted(Path(flows.__file__).parent.rglob("*.py"))]
-    return digest_bytes("".join(digest_file(path) for path in places if path.is_file()).encode())
+    return digest_bytes("".join(map(digest_file, places)).encode())
 
 
 def deploy(url: str) -> None:
     """Deploy every flow of ``prefect.yaml``. ``MachineryFault`` with what Prefect said where it refuses."""
     declared = prefect_yaml()
-    if not declared.is_file():
-        raise BadInput("there is no such file", where=str(declared), todo="run c4s from a checkout")
     told = subprocess.run(
         [sys.executable, "-m", "prefect", "--no-prompt", "deploy", "--all"],
         cwd=declared.parent,

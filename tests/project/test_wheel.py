@@ -1,4 +1,4 @@
-"""The wheel: all that the packages hold is in it, its bytes are the same each time, and it works elsewhere."""
+"""Wheel and sdist: they hold all that the packages hold, are the same bytes each time, and work elsewhere."""
 
 from __future__ import annotations
 
@@ -6,12 +6,16 @@ import os
 import shutil
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
 
 import pytest
 
+from bench.dist import build
+
 ROOT = Path(__file__).parents[2]
+AT_S = 1_700_000_000
 PACKAGES = ("c4s", "cases", "catalog", "reports", "warehouse", "flows", "tasks")
 WHEEL = (
     sys.executable,
@@ -34,7 +38,7 @@ def _tracked() -> list[str]:
 
 def _built(tree: Path, out: Path) -> Path:
     """The wheel of a tree; its times are those of no clock."""
-    environment = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}
+    environment = {**os.environ, "SOURCE_DATE_EPOCH": str(AT_S)}
     subprocess.run([*WHEEL, "--wheel-dir", str(out), str(tree)], env=environment, check=True, timeout=200)
     return next(out.glob("*.whl"))
 
@@ -63,6 +67,16 @@ def test_it_holds_what_the_packages_hold_and_nothing_else(wheel: Path) -> None:
 
 def test_it_is_the_same_bytes_each_time(wheel: Path, tree: Path, tmp_path: Path) -> None:
     assert _built(tree, tmp_path).read_bytes() == wheel.read_bytes()
+
+
+def test_the_sdist_is_the_same_bytes_each_time_and_makes_the_same_wheel(tree: Path, tmp_path: Path) -> None:
+    wheel, source = build(tree, tmp_path / "first", AT_S)
+    assert build(tree, tmp_path / "again", AT_S)[1].read_bytes() == source.read_bytes()
+    with tarfile.open(source) as archive:
+        archive.extractall(tmp_path / "unpacked", filter="data")
+        held = {name.partition("/")[2] for name in archive.getnames()}
+    assert {name for name in _tracked() if name.split("/")[0] in PACKAGES} <= held
+    assert build(next((tmp_path / "unpacked").iterdir()), tmp_path / "anew", AT_S)[0].read_bytes() == wheel.read_bytes()
 
 
 def test_what_it_installs_works_without_the_checkout(wheel: Path, tmp_path: Path) -> None:

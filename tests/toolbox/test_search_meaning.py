@@ -22,8 +22,9 @@ from bench.search import (
 )
 from c4s.files import digest_file
 from c4s.toolbox.catalog import CaseCatalog
-from c4s.toolbox.search.sentences import WEIGHTS_SHA256, model_folder, sentence_model
+from c4s.toolbox.search.sentences import sentence_model
 from c4s.toolbox.search.words import stems_of
+from c4s.weights import FILES, model_folder
 from catalog.starter import STARTER
 from tests.work import calls_in
 
@@ -134,7 +135,7 @@ def test_half_a_word_is_not_a_word() -> None:
 
 
 def test_the_sentence_model_is_the_published_one() -> None:
-    assert digest_file(model_folder() / "model.safetensors") == WEIGHTS_SHA256
+    assert {name: digest_file(model_folder() / name) for name in FILES} == FILES
     pig, swine, barrel = sentence_model().vectors(["pig", "swine", "barrel"])
     assert pig @ swine > 0.5 > pig @ barrel
 

@@ -37,7 +37,7 @@ from warehouse.release.words import pieces
 PACKAGES = ("c4s", "cases", "catalog", "flows", "reports", "tasks", "warehouse")
 CODE = frozenset({".py", ".sql", ".j2", ".css", ".js", ".yaml", ".json", ".md", ".txt", ".typed"})
 """Kinds of files of a package that are packed."""
-BESIDE = ("requirements.lock", "pyproject.toml", "LICENSE", "README.md", "CHANGELOG.md")
+BESIDE = ("requirements.lock", "requirements-run.lock", "pyproject.toml", "LICENSE", "README.md", "CHANGELOG.md")
 ANSWERS = frozenset({".json", ".csv", ".svg", ".md", ".xlsx"})
 """Kinds of files of an analysis that are packed."""
 LEAST_KEY = 12

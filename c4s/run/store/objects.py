@@ -18,6 +18,7 @@ from typing import Any, Final
 
 import fsspec
 
+from c4s import extras
 from c4s.errors import BadInput, MachineryFault
 from c4s.files import digest_bytes, digest_file, is_unfinished, parse_json, read_plain, write_bytes, write_json
 from c4s.home import cache_root, home
@@ -46,6 +47,8 @@ class ObjectStore:
 
     def __init__(self, url: str) -> None:
         self.name = without_password(url)
+        if url.startswith(("s3://", "s3a://")):
+            extras.need("s3", f"{STORE}={self.name}")
         try:
             with reached(self.name, but=(ValueError, ImportError, TypeError)):
                 self._fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False)

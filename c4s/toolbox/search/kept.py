@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from c4s.files import digest, write_bytes
 from c4s.home import cache_root
-from c4s.toolbox.search.sentences import WEIGHTS_SHA256, WIDTH, sentence_model
+from c4s.toolbox.search.sentences import WIDTH, sentence_model
+from c4s.weights import WEIGHTS_SHA256
 
 
 def kept_vectors(texts: Sequence[str]) -> NDArray[np.float32]:

