@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from c4s.stats.bootstrap import Floats
+from c4s.stats.alpha import interval_alpha
 from c4s.stats.repeats import tau_b
 
 
@@ -38,22 +38,6 @@ def score_agreement(one: object, other: object) -> ScoreAgreement:
         tau_b=tau_b(pair[0], pair[1]),
         alpha=interval_alpha(pair),
     )
-
-
-def interval_alpha(pair: Floats) -> float | None:
-    """Krippendorff's alpha of judges on an interval scale.
-
-    Args:
-        pair: a row a judge, shape (judges, things), finite.
-
-    Returns:
-        None where all scores are equal.
-    """
-    import krippendorff
-
-    if np.ptp(pair) == 0:
-        return None
-    return float(krippendorff.alpha(reliability_data=pair, level_of_measurement="interval"))
 
 
 def kappa(table: object) -> float | None:

@@ -13,6 +13,7 @@ from typing import Final
 
 import numpy as np
 
+from c4s.stats.alpha import nominal_alphas
 from c4s.stats.bootstrap import LEVEL, Design, Floats, domain_means, percentile_interval
 from c4s.stats.human.consensus import TIE, consensus, log_worths
 from c4s.stats.human.preferences import HumanOrder, Preferences
@@ -101,23 +102,15 @@ def krippendorff_alpha(
     The candidate of the lower number stands first in every pair. It is of all
     units together; its interval is of whole prompts drawn.
     """
-    import krippendorff
-
     votes = preferences.units()
-    counts = np.column_stack([votes.won, votes.lost]).astype(np.int64)
-    of_prompt = [counts[votes.prompt == prompt] for prompt in np.unique(votes.prompt)]
-
-    def alpha(units: np.ndarray) -> float:
-        if (units.sum(axis=0) > 0).sum() < 2 or units.sum(axis=1).max() < 2:
-            return float("nan")
-        return float(krippendorff.alpha(value_counts=units, level_of_measurement="nominal"))
-
-    if len(of_prompt) < 2:
-        return MacroMean(alpha(counts), np.nan, np.nan, len(of_prompt))
-    drawn = np.random.default_rng(seed).integers(0, len(of_prompt), (draws, len(of_prompt)))
-    found = np.array([alpha(np.concatenate([of_prompt[one] for one in row])) for row in drawn])
-    low, high = percentile_interval(found[:, None], level)
-    return MacroMean(alpha(counts), float(low[0]), float(high[0]), len(of_prompt))
+    counts = np.column_stack([votes.won, votes.lost])
+    prompts, group = np.unique(votes.prompt, return_inverse=True)
+    whole = float(nominal_alphas(counts, group, np.arange(len(prompts))[None])[0])
+    if len(prompts) < 2:
+        return MacroMean(whole, np.nan, np.nan, len(prompts))
+    drawn = np.random.default_rng(seed).integers(0, len(prompts), (draws, len(prompts)))
+    low, high = percentile_interval(nominal_alphas(counts, group, drawn)[:, None], level)
+    return MacroMean(whole, float(low[0]), float(high[0]), len(prompts))
 
 
 def left_out(
