@@ -30,7 +30,7 @@ from cases.importers.scene import write_scene
 from cases.open190.brought import BroughtPlace
 from cases.open190.library import SCENES
 from cases.open190.scenes import SceneSpec
-from cases.zeroad import Square, read_map
+from cases.zeroad import SOFT, Square, read_map
 from catalog.build import sources_digest
 from catalog.ingest.collision import HullChoice
 from catalog.ingest.licence import licence
@@ -38,8 +38,8 @@ from catalog.ingest.licence import licence
 VARIABLE: Final = "C4S_SLOTS"
 TABLE: Final = Path(__file__).with_name("slots.yaml")
 ROOT: Final = Path("/")
-WATER_IS_SOFT: Final = HullChoice("auto", (("water", "none"),))
-"""Nothing stands on the water of a map."""
+SOFT_HULLS: Final = HullChoice("auto", tuple((f"{name}*", "none") for name in SOFT))
+"""Water and grass have no bodies, so they are never changed."""
 
 
 class MapPart(Record):
@@ -186,7 +186,7 @@ class BroughtSpec:
             suites=scratch,
             packs=packs,
             without=self.slot.without,
-            hulls=WATER_IS_SOFT,
+            hulls=SOFT_HULLS,
             replace=replace,
         )
 

@@ -1,6 +1,6 @@
 """Maps of the game 0 A.D. as imported scenes, from the archive of its package: meshes, actors, terrain."""
 
 from cases.zeroad.ground import Square
-from cases.zeroad.maps import read_map
+from cases.zeroad.maps import SOFT, read_map
 
-__all__ = ["Square", "read_map"]
+__all__ = ["SOFT", "Square", "read_map"]

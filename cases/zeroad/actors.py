@@ -49,7 +49,7 @@ def look_of(archive: Archive, actor: str, chance: random.Random) -> ActorLook:
             return look_of(archive, str(best.get("file")), chance)
         inline = best.find("actor")
         root = best if inline is None else inline
-    if root.tag != "actor":
+    if root.tag not in ("actor", "inline"):
         raise BadInput(f"a {root.tag} and no actor with a mesh", where=actor)
     look = ActorLook(material=(root.findtext("material") or "").strip())
     for group in root.iterfind("group"):

@@ -1,4 +1,4 @@
-"""The ground of a part of a map: a surface with one picture of all its textures, its slabs, and the water.
+"""The ground of a part of a map: a surface for each texture of its tiles, its slabs, and the water.
 
 Heights are rounded to ``STEP_M``: ground that is as good as level is level, so what stands there stands on all of its
 lower side.
@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image
 
 from c4s.errors import BadInput
@@ -20,8 +21,12 @@ from catalog.ingest.hulls import hull
 from catalog.ingest.surface import SourcePart, Surface, texture_png
 
 STEP_M, DEEP_CM = 0.5, 60.0
-PICTURE, PATTERN_M = 1024, 32.0
-"""Pixels a side of the picture of the ground; metres that a texture of terrain covers where it does not say."""
+PATTERN_M, NEARER = 32.0, 1 / 3
+"""Metres that a texture covers where it does not say, and by how much smaller it is laid: eyes here are near to it."""
+FINE, UNEVEN = 4, 0.7
+"""A tile is cut into so many parts a side, and its border wanders by such a share of a tile."""
+SHADE = 0.6
+"""Of the textures' colours: the game shows them as they are, and adds no light of a sky."""
 PLAIN = (0.35, 0.33, 0.22)
 WATER_COLOR, WATER_OPACITY = (0.03, 0.09, 0.11), 0.82
 
@@ -63,7 +68,7 @@ class MapGround:
         self.zero_m = float(zero) * STEP_M
         self.heights = (steps - zero) * STEP_M
         self.water = water_m - self.zero_m
-        self.tiles = terrain.tiles[cut][:-1, :-1]
+        self.tiles = terrain.tiles[square.row : square.row + square.side, square.column : square.column + square.side]
 
     def height(self, east_m: float, north_m: float) -> float:
         """Height (metres above zero) of the ground at a place of the map."""
@@ -83,8 +88,8 @@ class MapGround:
 
     def asset(self, archive: Archive) -> SceneAsset:
         """What is seen of it and what carries; about the middle of the square."""
-        points = self._points().reshape(-1, 3)
-        count = self.square.side + 1
+        points = self._fine()
+        count = self.square.side * FINE + 1
         corner = np.arange(count * count).reshape(count, count)
         a, b, c, d = corner[:-1, :-1].ravel(), corner[:-1, 1:].ravel(), corner[1:, 1:].ravel(), corner[1:, :-1].ravel()
         faces = np.concatenate([np.stack([a, c, b], axis=1), np.stack([a, d, c], axis=1)])
@@ -95,11 +100,14 @@ class MapGround:
         for number in range(3):
             np.add.at(normals, faces[:, number], edges)
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-        row, column = np.divmod(np.arange(count * count), count)
-        uvs = np.column_stack([column, count - 1 - row]) / (count - 1)
-        surface = Surface("ground", roughness=1.0, color=(1.0, 1.0, 1.0), texture=texture_png(self._picture(archive)))
-        part = SourcePart("ground", surface, points, faces, normals, uvs)
-        return SceneAsset("ground", [part], self._slabs(), ground=True)
+        shown = np.tile(self._shown().ravel(), 2)
+        parts = []
+        for texture in np.unique(shown):
+            surface, metres = _surface(archive, self.terrain.textures[texture])
+            used, own = np.unique(faces[shown == texture], return_inverse=True)
+            uvs = points[used][:, [1, 0]] * [1, -1] / (100 * metres)
+            parts.append(SourcePart("ground", surface, points[used], own.reshape(-1, 3), normals[used], uvs))
+        return SceneAsset("ground", parts, self._slabs(), ground=True)
 
     def water_asset(self) -> SceneAsset | None:
         """The face of the water; None where none of it is over the ground."""
@@ -117,6 +125,31 @@ class MapGround:
         steps = (np.arange(self.square.side + 1) - self.square.side / 2) * TILE_M
         north, east = np.meshgrid(steps, steps, indexing="ij")
         return 100 * np.stack([north, east, self.heights], axis=2)
+
+    def _fine(self) -> Matrix:
+        """Corners of parts of tiles, on the triangles of the tiles."""
+        side = self.square.side
+        steps = np.arange(side * FINE + 1) / FINE
+        tile = np.minimum(steps.astype(int), side - 1)
+        i, j = np.meshgrid(tile, tile, indexing="ij")
+        v, u = np.meshgrid(steps - tile, steps - tile, indexing="ij")
+        a, b, c, d = (self.heights[i + up, j + right] for up, right in ((0, 0), (0, 1), (1, 1), (1, 0)))
+        heights = np.where(u >= v, a + (b - a) * u + (c - b) * v, a + (d - a) * v + (c - d) * u)
+        north, east = np.meshgrid(*((steps - side / 2) * TILE_M,) * 2, indexing="ij")
+        found: Matrix = 100 * np.stack([north, east, heights], axis=2).reshape(-1, 3)
+        return found
+
+    def _shown(self) -> NDArray[np.int64]:
+        """The texture of each part of a tile: near a border now this one, now that one."""
+        chance, numbers = np.random.default_rng(0), np.unique(self.tiles)
+        side, count = self.square.side, self.square.side * FINE
+        weights = []
+        for number in numbers:
+            share = (self.tiles == number) + UNEVEN * (chance.random((side, side)) - 0.5)
+            picture = Image.fromarray(share.astype(np.float32)).resize((count, count), Image.Resampling.BICUBIC)
+            weights.append(np.asarray(picture) + 0.3 * UNEVEN * chance.random((count, count)))
+        found: NDArray[np.int64] = numbers[np.argmax(weights, axis=0)]
+        return found
 
     def _slabs(self) -> list[CollisionBody]:
         """Level rectangles as large as they come, and the halves of the tiles that slope."""
@@ -139,31 +172,17 @@ class MapGround:
                 found.append(points[[i, i, tall, tall], [j, wide, wide, j]])
         return [hull(np.concatenate([top, top * [1, 1, 0] + [0, 0, bottom]])) for top in found]
 
-    def _picture(self, archive: Archive) -> Image.Image:
-        """All its textures in one picture, each running over into the next; its upper edge lies to the north."""
-        total, weight = np.zeros((PICTURE, PICTURE, 3)), np.zeros((PICTURE, PICTURE, 1))
-        for number in np.unique(self.tiles):
-            share = Image.fromarray(np.where(self.tiles[::-1] == number, 255, 0).astype(np.uint8))
-            mask = np.asarray(share.resize((PICTURE, PICTURE), Image.Resampling.BICUBIC), float)[:, :, None] / 255
-            total += mask * self._pattern(archive, self.terrain.textures[number])
-            weight += mask
-        return Image.fromarray(np.clip(total / np.maximum(weight, 1e-3), 0, 255).astype(np.uint8))
 
-    def _pattern(self, archive: Archive, name: str) -> Matrix:
-        """A texture of terrain repeated over all of the picture."""
-        told = next((one for one in archive.terrains if one.rpartition("/")[2] == f"{name}.xml"), None)
-        plain = np.tile(np.array(PLAIN) * 255, (PICTURE, PICTURE, 1))
-        if told is None:
-            return plain
-        root = archive.xml(told)
-        file = next(
-            (one.get("file") for one in root.iterfind("textures/texture") if one.get("name") == "baseTex"), None
-        )
-        if file is None:
-            return plain
-        sized = root.find("props")
-        metres = float(sized.get("size") or PATTERN_M) if sized is not None else PATTERN_M
-        pixels = max(8, round(PICTURE * metres / (self.square.side * TILE_M)))
-        picture = archive.picture(f"terrain/{file}").convert("RGB").resize((pixels, pixels), Image.Resampling.BOX)
-        often = -(-PICTURE // pixels)
-        return np.tile(np.asarray(picture, float), (often, often, 1))[:PICTURE, :PICTURE]
+def _surface(archive: Archive, name: str) -> tuple[Surface, float]:
+    """What a texture of terrain looks like, and the metres that its picture covers."""
+    told = next((one for one in archive.terrains if one.rpartition("/")[2] == f"{name}.xml"), None)
+    if told is None:
+        return Surface(name, PLAIN, roughness=1.0), PATTERN_M
+    root = archive.xml(told)
+    file = next((one.get("file") for one in root.iterfind("textures/texture") if one.get("name") == "baseTex"), None)
+    if file is None:
+        return Surface(name, PLAIN, roughness=1.0), PATTERN_M
+    sized = root.find("props")
+    metres = float(sized.get("size") or PATTERN_M) if sized is not None else PATTERN_M
+    picture = texture_png(archive.picture(f"terrain/{file}").convert("RGB"))
+    return Surface(name, (SHADE, SHADE, SHADE), roughness=1.0, texture=picture), metres * NEARER

@@ -23,6 +23,8 @@ from cases.zeroad.things import ActorPiece, about_its_foot, split
 
 ALIVE = ("units/", "actor|units/", "gaia/fauna", "actor|fauna/", "actor|particle/", "skirmish/", "trigger/")
 """Who lives, and what is nothing to see, is left out."""
+SOFT = ("water", "grass", "fern", "flower", "reeds", "shrub_tropic_plant")
+"""What begins so has no body: nothing stands on it or meets it."""
 GROWS = ("flora", "fruit", "tree", "bush")
 LOOKS = 3
 """Looks that one actor has at the most: of its variants that many draws are made."""
@@ -30,7 +32,8 @@ TRUNK, TRUNK_CM = 0.03, (8.0, 60.0)
 """Half the width of a trunk by the height of its tree, and in cm."""
 GAP_CM = 0.2
 """What stands is so far above the ground: what sinks by a rounding error counts as floating."""
-SUN = 1.9
+SUN, TINT = 1.4, 0.5
+"""Strength of the sun, and how much of its colour is the one that the map tells: a map's may lack a channel."""
 
 
 def read_map(path: Path, member: str, square: Square) -> ImportedScene:
@@ -147,7 +150,7 @@ class _Map:
             if level and own < 15.0:
                 foot[2] = 0.0
             key = f"{actor}|{number}|{level}|{count}"
-            bodies: list[CollisionBody] = [_trunk(around)] if grows else []
+            bodies: list[CollisionBody] = [_trunk(around)] if grows and not piece.name.startswith(SOFT) else []
             self.scene.assets[key] = SceneAsset(piece.name, around.parts, bodies, ground=grows)
             found.append(_Kept(key, foot, *low))
         if not found:
@@ -183,5 +186,5 @@ def _sun(root: Element) -> SceneLight:
     matrix[:3, :3] = np.column_stack([forward, side, np.cross(forward, side)])
     tint = root.find("Environment/SunColor")
     values = [float(tint.get(name, 1)) for name in "rgb"] if tint is not None else [1.0, 1.0, 1.0]
-    r, g, b = (round(value / max(values), 4) for value in values)
+    r, g, b = (round(1 - TINT + TINT * value / max(values), 4) for value in values)
     return SceneLight("LightSun", "directional", matrix, (r, g, b), SUN)

@@ -44,10 +44,12 @@ def pmd(*boxes: tuple[tuple[float, float, float], tuple[float, float, float]], p
 
 
 def pmp(heights: np.ndarray[tuple[int, int], np.dtype[np.uint16]]) -> bytes:
-    """A terrain of one patch with one texture."""
-    tiles = struct.pack("<HHI", 0, 0xFFFF, 0) * SIDE * SIDE
-    body = struct.pack("<I", 1) + heights.astype("<u2").tobytes() + struct.pack("<I", 1)
-    return b"PSMP" + struct.pack("<II", 7, len(body)) + body + struct.pack("<I", 5) + b"grass" + tiles
+    """A terrain of one patch: grass, and a quarter of it dirt."""
+    dirt = [column < SIDE // 2 and row < SIDE // 2 for row in range(SIDE) for column in range(SIDE)]
+    tiles = b"".join(struct.pack("<HHI", one, 0xFFFF, 0) for one in dirt)
+    body = struct.pack("<I", 1) + heights.astype("<u2").tobytes() + struct.pack("<I", 2)
+    names = b"".join(struct.pack("<I", len(name)) + name for name in (b"grass", b"dirt"))
+    return b"PSMP" + struct.pack("<II", 7, len(body)) + body + names + tiles
 
 
 def actor(mesh: str, props: str = "", more: str = "") -> str:
@@ -55,6 +57,11 @@ def actor(mesh: str, props: str = "", more: str = "") -> str:
         f'<actor version="1"><group><variant frequency="1"><mesh>{mesh}</mesh><textures>'
         f'<texture file="wall.png" name="baseTex"/></textures><props>{props}</props></variant>{more}</group></actor>'
     )
+
+
+def within(text: str) -> str:
+    """What an element holds."""
+    return text.partition(">")[2].rpartition("<")[0]
 
 
 def entity(template: str, x: float, z: float, uid: int) -> str:
@@ -72,6 +79,7 @@ def archive(tmp_path: Path) -> Path:
     heights[0, 0] += 9
     told = [entity("hut", 20, 30, 1), entity("hut", 58, 30, 2), entity("units/soldier", 24, 30, 3)]
     told += [entity("actor|flora/tree.xml", 10, 10, 4), entity("nothing", 12, 12, 5), entity("hut", 900, 900, 6)]
+    told += [entity("actor|flora/grass.xml", 14, 10, 7), entity("actor|vat.xml", 30, 50, 8)]
     water = "<Environment><Water><WaterBody><Height>5</Height></WaterBody></Water></Environment>"
     picture = io.BytesIO()
     Image.new("RGB", (8, 8), "brown").save(picture, format="PNG")
@@ -83,6 +91,8 @@ def archive(tmp_path: Path) -> Path:
         "simulation/templates/units/soldier.xml": '<Entity parent="house"/>',
         "art/actors/hut.xml": actor("hut.dae", '<prop actor="barrel.xml" attachpoint="side"/>'),
         "art/actors/barrel.xml": actor("barrel.dae"),
+        "art/actors/flora/grass.xml": actor("barrel.dae"),
+        "art/actors/vat.xml": f"<qualitylevels><inline>{within(actor('barrel.dae'))}</inline></qualitylevels>",
         "art/actors/flora/tree.xml": actor("tree.dae"),
         "art/meshes/hut.dae.cached.pmd": pmd(((4, 3.5, 4), (-2, -0.5, -2)), point="side"),
         "art/meshes/barrel.dae.cached.pmd": pmd(((0.6, 1.0, 0.6), (-0.3, -0.1, -0.3))),
@@ -106,7 +116,7 @@ def scene(archive: Path) -> ImportedScene:
 
 def test_what_lives_and_what_lies_elsewhere_is_left_out(scene: ImportedScene) -> None:
     paths = {one.path for one in scene.actors}
-    assert paths == {"hut_1/hut", "hut_1/barrel", "hut_2", "tree_1", "Ground"}
+    assert paths == {"hut_1/hut", "hut_1/barrel", "hut_2", "tree_1", "grass_1", "vat_1", "Ground"}
     assert [row["name"] for row in scene.skipped] == ["nothing"]
 
 
@@ -139,6 +149,20 @@ def test_triangles_look_outwards(scene: ImportedScene) -> None:
             corners = part.vertices[part.faces]
             flat = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
             assert (np.einsum("ij,ij->i", flat, part.normals[part.faces].sum(axis=1)) > 0).all()
+
+
+def test_each_texture_of_the_ground_is_a_surface_of_its_own(scene: ImportedScene) -> None:
+    parts = {part.surface.name: part for part in scene.assets["ground"].parts}
+    assert {name: part.surface.texture is None for name, part in parts.items()} == {"grass": False, "dirt": True}
+    area = {name: len(part.faces) / sum(len(one.faces) for one in parts.values()) for name, part in parts.items()}
+    assert area["dirt"] == pytest.approx(0.25, abs=0.06)
+    dirt = parts["dirt"].vertices
+    assert dirt[:, :2].mean(axis=0) == pytest.approx([-1600, -1600], abs=200)
+
+
+def test_grass_has_no_body(scene: ImportedScene) -> None:
+    (grass,) = (one for one in scene.actors if one.path == "grass_1")
+    assert not scene.assets[grass.asset].collision
 
 
 def test_a_square_off_the_map_is_refused(archive: Path) -> None:
@@ -183,6 +207,8 @@ def test_a_slot_may_be_a_part_of_a_map(archive: Path, monkeypatch: pytest.Monkey
     place = BroughtSpec(slot).place(root / "packs")
     assert {"hut_1_hut", "hut_1_barrel", "Ground"} <= {actor.name for actor in place.level().actors}
     assert list(place.parted) == ["Ground"]
+    bodies = {asset.path.rpartition("/")[2]: asset.collision for asset in pack.assets}
+    assert [name for name, its in bodies.items() if not its] == [next(name for name in bodies if "grass" in name)]
 
 
 def test_broken_files_are_named(tmp_path: Path) -> None:
