@@ -13,6 +13,7 @@ from cases.importers.imported import Matrix
 from cases.zeroad.shapes import ActorShape
 from catalog.ingest.surface import SourcePart
 
+Triangles = np.ndarray[tuple[int, int], np.dtype[np.int64]]
 APART_CM, SAMPLE_CM, MOST_SAMPLES = 15.0, 15.0, 60_000
 LEAST_CM, LARGEST_CM = 15.0, 880.0
 STANDS_CM = (-80.0, 15.0)
@@ -35,17 +36,15 @@ class ActorPiece:
 
 def split(name: str, shapes: list[ActorShape]) -> list[ActorPiece]:
     """The pieces of an actor, the one that is no thing of its own first (where there is one)."""
-    rows = [(shape, faces) for shape in shapes for faces in _connected(shape.part)]
-    label = _joined([shape.part.vertices[faces] for shape, faces in rows])
+    rows = [(number, faces) for number, shape in enumerate(shapes) for faces in _connected(shape.part)]
+    label = _joined([shapes[number].part.vertices[faces] for number, faces in rows])
     rest, found = ActorPiece(name, []), []
-    for number in range(int(label.max()) + 1):
-        own = [row for row, its in zip(rows, label, strict=True) if its == number]
-        parts = [
-            replace(shape.part, faces=np.concatenate([faces for other, faces in own if other is shape]))
-            for shape in shapes
-            if any(other is shape for other, _ in own)
-        ]
-        piece = ActorPiece(own[0][0].name, parts)
+    groups: list[dict[int, list[Triangles]]] = [{} for _ in range(int(label.max()) + 1)]
+    for (number, faces), group in zip(rows, label.tolist(), strict=True):
+        groups[group].setdefault(number, []).append(faces)
+    for own in groups:
+        parts = [replace(shapes[number].part, faces=np.concatenate(faces)) for number, faces in own.items()]
+        piece = ActorPiece(shapes[min(own)].name, parts)
         low, high = piece.box
         stands = STANDS_CM[0] <= low[2] <= STANDS_CM[1] and high[2] > LEAST_CM
         if stands and LEAST_CM <= float((high - low).max()) <= LARGEST_CM:
@@ -74,7 +73,7 @@ def about_its_foot(piece: ActorPiece, low_cm: float) -> tuple[ActorPiece, Matrix
     return ActorPiece(piece.name, parts), foot
 
 
-def _connected(part: SourcePart) -> list[np.ndarray[tuple[int, int], np.dtype[np.int64]]]:
+def _connected(part: SourcePart) -> list[Triangles]:
     """The faces of a part by what hangs together at its corners."""
     _, welded = np.unique(np.round(part.vertices, 1), axis=0, return_inverse=True)
     faces = welded.reshape(-1)[part.faces]
@@ -89,17 +88,20 @@ def _joined(pieces: list[Matrix]) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
     """Which pieces (corners of triangles) come nearer to each other than ``APART_CM``: a number of each's group."""
     area = sum(float(np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1).sum()) / 2 for p in pieces)
     step = max(SAMPLE_CM, float(np.sqrt(area / MOST_SAMPLES)))
-    points, owner = [], []
-    for number, corners in enumerate(pieces):
-        own = _samples(corners, step)
-        points.append(own)
-        owner.append(np.full(len(own), number))
-    tree, owners = cKDTree(np.concatenate(points)), np.concatenate(owner)
-    pairs = tree.query_pairs(max(APART_CM, step), output_type="ndarray")
+    points = [_thinned(_samples(corners, step), step / 4) for corners in pieces]
+    owners = np.repeat(np.arange(len(pieces)), [len(own) for own in points])
+    pairs = cKDTree(np.concatenate(points)).query_pairs(max(APART_CM, step), output_type="ndarray")
     ends = owners[pairs].reshape(-1, 2)
+    ends = ends[ends[:, 0] != ends[:, 1]]
     matrix = coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(pieces), len(pieces)))
     label: np.ndarray[tuple[int], np.dtype[np.int64]] = connected_components(matrix)[1].astype(np.int64)
     return label
+
+
+def _thinned(points: Matrix, cell_cm: float) -> Matrix:
+    """One point of each cell that has any: a carved thing has thousands of corners within a hand's breadth."""
+    _, first = np.unique(np.floor(points / cell_cm).astype(np.int64), axis=0, return_index=True)
+    return points[np.sort(first)]
 
 
 def _samples(corners: Matrix, step: float) -> Matrix:
