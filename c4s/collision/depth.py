@@ -17,7 +17,6 @@ import coal
 import fcl
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, QhullError
 
 from c4s.collision.boxes import box_depths
 from c4s.collision.mesh_body import Array
@@ -178,6 +177,8 @@ def _proves(depth: Array, way_out: Array, push_out: Array) -> NDArray[np.bool_]:
 def _least_face(a: Array, b: Array) -> Iterator[tuple[float, Array]]:
     """Depth of two sharp-edged bodies by their corners: how deep the origin lies below the nearest face of a - b, and
     that face's normal; nothing where the difference is too large or flat."""
+    from scipy.spatial import ConvexHull, QhullError
+
     if len(a) * len(b) > MOST_DIFFERENCES:
         return
     try:
