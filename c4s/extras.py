@@ -12,7 +12,7 @@ PACKAGES: Final[dict[Extra, str]] = {
     "service": "prefect",
     "s3": "s3fs",
     "plots": "matplotlib",
-    "telemetry": "opentelemetry.sdk",
+    "telemetry": "opentelemetry.exporter.otlp.proto.http",
 }
 """By extra the package whose presence tells that it is installed."""
 

@@ -1,6 +1,6 @@
 """Pictures kept in ``C4S_HOME/cache/pictures`` under a digest of all that they show: the PNG, its mask, a note of both.
 
-The note is written last and holds the digests of the other two: what is torn or damaged is as if it were not there,
+The note is written last and holds the digests of all three: what is torn or damaged is as if it were not there,
 and is made again. The least recently used are dropped beyond ``MOST_BYTES``. Any number of processes may read, keep and
 drop at once, and the folder may be deleted at any time.
 """
@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from c4s.errors import BadInput
-from c4s.files import digest_bytes, is_unfinished, read_json, write_bytes, write_json
+from c4s.files import digest, digest_bytes, is_unfinished, read_json, write_bytes, write_json
 from c4s.home import cache_root
 
 MOST_BYTES = 4 << 30
@@ -85,4 +85,4 @@ def _files(key: str) -> tuple[Path, Path, Path]:
 
 
 def _digests(made: KeptPicture) -> list[str]:
-    return [digest_bytes(made.picture), digest_bytes(made.mask)]
+    return [digest_bytes(made.picture), digest_bytes(made.mask), digest(made.visible)]

@@ -68,7 +68,7 @@ def _beyond_the_run_lock() -> set[str]:
         (
             ["run", "yard", "-a", "noop", "--run-id", "told"],
             {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"},
-            "OTEL_EXPORTER_OTLP_ENDPOINT needs opentelemetry.sdk, which is not installed "
+            "OTEL_EXPORTER_OTLP_ENDPOINT needs opentelemetry.exporter.otlp.proto.http, which is not installed "
             "(pip install 'c4s[telemetry]')",
         ),
     ],

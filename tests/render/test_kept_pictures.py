@@ -12,7 +12,7 @@ import pytest
 from c4s.engine.headless.process.boot import boot
 from c4s.evidence import export_and_look
 from c4s.evidence.kept import KeptPicture, drop_oldest, keep_picture, kept_picture
-from c4s.files import read_json
+from c4s.files import read_json, write_json
 from c4s.home import cache_root
 
 CAMERA = {
@@ -138,6 +138,14 @@ def test_a_damaged_file_is_as_if_nothing_were_kept(
     assert kept_picture("a") is None
     keep_picture("a", MADE)
     assert kept_picture("a") == MADE
+
+
+def test_a_note_with_another_count_is_as_if_nothing_were_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    kept = _home(tmp_path, monkeypatch)
+    keep_picture("a", MADE)
+    note = read_json(kept / "a.json")
+    write_json(kept / "a.json", note | {"visible": {"Cube": 8}})
+    assert kept_picture("a") is None
 
 
 def test_the_least_recently_used_are_dropped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
