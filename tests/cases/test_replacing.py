@@ -15,7 +15,6 @@ from pathlib import Path
 import pytest
 import trimesh
 
-from bench.waiting import until
 from c4s.cli.suites import built_suite
 from c4s.errors import BadInput
 from c4s.folders import put_folder
@@ -102,34 +101,46 @@ def test_sources_that_build_the_same_pack_leave_it(at_home: Path, tmp_path: Path
 
 
 OTHER = """
-import dataclasses
+import dataclasses, fnmatch, os, signal, sys
 from pathlib import Path
 from cases.suite import build_suite
 from tests.cases.test_case_suite import small
-home = Path({home!r})
+home, fatal = Path({home!r}), {fatal!r}
+
+def dies(event, arguments):
+    if fatal and event == fatal[0] and any(fnmatch.fnmatch(str(argument), fatal[1]) for argument in arguments):
+        os.killpg(0, signal.SIGKILL)
+
+sys.addaudithook(dies)
 build_suite(
     dataclasses.replace(small(), title="Other"), home / "suites/small", home / "packs", lambda line: None, replace=True
 )
 """
 
 
-@pytest.mark.parametrize("moment", ["suite", "suite/agent/{alias}/case.json", "suite/build.json"])
+@pytest.mark.parametrize(
+    ("event", "path", "title"),
+    [
+        ("os.mkdir", "suite", "Small"),
+        ("open", "suite/agent/*/case.json", "Small"),
+        ("os.rename", "suite/build.json", "Small"),
+        ("shutil.rmtree", "suite", "Other"),
+    ],
+)
 def test_a_killed_build_leaves_a_whole_suite(
-    built: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, moment: str
+    built: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, event: str, path: str, title: str
 ) -> None:
     for part in ("packs", "suites", "cache"):
         shutil.copytree(built / part, tmp_path / part)
     monkeypatch.setenv("C4S_HOME", str(tmp_path))
-    suite, command = SuiteFolder(tmp_path / "suites/small"), [sys.executable, "-c", OTHER.format(home=str(tmp_path))]
-    before = suite.suite()
-    moment = moment.replace("{alias}", "*")
-    process = subprocess.Popen(command, start_new_session=True, stderr=subprocess.DEVNULL)
-    until(lambda: any((tmp_path / "suites").glob(f".small.*/{moment}")), process, pause_s=0)
-    os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
-    assert suite.suite() == before or (moment == "suite/build.json" and suite.suite().title == "Other")
-    assert suite_changes(suite) == []
-    subprocess.run(command, check=True, timeout=200)
+    suite = SuiteFolder(tmp_path / "suites/small")
+    killed, whole = (
+        [sys.executable, "-c", OTHER.format(home=str(tmp_path), fatal=fatal)]
+        for fatal in ((event, f"{tmp_path}/suites/.small.*/{path}"), None)
+    )
+    assert subprocess.run(killed, start_new_session=True, timeout=200).returncode == -signal.SIGKILL
+    assert suite.suite().title == title and suite_changes(suite) == []
+    subprocess.run(whole, check=True, timeout=200)
     assert suite.suite().title == "Other" and suite_changes(suite) == []
 
 
