@@ -1,8 +1,9 @@
-"""``python -m bench.userlands FOLDER RELEASE ... [--demo]``: a new user's first minutes on Debian, in a chroot.
+"""``python -m bench.userlands FOLDER RELEASE ... [--demo]``: a new user's first minutes, in a chroot.
 
-Each release (bookworm, trixie, sid) is made in ``FOLDER`` with debootstrap and holds Python, make, git and certificates
-alone; the last commit of this checkout is cloned into it, set up with ``make setup``, and tries one case, or
-the whole ``make demo``. One line a step: the release, the command, its exit code and its processor time. Needs root.
+Each release (of Debian: bookworm, trixie, sid; of Ubuntu: jammy, noble) is made in ``FOLDER`` with debootstrap and
+holds Python, make, git and certificates alone; the last commit of this checkout is cloned into it, set up with
+``make setup``, and tries one case, or the whole ``make demo``. One line a step: the release, the command, its exit code
+and its processor time. Needs root, and the keys of Ubuntu for its releases (Debian's package ``ubuntu-keyring``).
 """
 
 from __future__ import annotations
@@ -18,6 +19,9 @@ from typing import Final
 
 ROOT: Final = Path(__file__).resolve().parents[1]
 PACKAGES: Final = "python3,python3-venv,make,git,ca-certificates"
+UBUNTU: Final = ("jammy", "noble")
+UBUNTU_SCRIPT: Final = "/usr/share/debootstrap/scripts/jammy"
+"""debootstrap makes all of them alike, but does not know those newer than itself."""
 SHORT: Final = (
     "make setup",
     ".venv/bin/c4s --version",
@@ -49,7 +53,13 @@ def made(folder: Path, release: str) -> Path:
     """The userland of a release, with a new clone of the checkout."""
     place = folder.absolute() / release
     if not place.is_dir():
-        subprocess.run(["debootstrap", "--variant=minbase", f"--include={PACKAGES}", release, str(place)], check=True)
+        command = ["debootstrap", "--variant=minbase", f"--include={PACKAGES}"]
+        if release in UBUNTU:
+            default_mirror = ""
+            command += ["--components=main,universe", release, str(place), default_mirror, UBUNTU_SCRIPT]
+        else:
+            command += [release, str(place)]
+        subprocess.run(command, check=True)
     for name in ("etc/resolv.conf", "etc/hosts", CERTIFICATES):
         shutil.copyfile(f"/{name}", place / name)
     subprocess.run(["git", "clone", "--quiet", str(ROOT), str(place / TREE)], check=True)
