@@ -56,7 +56,8 @@ def in_slots(
 
     Stages are given the plan without other trials, so that what crosses to a worker does not grow with the plan.
     No stage is started without room to work, where a lease was lost, or while the run is paused. Where one fails after
-    a lease was lost, that is why: ``LeaseLost``.
+    a lease was lost, that is why: ``LeaseLost``. A run that is stopped waits for no room: ``NoRoom``, or for a new
+    attempt ``StoppedByGuard``.
     """
     own = plan.model_copy(update={"cases": [trial.case], "configurations": [trial.configuration]})
 
@@ -64,9 +65,15 @@ def in_slots(
         for lease in held:
             await lease.check_beside()
 
+    def give_up(stage: Stage, *arguments: Any) -> None:
+        if overseer is not None and overseer.stopped is not None:
+            if overseer.holds(stage, trial, arguments):
+                raise overseer.stopped
+            raise NoRoom("the run was stopped while there was no room to work", where=trial.name)
+
     async def once(stage: Stage, *arguments: Any) -> Any:
         while True:
-            await pool.headroom.room()
+            await pool.headroom.room(partial(give_up, stage, *arguments))
             if overseer is not None:
                 await overseer.may_start(stage, trial, arguments)
             async with pool.turn(stage, trial, own, rank):

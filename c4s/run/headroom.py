@@ -125,7 +125,8 @@ class Headroom:
             self._tell(f"paused: {short} (the run goes on by itself)" if short else "there is room again: going on")
         return not short
 
-    async def room(self) -> None:
-        """Wait until there is room."""
+    async def room(self, give_up: Callable[[], None] = lambda: None) -> None:
+        """Wait until there is room, or until ``give_up`` raises: it is called after each look that found none."""
         while not self.look():
+            give_up()
             await asyncio.sleep(LOOK_S)

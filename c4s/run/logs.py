@@ -19,7 +19,7 @@ from c4s.records.folder import RunFolder
 from c4s.records.journal import Event
 from c4s.run.journal import process_name
 from c4s.run.owner import this_process
-from c4s.stderr import as_json, json_line
+from c4s.stderr import as_json, json_line, tell
 
 LOGGER: Final = logging.getLogger("c4s")
 FILE_BYTES, FILES = 8 << 20, 4
@@ -42,6 +42,18 @@ class JsonLines(logging.Formatter):
         return json_line(record.levelname.lower(), record.getMessage(), record.created, **fields)
 
 
+class LogFile(logging.handlers.RotatingFileHandler):
+    """A log file that tells in one line, once, when it takes nothing more."""
+
+    _told = False
+
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802
+        """A full disk stops no run."""
+        if not self._told:
+            self._told = True
+            tell(f"c4s: the log takes nothing, so it is incomplete: {sys.exc_info()[1]}")
+
+
 @contextmanager
 def logging_to(run: Path, trial_id: Callable[[str], str]) -> Iterator[Callable[[Event], None]]:
     """Log for the block; gives the listener that logs a run's events.
@@ -54,9 +66,7 @@ def logging_to(run: Path, trial_id: Callable[[str], str]) -> Iterator[Callable[[
     always = {"host": platform.node(), "pid": owner.pid, "run": folder.root.name}
     folder.logs.mkdir(parents=True, exist_ok=True)
     handlers: list[logging.Handler] = [
-        logging.handlers.RotatingFileHandler(
-            folder.logs / f"{process_name(owner)}.jsonl", maxBytes=FILE_BYTES, backupCount=FILES, delay=True
-        )
+        LogFile(folder.logs / f"{process_name(owner)}.jsonl", maxBytes=FILE_BYTES, backupCount=FILES, delay=True)
     ]
     if as_json():
         handlers.append(logging.StreamHandler(sys.stderr))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -48,17 +49,22 @@ def filled(disk: Path, mib: int) -> Path:
     return path
 
 
-def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
-    own = apart(disk / "home", home)
-    attempt = trial_in(own, "small", "noop", CASE).attempt(1)
-    filler = filled(disk, DISK_MIB - 100)
-    run = subprocess.Popen(
+def noop_run(home: Path) -> subprocess.Popen[str]:
+    """A run of one trial in a home."""
+    return subprocess.Popen(
         [sys.executable, "-m", "c4s.cli", "run", "small", "-a", "noop", "-c", CASE],
-        env=environment(own),
+        env=environment(home),
         text=True,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
     )
+
+
+def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
+    own = apart(disk / "home", home)
+    attempt = trial_in(own, "small", "noop", CASE).attempt(1)
+    filler = filled(disk, DISK_MIB - 100)
+    run = noop_run(own)
     assert run.stderr
     told = (line for line in run.stderr if "c4s: " in line)
     line = next(told)
@@ -73,6 +79,34 @@ def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
     filler.unlink()
     rest = run.stderr.read()
     assert run.wait() == 0, rest
+    (row,) = rows(own / "warehouse", "SELECT * FROM outcomes")
+    assert (row["status"], row["score"]) == ("measured", 0.2)
+
+
+@pytest.mark.parametrize("when", ["before anything", "after the attempt"])
+def test_a_run_that_waits_for_room_ends_when_asked(home: Path, disk: Path, when: str) -> None:
+    own = apart(disk / "home", home)
+    attempt = trial_in(own, "small", "noop", CASE).attempt(1)
+    filler = filled(disk, DISK_MIB - 100)
+    run = noop_run(own)
+    assert run.stderr
+    told = (line for line in run.stderr if "c4s: " in line)
+    assert "paused: " in next(told)
+    if when == "after the attempt":
+        filler.unlink()
+        assert "there is room again: going on" in next(told)
+        until(attempt.manifest.exists, run)
+        filler = filled(disk, DISK_MIB)
+        assert "paused: " in next(told)
+    run.send_signal(signal.SIGINT)
+    rest = run.stderr.read()
+    assert run.wait() not in (0, -signal.SIGINT) and "Traceback" not in rest, rest
+    assert attempt.root.exists() == (when == "after the attempt")
+    filler.unlink()
+    again = noop_run(own)
+    assert again.stderr
+    rest = again.stderr.read()
+    assert again.wait() == 0, rest
     (row,) = rows(own / "warehouse", "SELECT * FROM outcomes")
     assert (row["status"], row["score"]) == ("measured", 0.2)
 
