@@ -23,8 +23,8 @@ def until(
     Args:
         happens: the question.
         process: who is expected to bring it about: ``RuntimeError`` where it has ended before.
-        pause_s: between two questions; 0 for what is true for a moment alone. By default it grows from ``PAUSE_S`` to
-            ``LONGEST_PAUSE_S``.
+        pause_s: between two questions. By default it grows from ``PAUSE_S`` to ``LONGEST_PAUSE_S``: what is true for a
+            moment alone may be missed.
     """
     begun = time.monotonic()
     while True:
