@@ -18,13 +18,18 @@ from hypothesis import strategies as st
 from c4s.errors import BadInput
 from c4s.packs.store import PackStore
 from c4s.trees import digest_tree
+from catalog.ingest.collision import collision_of
+from catalog.ingest.excess import corners_of
 from catalog.ingest.folder import ingest
-from catalog.ingest.hulls import MAX_VERTICES, bodies, hull
+from catalog.ingest.hulls import MAX_VERTICES, bodies, hull, joined
+from catalog.ingest.source import read_source
 from catalog.ingest.units import check_units
 from tests.shared import SHARED
 
 ASSETS = SHARED / "assets"
 PACKS = sorted(path for path in (ASSETS / "packs").glob("*") if path.is_dir())
+EVERY = 9
+"""Of this many files of a real pack one is given the bodies that its surface tells: cutting them all takes minutes."""
 
 
 def gltf(
@@ -98,7 +103,7 @@ def asset_of(report: dict[str, Any], index: int = 0) -> Any:
 @pytest.mark.skipif(not PACKS, reason="the shared sample packs are not here")
 @pytest.mark.parametrize("folder", PACKS, ids=lambda path: str(path.name))
 def test_every_file_of_a_real_pack_has_its_listed_size(folder: Path, tmp_path: Path) -> None:
-    report = ingest(folder, folder.name, tmp_path)
+    report = ingest(folder, folder.name, tmp_path, hulls="asset")
     assert report["skipped"] == [] and report["license"] == "CC0-1.0"
     store = PackStore([tmp_path / folder.name])
     sizes = {asset.mesh: asset for asset in store.packs[tmp_path / folder.name].assets}
@@ -116,6 +121,24 @@ def test_every_file_of_a_real_pack_has_its_listed_size(folder: Path, tmp_path: P
     assert all(
         store.mesh(asset.path).bounds_cm[0] == pytest.approx(asset.bounds_min_cm, abs=0.01) for asset in sizes.values()
     )
+
+
+@pytest.mark.skipif(not PACKS, reason="the shared sample packs are not here")
+@pytest.mark.parametrize("folder", PACKS, ids=lambda path: str(path.name))
+def test_the_bodies_that_a_surface_tells_reach_as_far_as_the_mesh(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("C4S_HOME", str(tmp_path))
+    with (ASSETS / "packs.csv").open() as file:
+        names = sorted(row["file"] for row in csv.DictReader(file) if row["pack"] == folder.name)
+    for name in names[::EVERY]:
+        (path,) = (found for found in folder.rglob(Path(name).name) if found.is_file())
+        made = collision_of(path, folder, read_source(path, folder).parts, "auto")
+        mesh = joined([(part.node, part.vertices, part.faces) for part in made.shown])[0]
+        corners = np.concatenate([corners_of(body) for body in made.bodies])
+        within = 1.0 + 0.05 * float(np.linalg.norm(np.ptp(mesh, axis=0)))
+        assert np.allclose(corners.min(axis=0), mesh.min(axis=0), atol=within, rtol=0), name
+        assert np.allclose(corners.max(axis=0), mesh.max(axis=0), atol=within, rtol=0), name
 
 
 @pytest.mark.skipif(not PACKS, reason="the shared sample packs are not here")
