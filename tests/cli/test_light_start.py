@@ -54,6 +54,7 @@ except SystemExit as end:
 
 FORKED = f"""
 import json, os, sys
+import rich.markdown, typer.rich_utils
 import c4s.cli.main
 for command in json.loads(sys.argv[1]):
     read, write = os.pipe()
@@ -75,7 +76,7 @@ for command in json.loads(sys.argv[1]):
     os.close(read)
     os.waitpid(child, 0)
 """
-"""Each command's help in a fork of a process that has imported what every command does."""
+"""Each command's help in a fork of a process that has imported what every command and every help does."""
 
 
 def _ending(home: Path, *arguments: str) -> str:
