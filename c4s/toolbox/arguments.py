@@ -6,10 +6,9 @@ import difflib
 from collections.abc import Mapping
 from typing import Any
 
-from jsonschema import ValidationError
-
 from c4s.files import canonical_json
 from c4s.toolbox.registry import TOOLS, VALIDATORS
+from c4s.toolbox.schemas import ValidationError
 from c4s.toolbox.tool import Schema, kind
 
 _SHOWN_CHARACTERS = 1000

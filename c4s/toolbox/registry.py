@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from jsonschema import Draft202012Validator
-
 from c4s.errors import BadInput
 from c4s.toolbox import asset_tools, check_tools, environment_tools, planning_tools, python_tools, scene_tools
+from c4s.toolbox.schemas import Draft202012Validator
 from c4s.toolbox.tool import Tool
 
 ALL_TOOLS: tuple[Tool, ...] = (

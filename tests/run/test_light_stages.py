@@ -12,3 +12,9 @@ def test_stages_are_known_without_what_they_work_with() -> None:
     code = f"import sys, c4s.run.stages; print(*(name for name in {HEAVY} if name in sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
     assert done.stdout.split() == []
+
+
+def test_checking_calls_makes_no_grammar_of_web_addresses() -> None:
+    code = "import sys, c4s.toolbox.arguments; print('rfc3987_syntax' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout.split() == ["False"]
