@@ -10,10 +10,6 @@ from importlib import import_module
 from pathlib import Path
 
 import numpy as np
-import trimesh
-from trimesh.exchange.gltf import export_glb
-from trimesh.visual import TextureVisuals
-from trimesh.visual.material import PBRMaterial
 
 from c4s.errors import BadInput
 from c4s.files import digest, digest_bytes, digest_file, read_json, write_bytes, write_json
@@ -34,6 +30,11 @@ from catalog.starter import STARTER
 
 def glb(mesh: Mesh, slots: list[str], colors: dict[str, tuple[float, float, float]]) -> bytes:
     """GLB bytes of a mesh: a primitive a slot, the material named like the slot (metres, Y up, right-handed)."""
+    import trimesh
+    from trimesh.exchange.gltf import export_glb
+    from trimesh.visual import TextureVisuals
+    from trimesh.visual.material import PBRMaterial
+
     scene = trimesh.Scene()
     for index, slot in enumerate(slots):
         faces = mesh.faces[mesh.face_slots == index]

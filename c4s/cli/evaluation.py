@@ -32,8 +32,7 @@ from c4s.run.progress import Progress
 from c4s.run.signals import ending_in_order
 from c4s.run.store import open_store, send_suite
 from c4s.stderr import tell
-from reports.site import build_site, check_place
-from reports.status import REFRESH_S, write_status
+from reports.place import check_place
 from warehouse.database import is_current, rebuild
 from warehouse.done import look_up
 from warehouse.ingest import ingest_schedule, ingest_trial
@@ -122,6 +121,9 @@ def evaluate_here(
         if not ready:
             refuse_pending(refused, len(scheduled))
         if ready or found.elsewhere or not page.is_file() or not is_current(warehouse):
+            from reports.site import build_site
+            from reports.status import REFRESH_S, write_status
+
             ingest_schedule(run, folder, plan, warehouse)
             progress, pool, status = Progress(run, folder), Pool(slots), RunFolder(run).status_page
             with (

@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import Final
 
 from c4s.engine import Engine, EngineCallError, open_engine
 from c4s.engine.answers import ask
@@ -20,13 +21,14 @@ from c4s.evidence.folder import replace_captures, replace_exported
 from c4s.evidence.masks import Tracer, with_masks
 from c4s.evidence.pictures import glimpses, take_pictures
 from c4s.evidence.shots import Camera, Cameras, Glimpse, Shots, Snapshot
-from c4s.evidence.walk import OWN_MESH, probe_navigation
 from c4s.files import read_json, write_json
 from c4s.records.captures import Captures, View
 from c4s.records.evidence_digests import WALKED, note_digests
 from c4s.records.folder import EvidenceFolder
 from c4s.records.level import Level
 
+OWN_MESH: Final = frozenset({"unreal"})
+"""Kinds of engines that make navigation meshes of their own."""
 _EXPORT_TIMEOUT_S = 1800.0
 _TOLD = ("purpose", "pair")
 
@@ -74,6 +76,8 @@ class CleanEngine:
         folder = EvidenceFolder(out)
         if self._engine.kind not in OWN_MESH or folder.digests(WALKED).is_file():
             return
+        from c4s.evidence.walk import probe_navigation
+
         snapshot: Snapshot = read_json(folder.snapshot, what="snapshot")
         _same_engine(self._engine, snapshot)
         with _refusals("cannot_be_exported", "the level cannot be walked", self._package):

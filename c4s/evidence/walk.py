@@ -7,7 +7,7 @@ measures the walkable space of what was exported, which is the same space.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +20,6 @@ from c4s.navigation.solids import navigation_bounds
 from c4s.protocol.navigation import PHASE_CM, SETTLE_LIMIT_S, SPEED_CM_S, STALL_S, STALLS
 from c4s.records.navigation import NavigationEvidence
 
-OWN_MESH: Final = frozenset({"unreal"})
-"""Kinds of engines that are probed."""
 _TIMEOUT_S = 1800.0
 _PATIENCE = 3.0
 Array = NDArray[np.float64]

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.spatial import ConvexHull
 
 from c4s.geometry.transform import affine, quat_from_rotator, quat_multiply, rotator_from_quat
 from c4s.packs.meshes import Mesh
@@ -91,6 +90,8 @@ class Builder:
 
     def _add_hull(self, points: Array) -> None:
         """Hull body; rounding is coarse enough that coplanar corners do not become slivers."""
+        from scipy.spatial import ConvexHull
+
         corners = np.unique(np.round(points, 3), axis=0)
         self._bodies.append(HullBody(vertices=[_rounded(corners[i]) for i in sorted(ConvexHull(corners).vertices)]))
 

@@ -14,7 +14,6 @@ from itertools import pairwise
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull
 
 Array = NDArray[np.float64]
 Point2 = tuple[float, float]
@@ -62,6 +61,8 @@ def flat(triangles: Array) -> Patch:
 
 def hull(points: Sequence[Point3] | Array) -> Patch:
     """The convex hull of points, flat-shaded."""
+    from scipy.spatial import ConvexHull
+
     cloud = np.asarray(points, dtype=float)
     solid = ConvexHull(cloud)
     triangles = cloud[solid.simplices]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
-from reports.site.build import build_site, check_place
+from reports.place import check_place
+from reports.site.build import build_site
 
 __all__ = ["build_site", "check_place"]

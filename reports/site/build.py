@@ -4,25 +4,17 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
-from typing import Final
 
 from c4s.files import digest, write_text
-from c4s.folders import beside, check_own, put_folder
+from c4s.folders import beside, put_folder
 from reports.frame import STATIC, SiteContext, SitePage, environment, links
 from reports.pages import KINDS
+from reports.place import MARKER, check_place
 from reports.site.ledger import LEDGER, PageMade, SiteLedger, code_digest, ledger_of
 from reports.viewer import three_script
 from warehouse.database import held_open
 from warehouse.release import refuse_leaks, secrets_of
 from warehouse.stamps import case_stamps
-
-MARKER: Final = ".c4s-site"
-"""In every folder of pages, so that no other folder is taken for one and replaced."""
-
-
-def check_place(site: Path) -> None:
-    """``BadInput`` where something else lies than pages of c4s."""
-    check_own(site, MARKER)
 
 
 def build_site(warehouse: Path, site: Path, suites: Path | None = None) -> Path:
