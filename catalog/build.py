@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 from importlib import import_module
 from pathlib import Path
+from threading import Lock
 
 import numpy as np
 
@@ -26,6 +27,8 @@ from catalog.shapes import AssetSpec, BlueprintSpec, Builder, BuiltShape, Materi
 from catalog.shapes.spec import asset_id, readable
 from catalog.shapes.textures import png
 from catalog.starter import STARTER
+
+_LOADING = Lock()
 
 
 def glb(mesh: Mesh, slots: list[str], colors: dict[str, tuple[float, float, float]]) -> bytes:
@@ -166,7 +169,15 @@ def build_pack(spec: PackSpec, root: Path, *, replace: bool = False, previews: b
     return pack
 
 
+def _load_makers() -> None:
+    """Load the mesh libraries in one thread: two that load parts of them at once may see a module half loaded."""
+    with _LOADING:
+        import_module("scipy.spatial")
+        import_module("trimesh")
+
+
 def _written(spec: PackSpec, folder: Path, *, previews: bool) -> Pack:
+    _load_makers()
     writer = _Writer(spec, folder)
     materials = [writer.material(material) for material in spec.materials]
     assets = [writer.asset(asset) for asset in spec.assets]
