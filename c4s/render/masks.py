@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from c4s.render.types import Camera, Picture
 
@@ -17,6 +18,8 @@ LEAST_VOLUME = 1e-9
 """Determinant of the smallest placement that is drawn."""
 _NPZ_LEVEL = 1
 """Half the time of numpy's, a tenth more bytes."""
+_LOST_BITS = 7
+"""Of a depth's mantissa: 16 bits stay, 0.001 % of the depth; what is left takes half the bytes and time."""
 NEAR_CM = 40.0
 """What is nearer to the eye than this stands in the way."""
 
@@ -37,7 +40,7 @@ def write_mask(path: Path, picture: Picture, names: Sequence[str], labels: Seque
     """Write the actor mask and depth of a picture with the table of its actors, which the mask's numbers count."""
     tables = {
         "actor": picture.actor,
-        "depth_cm": picture.depth_cm.astype(np.float32),
+        "depth_cm": _short(picture.depth_cm),
         "names": np.array(names, dtype=np.str_),
         "labels": np.array([label[:MOST_LABEL] for label in labels], dtype=np.str_),
     }
@@ -45,6 +48,12 @@ def write_mask(path: Path, picture: Picture, names: Sequence[str], labels: Seque
         for name, table in tables.items():
             with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
                 np.lib.format.write_array(file, table, allow_pickle=False)
+
+
+def _short(depth_cm: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Depths rounded to the bits that a mask keeps; infinite ones stay so."""
+    half, kept = np.uint32(1 << (_LOST_BITS - 1)), np.uint32(2**32 - (1 << _LOST_BITS))
+    return ((np.ascontiguousarray(depth_cm, dtype=np.float32).view(np.uint32) + half) & kept).view(np.float32)
 
 
 def visible(picture: Picture, names: Sequence[str]) -> dict[str, int]:
