@@ -16,6 +16,7 @@ __all__ = [
     "Sun",
     "SurfaceMaterial",
     "masks",
+    "png",
     "textures",
     "types",
 ]
