@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 from pydantic import Field
 
@@ -26,7 +26,7 @@ from c4s.records.pack import MANIFEST, Pack
 from c4s.records.pack import STAMP as PACK_STAMP
 from c4s.records.suite import IMPORTED_SCENE
 from cases.importers.importing import import_scene
-from cases.importers.scene import write_scene
+from cases.importers.scene import REPORT, write_scene
 from cases.open190.brought import BroughtPlace
 from cases.open190.library import SCENES
 from cases.open190.scenes import SceneSpec
@@ -160,15 +160,17 @@ class BroughtSpec:
             return Pack.read(packs / self.pack_id / MANIFEST)
         root = slots_root()
         with beside(level.parent) as scratch:
-            self._import(root, scratch, packs, replace=replace)
+            report = self._import(root, scratch, packs, replace=replace)
+            lasting = {name: value for name, value in report.items() if name != "level"}
+            write_json(scratch / self.pack_id / REPORT, {**lasting, "source": self._source()})
             put_folder(scratch / self.pack_id, level.parent, marker=IMPORTED_SCENE)
         write_json(stamp, {"sources": self.sources()})
         return Pack.read(packs / self.pack_id / MANIFEST)
 
-    def _import(self, root: Path, scratch: Path, packs: Path, *, replace: bool) -> None:
+    def _import(self, root: Path, scratch: Path, packs: Path, *, replace: bool) -> dict[str, Any]:
         source, words, part = root / self.slot.file, _told_licence(self.slot, root, scratch), self.slot.map
         if part is None:
-            import_scene(
+            return import_scene(
                 source,
                 self.pack_id,
                 suites=scratch,
@@ -177,8 +179,7 @@ class BroughtSpec:
                 license_file=words,
                 replace=replace,
             )
-            return
-        write_scene(
+        return write_scene(
             read_map(source, part.name, Square(part.column, part.row, part.side)),
             self.pack_id,
             source=source,
@@ -189,6 +190,12 @@ class BroughtSpec:
             hulls=SOFT_HULLS,
             replace=replace,
         )
+
+    def _source(self) -> dict[str, Any]:
+        """What the report of the import says of where the scene is from: it was made in a folder of a moment."""
+        slot = self.slot
+        part = {} if slot.map is None else {"map": slot.map.model_dump(mode="json")}
+        return {"manager": slot.manager, "package": slot.package, "version": slot.version, "file": slot.file, **part}
 
     def place(self, packs: Path) -> BroughtPlace:
         """The scene as the repairs take it; it was brought before."""

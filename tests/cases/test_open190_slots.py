@@ -9,8 +9,9 @@ import pytest
 import trimesh
 
 from c4s.errors import BadInput
-from c4s.files import digest_file
+from c4s.files import digest_file, read_json
 from c4s.packs.check import pack_changes
+from cases.importers.scene import REPORT
 from cases.open190.brought import BroughtPlace
 from cases.open190.eyes import block
 from cases.open190.library import SCENES
@@ -132,6 +133,20 @@ def test_a_scene_is_brought_once_and_the_same_each_time(package: SceneSlot, tmp_
     again = spec.bring(tmp_path / "other")
     assert again.sha256() == pack.sha256() and not pack_changes(packs / "open-hall")
     _is_a_hall(spec.place(packs))
+
+
+def test_the_report_of_the_import_names_the_package_and_no_folder(package: SceneSlot, tmp_path: Path) -> None:
+    BroughtSpec(package).bring(tmp_path / "packs")
+    file = tmp_path / "home/cache/open-190-slots/open-hall" / REPORT
+    assert str(tmp_path) not in file.read_text(encoding="utf-8")
+    report = read_json(file)
+    assert report["source"] == {
+        "manager": "Debian",
+        "package": "hall-data",
+        "version": "1-1",
+        "file": "usr/share/hall/hall.glb",
+    }
+    assert report["actors"] == 7
 
 
 def _is_a_hall(place: BroughtPlace) -> None:
