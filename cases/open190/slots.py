@@ -10,6 +10,7 @@ import os
 import shutil
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatch
 from functools import cache
 from pathlib import Path
 from typing import Any, Final, Literal
@@ -38,7 +39,7 @@ from catalog.ingest.licence import licence
 VARIABLE: Final = "C4S_SLOTS"
 TABLE: Final = Path(__file__).with_name("slots.yaml")
 ROOT: Final = Path("/")
-SOFT_HULLS: Final = HullChoice("auto", tuple((f"{name}*", "none") for name in SOFT))
+SOFT_MESHES: Final = tuple(f"{name}*" for name in SOFT)
 """Water and grass have no bodies, so they are never changed."""
 
 
@@ -73,6 +74,8 @@ class SceneSlot(Record):
     """Programs that read the file."""
     without: list[str] = Field(default_factory=list)
     """Patterns of actors that are left out."""
+    soft: list[str] = Field(default_factory=list)
+    """Patterns of things of a map that have no bodies and are never changed, such as the meadow around a town."""
     room_cm: tuple[float, float, float, float, float] | None = None
     """Plan (x0, y0, x1, y1) of a room, and the height of its lamps."""
     map: MapPart | None = None
@@ -179,15 +182,19 @@ class BroughtSpec:
                 license_file=words,
                 replace=replace,
             )
+        scene = read_map(source, part.name, Square(part.column, part.row, part.side))
+        for asset in scene.assets.values():
+            if any(fnmatch(asset.name, pattern) for pattern in self.slot.soft):
+                asset.collision = []
         return write_scene(
-            read_map(source, part.name, Square(part.column, part.row, part.side)),
+            scene,
             self.pack_id,
             source=source,
             told=licence(source.parent, given=words),
             suites=scratch,
             packs=packs,
             without=self.slot.without,
-            hulls=SOFT_HULLS,
+            hulls=HullChoice("auto", tuple((pattern, "none") for pattern in (*SOFT_MESHES, *self.slot.soft))),
             replace=replace,
         )
 
@@ -200,7 +207,9 @@ class BroughtSpec:
     def place(self, packs: Path) -> BroughtPlace:
         """The scene as the repairs take it; it was brought before."""
         pack = Pack.read(packs / self.pack_id / MANIFEST)
-        return BroughtPlace(self.scene_id, self.pack_id, Level.read(self._level()), pack.assets, self.slot.room_cm)
+        return BroughtPlace(
+            self.scene_id, self.pack_id, Level.read(self._level()), pack.assets, self.slot.room_cm, self.slot.soft
+        )
 
     def _level(self) -> Path:
         return cache_root() / "open-190-slots" / self.pack_id / IMPORTED_SCENE
