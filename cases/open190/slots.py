@@ -40,7 +40,7 @@ VARIABLE: Final = "C4S_SLOTS"
 TABLE: Final = Path(__file__).with_name("slots.yaml")
 ROOT: Final = Path("/")
 SOFT_MESHES: Final = tuple(f"{name}*" for name in SOFT)
-"""Water and grass have no bodies, so they are never changed."""
+"""Water and grass have no bodies: nothing stands on them or meets them."""
 
 
 class MapPart(Record):
