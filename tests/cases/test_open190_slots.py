@@ -117,6 +117,10 @@ def test_all_slots_of_the_table_change_no_repair_of_another_scene() -> None:
             assert other == replace(one, scene_id=scene_id, case_id=one.case_id.replace(one.scene_id, scene_id))
 
 
+def test_a_quarter_of_the_source_scenes_may_be_made_by_people() -> None:
+    assert len(slots()) * 4 >= sum(spec.kind != "text" for spec in SCENES.values())
+
+
 def test_the_suite_says_what_was_brought(package: SceneSlot) -> None:
     specs = chosen([package]).values()
     assert "by people (hall from hall-data 1-1)" in described(specs)
