@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatch
 from functools import cached_property
 from typing import Final
 
@@ -45,6 +46,7 @@ class BroughtPlace:
         assets: of its pack.
         room_cm: the plan (x0, y0, x1, y1) and the height of lamps of a room: eyes are in it, and its lamps are hung
             as in a room that is laid out. A simulator's lights say how its author worked, and nothing of the room.
+        soft: patterns of the names of actors that are never changed.
     """
 
     scene_id: str
@@ -52,6 +54,7 @@ class BroughtPlace:
     imported: Level
     assets: Sequence[Asset]
     room_cm: tuple[float, float, float, float, float] | None = None
+    soft: Sequence[str] = ()
 
     def level(self) -> Level:
         """The level; the same every time."""
@@ -69,6 +72,12 @@ class BroughtPlace:
         lights.sun(*SUN_DEG, intensity=SUN, sky=SKY)
         kept = [actor for actor in self.imported.actors if not _shines(actor)]
         return with_identities(self.imported.model_copy(update={"actors": [*kept, *lights.actors]}), self.scene_id)
+
+    @cached_property
+    def left_alone(self) -> frozenset[str]:
+        """Names of the actors that are never changed."""
+        names = [actor.name for actor in self.imported.actors]
+        return frozenset(name for name in names if any(fnmatch(name, pattern) for pattern in self.soft))
 
     def may_look_from(self, x: float, y: float) -> bool:
         """Whether an eye may be at a place of the plan."""

@@ -10,9 +10,10 @@ import os
 import shutil
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatch
 from functools import cache
 from pathlib import Path
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 from pydantic import Field
 
@@ -26,7 +27,7 @@ from c4s.records.pack import MANIFEST, Pack
 from c4s.records.pack import STAMP as PACK_STAMP
 from c4s.records.suite import IMPORTED_SCENE
 from cases.importers.importing import import_scene
-from cases.importers.scene import write_scene
+from cases.importers.scene import REPORT, write_scene
 from cases.open190.brought import BroughtPlace
 from cases.open190.library import SCENES
 from cases.open190.scenes import SceneSpec
@@ -38,8 +39,8 @@ from catalog.ingest.licence import licence
 VARIABLE: Final = "C4S_SLOTS"
 TABLE: Final = Path(__file__).with_name("slots.yaml")
 ROOT: Final = Path("/")
-SOFT_HULLS: Final = HullChoice("auto", tuple((f"{name}*", "none") for name in SOFT))
-"""Water and grass have no bodies, so they are never changed."""
+SOFT_MESHES: Final = tuple(f"{name}*" for name in SOFT)
+"""Water and grass have no bodies: nothing stands on them or meets them."""
 
 
 class MapPart(Record):
@@ -73,6 +74,8 @@ class SceneSlot(Record):
     """Programs that read the file."""
     without: list[str] = Field(default_factory=list)
     """Patterns of actors that are left out."""
+    soft: list[str] = Field(default_factory=list)
+    """Patterns of things of a map that have no bodies and are never changed, such as the meadow around a town."""
     room_cm: tuple[float, float, float, float, float] | None = None
     """Plan (x0, y0, x1, y1) of a room, and the height of its lamps."""
     map: MapPart | None = None
@@ -160,15 +163,17 @@ class BroughtSpec:
             return Pack.read(packs / self.pack_id / MANIFEST)
         root = slots_root()
         with beside(level.parent) as scratch:
-            self._import(root, scratch, packs, replace=replace)
+            report = self._import(root, scratch, packs, replace=replace)
+            lasting = {name: value for name, value in report.items() if name != "level"}
+            write_json(scratch / self.pack_id / REPORT, {**lasting, "source": self._source()})
             put_folder(scratch / self.pack_id, level.parent, marker=IMPORTED_SCENE)
         write_json(stamp, {"sources": self.sources()})
         return Pack.read(packs / self.pack_id / MANIFEST)
 
-    def _import(self, root: Path, scratch: Path, packs: Path, *, replace: bool) -> None:
+    def _import(self, root: Path, scratch: Path, packs: Path, *, replace: bool) -> dict[str, Any]:
         source, words, part = root / self.slot.file, _told_licence(self.slot, root, scratch), self.slot.map
         if part is None:
-            import_scene(
+            return import_scene(
                 source,
                 self.pack_id,
                 suites=scratch,
@@ -177,23 +182,34 @@ class BroughtSpec:
                 license_file=words,
                 replace=replace,
             )
-            return
-        write_scene(
-            read_map(source, part.name, Square(part.column, part.row, part.side)),
+        scene = read_map(source, part.name, Square(part.column, part.row, part.side))
+        for asset in scene.assets.values():
+            if any(fnmatch(asset.name, pattern) for pattern in self.slot.soft):
+                asset.collision = []
+        return write_scene(
+            scene,
             self.pack_id,
             source=source,
             told=licence(source.parent, given=words),
             suites=scratch,
             packs=packs,
             without=self.slot.without,
-            hulls=SOFT_HULLS,
+            hulls=HullChoice("auto", tuple((pattern, "none") for pattern in (*SOFT_MESHES, *self.slot.soft))),
             replace=replace,
         )
+
+    def _source(self) -> dict[str, Any]:
+        """What the report of the import says of where the scene is from: it was made in a folder of a moment."""
+        slot = self.slot
+        part = {} if slot.map is None else {"map": slot.map.model_dump(mode="json")}
+        return {"manager": slot.manager, "package": slot.package, "version": slot.version, "file": slot.file, **part}
 
     def place(self, packs: Path) -> BroughtPlace:
         """The scene as the repairs take it; it was brought before."""
         pack = Pack.read(packs / self.pack_id / MANIFEST)
-        return BroughtPlace(self.scene_id, self.pack_id, Level.read(self._level()), pack.assets, self.slot.room_cm)
+        return BroughtPlace(
+            self.scene_id, self.pack_id, Level.read(self._level()), pack.assets, self.slot.room_cm, self.slot.soft
+        )
 
     def _level(self) -> Path:
         return cache_root() / "open-190-slots" / self.pack_id / IMPORTED_SCENE

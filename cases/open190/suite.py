@@ -218,7 +218,8 @@ def _said(plan: UnitPlan) -> str:
 
 
 def _relations(place: AnyPlace) -> list[list[str]]:
-    return [[one.kind, one.subject, one.reference] for one in place.relations]
+    soft = place.soft if isinstance(place, BroughtPlace) else ()
+    return [*([one.kind, one.subject, one.reference] for one in place.relations), *(["soft", name] for name in soft)]
 
 
 def _texts(plan: UnitPlan, places: _Places) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,16 +10,23 @@ import pytest
 import trimesh
 
 from c4s.errors import BadInput
-from c4s.files import digest_file
+from c4s.files import digest_file, read_json
 from c4s.packs.check import pack_changes
+from c4s.packs.store import PackStore
+from c4s.records.suite import Visibility
+from cases.boxes import boxes_of
+from cases.importers.scene import REPORT
 from cases.open190.brought import BroughtPlace
 from cases.open190.eyes import block
 from cases.open190.library import SCENES
-from cases.open190.repairs.plan import PUBLIC_SEED, planned
+from cases.open190.repairs.changes import Changeable
+from cases.open190.repairs.plan import PUBLIC_SEED, Environment, planned
 from cases.open190.slots import VARIABLE, BroughtSpec, SceneSlot, absence, chosen, held, slots, told
 from cases.open190.suite import DESCRIPTION, described, unit_plans
+from cases.standing import snapshot_of
 
 SEED = "0123456789abcdef0123456789abcdef"
+HALVES: tuple[tuple[Visibility, str], ...] = (("public", PUBLIC_SEED), ("private", SEED))
 
 
 def hall() -> trimesh.Scene:
@@ -86,7 +94,7 @@ def test_without_the_packages_the_suite_is_that_of_the_kits(tmp_path: Path, monk
 
 
 def test_a_slot_changes_no_repair_of_another_scene(package: SceneSlot) -> None:
-    for visibility, seed in (("public", PUBLIC_SEED), ("private", SEED)):
+    for visibility, seed in HALVES:
         dealt = []
         for specs in (SCENES, chosen([package])):
             rooms = {kind: [name for name, one in specs.items() if one.kind == kind] for kind in ("indoor", "outdoor")}
@@ -95,6 +103,22 @@ def test_a_slot_changes_no_repair_of_another_scene(package: SceneSlot) -> None:
         for one, other in zip(*dealt, strict=True):
             assert one == other or (one.scene_id, other.scene_id) == ("machine-shop", "hall")
             assert (one.group, one.chain, one.tier, one.nested) == (other.group, other.chain, other.tier, other.nested)
+
+
+def test_all_slots_of_the_table_change_no_repair_of_another_scene() -> None:
+    named = {slot.in_place_of: slot.scene_id for slot in slots()}
+    rooms: dict[Environment, list[str]] = {
+        kind: [name for name, one in SCENES.items() if one.kind == kind] for kind in ("indoor", "outdoor")
+    }
+    filled: dict[Environment, list[str]] = {kind: [named.get(name, name) for name in rooms[kind]] for kind in rooms}
+    for visibility, seed in HALVES:
+        for one, other in zip(planned(rooms, visibility, seed), planned(filled, visibility, seed), strict=True):
+            scene_id = named.get(one.scene_id, one.scene_id)
+            assert other == replace(one, scene_id=scene_id, case_id=one.case_id.replace(one.scene_id, scene_id))
+
+
+def test_a_quarter_of_the_source_scenes_may_be_made_by_people() -> None:
+    assert len(slots()) * 4 >= sum(spec.kind != "text" for spec in SCENES.values())
 
 
 def test_the_suite_says_what_was_brought(package: SceneSlot) -> None:
@@ -132,6 +156,33 @@ def test_a_scene_is_brought_once_and_the_same_each_time(package: SceneSlot, tmp_
     again = spec.bring(tmp_path / "other")
     assert again.sha256() == pack.sha256() and not pack_changes(packs / "open-hall")
     _is_a_hall(spec.place(packs))
+
+
+def test_the_report_of_the_import_names_the_package_and_no_folder(package: SceneSlot, tmp_path: Path) -> None:
+    BroughtSpec(package).bring(tmp_path / "packs")
+    file = tmp_path / "home/cache/open-190-slots/open-hall" / REPORT
+    assert str(tmp_path) not in file.read_text(encoding="utf-8")
+    report = read_json(file)
+    assert report["source"] == {
+        "manager": "Debian",
+        "package": "hall-data",
+        "version": "1-1",
+        "file": "usr/share/hall/hall.glb",
+    }
+    assert report["actors"] == 7
+
+
+def test_what_a_slot_calls_soft_is_never_changed(package: SceneSlot, tmp_path: Path) -> None:
+    spec = BroughtSpec(package.model_copy(update={"soft": ["stool_[01]"]}))
+    pack = spec.bring(tmp_path / "packs")
+    place, folders = spec.place(tmp_path / "packs"), [tmp_path / "packs" / pack.pack_id]
+    snapshot, boxes, store = snapshot_of(place.level(), folders), boxes_of(pack.assets), PackStore(folders)
+    assert place.left_alone == {"stool_0", "stool_1"}
+    found = [
+        Changeable(place.level(), "hall", snapshot, boxes, store, [], place.parted, left).things
+        for left in ((), place.left_alone)
+    ]
+    assert {*found[0]} - {*found[1]} == place.left_alone and {*found[1]} == {"stool_2", "stool_3", "cup"}
 
 
 def _is_a_hall(place: BroughtPlace) -> None:

@@ -199,6 +199,7 @@ def test_a_slot_may_be_a_part_of_a_map(archive: Path, monkeypatch: pytest.Monkey
         licence_file="copyright",
         licence="CC-BY-SA-3.0",
         map=MapPart(name=MAP, column=0, row=0, side=SIDE),
+        soft=["tree*"],
     )
     assert absence(slot) is None
     pack = BroughtSpec(slot).bring(root / "packs")
@@ -206,9 +207,10 @@ def test_a_slot_may_be_a_part_of_a_map(archive: Path, monkeypatch: pytest.Monkey
     assert "Hamlet, by its makers." in (root / "packs/open-hamlet/LICENSE.txt").read_text()
     place = BroughtSpec(slot).place(root / "packs")
     assert {"hut_1_hut", "hut_1_barrel", "Ground"} <= {actor.name for actor in place.level().actors}
-    assert list(place.parted) == ["Ground"]
+    assert list(place.parted) == ["Ground"] and place.left_alone == {"tree_1"}
     bodies = {asset.path.rpartition("/")[2]: asset.collision for asset in pack.assets}
-    assert [name for name, its in bodies.items() if not its] == [next(name for name in bodies if "grass" in name)]
+    soft = [name for name, its in bodies.items() if not its]
+    assert soft == [name for name in bodies if "grass" in name or "tree" in name] and len(soft) == 2
 
 
 def test_broken_files_are_named(tmp_path: Path) -> None:

@@ -54,6 +54,8 @@ class Changeable:
     store: PackStore
     relations: Sequence[Relation]
     parted: Parted = field(default_factory=lambda: NOT_PARTED)
+    left_alone: Collection[str] = ()
+    """Names of what is never changed."""
     placed: StandingBoxes = field(init=False)
     things: dict[str, SoundThing] = field(init=False)
     """What may be changed, by name: it stands, fits, carries nothing and is no part of a building."""
@@ -99,7 +101,7 @@ class Changeable:
 
     def _things(self) -> dict[str, SoundThing]:
         snapshot = dict(self.snapshot)
-        bad = losing(snapshot, self.store) | unscored(snapshot)
+        bad = losing(snapshot, self.store) | unscored(snapshot) | {*self.left_alone}
         simple = [
             actor
             for actor in self.level.actors

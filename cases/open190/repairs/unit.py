@@ -129,12 +129,15 @@ class UnitBuilder:
 
     def _of_original(self, authored: Level, drawn: str, out: Path) -> dict[str, Any]:
         """Write the unit of one way to leave the scene; ``drawn`` names the draws that leave it so."""
-        parted = self.place.parted if isinstance(self.place, BroughtPlace) else NOT_PARTED
+        brought = self.place if isinstance(self.place, BroughtPlace) else None
+        parted, left_alone = (brought.parted, brought.left_alone) if brought else (NOT_PARTED, frozenset[str]())
         disturbed = lived_in(authored, self.boxes, self.veil.chance(drawn), parted=parted)
         with exports.bench(self.folders) as self._bench:
             original = settled(authored, disturbed, self._bench.snapshot)
             snapshot = self._bench.snapshot(original)
-            scene = Changeable(original, self.scene_id, snapshot, self.boxes, self.store, self.place.relations, parted)
+            scene = Changeable(
+                original, self.scene_id, snapshot, self.boxes, self.store, self.place.relations, parted, left_alone
+            )
             pool = lookouts(self.place, self.environment, scene.things, Tracer(snapshot, self.folders), self.chance)
             self.progress(f"{self.name}: {len(scene.things)} things to change, {len(pool)} views")
             if not pool:

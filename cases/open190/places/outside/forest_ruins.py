@@ -13,6 +13,7 @@ from catalog.kits import styles
     "outdoor",
     "Ruins in a forest",
     styles.FANTASY.but(stone=("MossyStone", "Limestone"), leaf=("Leaf", "DarkLeaf", "AutumnLeaf", "GoldenLeaf")),
+    slot=True,
 )
 def forest_ruins(p: StagedPlace) -> None:
     """A fallen temple on a terrace among old trees, a stream with a bridge, glowing crystals."""
