@@ -86,6 +86,14 @@ def test_a_private_seed_deals_the_private_half_anew_and_leaves_the_public_one() 
     assert plan() == plan()
 
 
+@settings(max_examples=20, deadline=None)
+@given(st.text(min_size=16, max_size=40))
+def test_no_seed_changes_which_groups_a_place_is_dealt(seed: str) -> None:
+    dealt = [(one.case_id, one.group) for one in plan(seed)]
+    assert dealt == [(one.case_id, one.group) for one in plan()]
+    assert not [case for case, group in dealt if group == "Symmetry" and case.startswith("forest-ruins-")]
+
+
 def test_without_a_seed_there_is_no_private_half() -> None:
     assert {one.visibility for one in unit_plans(None)} == {"public"}
     assert sum(len(one.wanted) or 1 for one in unit_plans(None)) == 95

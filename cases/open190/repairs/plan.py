@@ -2,7 +2,8 @@
 
 The counts are the paper's (``app:case-construction-details``, ``app:public-private``, ``app:difficulty-results``); it
 tells no chains of indoor cases, so these are ours. What a private case is, is dealt with the operator's seed: of the
-private half only the sums are known without it.
+private half the sums are known without it, and the groups that each place has. So no seed deals a place a group that
+cannot be drawn there.
 """
 
 from __future__ import annotations
