@@ -14,7 +14,6 @@ import hashlib
 import os
 import shutil
 import tempfile
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
@@ -23,18 +22,9 @@ import numba
 
 from c4s.folders import remove_tree
 from c4s.home import cache_root
+from c4s.kept_code import prune, writable
 
 _Kernel = TypeVar("_Kernel", bound=Callable[..., Any])
-_STALE_S = 86400.0
-
-
-def _writable(folder: Path) -> bool:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=folder):
-            return True
-    except OSError:
-        return False
 
 
 class Kernels:
@@ -51,14 +41,6 @@ class Kernels:
             digest.update(path.read_bytes())
         return digest.hexdigest()[:16]
 
-    def _prune(self, chosen: Path) -> None:
-        """Delete what earlier sources left in the package's own cache a day ago or longer."""
-        if chosen.parent != self._package / "__pycache__":
-            return
-        for folder in chosen.parent.glob("kernels-*"):
-            if folder != chosen and folder.stat().st_mtime < time.time() - _STALE_S:
-                remove_tree(folder, inside=chosen.parent, at_best=True)
-
     @functools.cached_property
     def code_folder(self) -> Path | None:
         """A writable folder for compiled code, with the code in it if any candidate has it; ``None`` for none."""
@@ -67,9 +49,9 @@ class Kernels:
         folders = [root / f"kernels-{self.sources_digest}" for root in roots]
         holders = [folder for folder in folders if next(folder.glob("*/*.nbi"), None)]
         for folder in [*holders[:1], *([] if holders else folders)]:
-            if _writable(folder):
-                if not holders:
-                    self._prune(folder)
+            if writable(folder):
+                if not holders and folder.parent == self._package / "__pycache__":
+                    prune(folder, "kernels")
                 return folder
         try:
             scratch = Path(tempfile.mkdtemp(prefix="c4s-kernels-"))

@@ -58,24 +58,24 @@ def reversed_counts(estimates: Floats, truth: Floats, gap: float = REVERSED_GAP)
 
 
 def average_ranks(scores: Floats) -> Floats:
-    """Ranks from 1, the highest score first; equal scores share the mean of theirs (for correlations)."""
-    from scipy.stats import rankdata
+    """Ranks from 1, the highest score first; equal scores share the mean of theirs (for correlations).
 
-    return np.asarray(rankdata(-settled(scores)), dtype=np.float64)
+    Args:
+        scores: shape (configurations,), finite.
+    """
+    _, place, counts = np.unique(-settled(scores), return_inverse=True, return_counts=True)
+    last = np.cumsum(counts)
+    return np.asarray((last - (counts - 1) / 2)[place], dtype=np.float64)
 
 
 def spearman(one: Floats, two: Floats) -> float | None:
     """Spearman's rank correlation; None where it has no value: under three things, or all equal in one of the two."""
-    from scipy.stats import spearmanr
-
-    return _correlation(spearmanr, settled(one), settled(two))
+    return _correlation(average_ranks(one), average_ranks(two))
 
 
 def pearson(one: Floats, two: Floats) -> float | None:
-    """Pearson's correlation; None where it has no value."""
-    from scipy.stats import pearsonr
-
-    return _correlation(pearsonr, one, two)
+    """Pearson's correlation; None where it has no value, as of ``spearman``."""
+    return _correlation(one, two)
 
 
 @dataclass(frozen=True)
@@ -140,7 +140,8 @@ def frontier(score: Floats, cost: Floats) -> list[int]:
     return sorted(kept, key=lambda place: (cost[place], place))
 
 
-def _correlation(measure: object, one: Floats, two: Floats) -> float | None:
+def _correlation(one: Floats, two: Floats) -> float | None:
     if len(one) < 3 or np.ptp(settled(one)) == 0 or np.ptp(settled(two)) == 0:
         return None
-    return float(measure(one, two)[0])  # type: ignore[operator]
+    first, second = one - one.mean(), two - two.mean()
+    return min(1.0, max(-1.0, float(first @ second / np.sqrt((first @ first) * (second @ second)))))

@@ -47,9 +47,9 @@ def clustered_variances(design: Design, values: object) -> Floats:
 
 def multiplier(freedom: float, level: float = LEVEL, power: float = POWER) -> float:
     """How many standard errors a true difference has to be so as to be found with this power, two-sided."""
-    from scipy.stats import t as student
+    from scipy.special import stdtrit
 
-    return float(student.ppf((1 + level) / 2, freedom) + student.ppf(power, freedom))
+    return float(stdtrit(freedom, (1 + level) / 2) + stdtrit(freedom, power))
 
 
 def detectable(variance: float, freedom: float, level: float = LEVEL, power: float = POWER) -> float:

@@ -6,6 +6,7 @@ from reports.frame import links
 from reports.frame.board import Board, boards
 from reports.frame.context import SiteContext, SitePicture
 from reports.frame.page import SitePage
+from reports.frame.sources import code_digest
 from reports.frame.studies import Answer, Grid, grid
 from reports.frame.templates import STATIC, environment
 
@@ -18,6 +19,7 @@ __all__ = [
     "SitePage",
     "SitePicture",
     "boards",
+    "code_digest",
     "environment",
     "grid",
     "links",

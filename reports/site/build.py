@@ -7,10 +7,10 @@ from pathlib import Path
 
 from c4s.files import digest, write_text
 from c4s.folders import beside, put_folder
-from reports.frame import STATIC, SiteContext, SitePage, environment, links
+from reports.frame import STATIC, SiteContext, SitePage, code_digest, environment, links
 from reports.pages import KINDS
 from reports.place import MARKER, check_place
-from reports.site.ledger import LEDGER, PageMade, SiteLedger, code_digest, ledger_of
+from reports.site.ledger import LEDGER, PageMade, SiteLedger, ledger_of
 from reports.viewer import three_script
 from warehouse.database import held_open
 from warehouse.release import refuse_leaks, secrets_of

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import io
 import zipfile
 from functools import cache
-from importlib.resources import files
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Final
 
 from c4s.errors import MachineryFault
@@ -38,8 +38,11 @@ OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR
 @cache
 def three_script() -> bytes:
     """The script; it makes the global ``THREE``. ``MachineryFault`` where trimesh does not carry it as it did."""
-    archive = files("trimesh") / "resources" / "templates" / "viewer.zip"
-    with zipfile.ZipFile(io.BytesIO(archive.read_bytes())) as inside:
+    found = find_spec("trimesh")
+    if found is None or found.origin is None:
+        raise MachineryFault("trimesh is not installed, and pages need its three.js")
+    archive = Path(found.origin).parent / "resources" / "templates" / "viewer.zip"
+    with zipfile.ZipFile(archive) as inside:
         page = inside.read(inside.namelist()[0]).decode()
     begin = page.find(_BEGIN)
     end = page.find(_END, begin)

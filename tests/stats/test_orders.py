@@ -4,10 +4,22 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import scipy.stats
 from hypothesis import given
 from hypothesis import strategies as st
 
-from c4s.stats.orders import differences, frontier, pearson, reversed_counts, reversed_pairs, spearman, weight_effects
+from c4s.stats.orders import (
+    average_ranks,
+    differences,
+    frontier,
+    pearson,
+    reversed_counts,
+    reversed_pairs,
+    spearman,
+    weight_effects,
+)
+from c4s.stats.power import multiplier
+from c4s.stats.repeats import tau_b
 
 SCORES = st.lists(st.integers(0, 20), min_size=3, max_size=9)
 
@@ -42,6 +54,24 @@ def test_no_correlation_of_what_does_not_vary_or_is_too_few() -> None:
     assert spearman(np.array([1.0, 1.0, 1.0]), np.array([1.0, 2.0, 3.0])) is None
     assert pearson(np.array([1.0, 2.0]), np.array([1.0, 2.0])) is None
     assert spearman(np.array([1.0, 2.0, 9.0]), np.array([0.1, 0.2, 0.3])) == 1.0
+
+
+@given(st.lists(st.tuples(st.integers(0, 6), st.integers(0, 6)), min_size=3, max_size=12))
+def test_correlations_and_ranks_are_those_of_a_well_known_library(pairs: list[tuple[int, int]]) -> None:
+    one, two = (np.array(column, dtype=float) / 7 for column in zip(*pairs, strict=True))
+    assert average_ranks(one).tolist() == scipy.stats.rankdata(-one).tolist()
+    if np.ptp(one) == 0 or np.ptp(two) == 0:
+        assert spearman(one, two) is pearson(one, two) is tau_b(one, two) is None
+        return
+    assert spearman(one, two) == pytest.approx(scipy.stats.spearmanr(one, two).statistic, abs=1e-12)
+    assert pearson(one, two) == pytest.approx(scipy.stats.pearsonr(one, two).statistic, abs=1e-12)
+    assert tau_b(one, two) == pytest.approx(scipy.stats.kendalltau(one, two).statistic, abs=1e-12)
+
+
+@given(st.floats(1, 500), st.floats(0.5, 0.99), st.floats(0.5, 0.99))
+def test_a_multiplier_is_of_students_quantiles(freedom: float, level: float, power: float) -> None:
+    student = scipy.stats.t(freedom)
+    assert multiplier(freedom, level, power) == pytest.approx(student.ppf((1 + level) / 2) + student.ppf(power))
 
 
 @given(SCORES, st.integers(0, 10**6))

@@ -8,6 +8,7 @@ import numpy as np
 from c4s.protocol.case import SEMANTIC
 from c4s.records.analysis import Chart, Column, Findings, Table, Value
 from c4s.stats.bootstrap import Floats, domain_means, percentile_interval
+from c4s.stats.orders import spearman
 from c4s.stats.ranks import competition_ranks, rank_interval
 from warehouse.analyses.cases import CONSTRUCTIONS, REPAIRS, CaseTable, case_table, intervals_of, number
 from warehouse.analyses.study import RESAMPLING, Frames, StudyDefinition, StudyOptions
@@ -127,14 +128,10 @@ def _association(observed: dict[str, Floats]) -> list[str]:
     """Spearman's rank correlation of the two setting scores (SA02)."""
     if MODEL not in observed or observed[MODEL].shape[1] < 3:
         return []
-    from scipy.stats import spearmanr
-
-    rho = float(spearmanr(observed["s_t2s"][0], observed["s_i2s"][0]).statistic)
-    return (
-        []
-        if np.isnan(rho)
-        else [f"Spearman's rho of S_T2S and S_I2S over {observed[MODEL].shape[1]} configurations: {rho:.2f}."]
-    )
+    rho = spearman(observed["s_t2s"][0], observed["s_i2s"][0])
+    if rho is None:
+        return []
+    return [f"Spearman's rho of S_T2S and S_I2S over {observed[MODEL].shape[1]} configurations: {rho:.2f}."]
 
 
 def _score_columns(name: str, title: str, with_ends: bool) -> list[Column]:
