@@ -60,13 +60,18 @@ def noop_run(home: Path) -> subprocess.Popen[str]:
     )
 
 
-def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
+def on_a_full_disk(home: Path, disk: Path) -> tuple[Path, Path, subprocess.Popen[str], Iterator[str]]:
+    """A home on a disk, the file that fills the disk, a run that begins there, and the lines that it tells."""
     own = apart(disk / "home", home)
-    attempt = trial_in(own, "small", "noop", CASE).attempt(1)
     filler = filled(disk, DISK_MIB - 100)
     run = noop_run(own)
     assert run.stderr
-    told = (line for line in run.stderr if "c4s: " in line)
+    return own, filler, run, (line for line in run.stderr if "c4s: " in line)
+
+
+def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
+    own, filler, run, told = on_a_full_disk(home, disk)
+    attempt = trial_in(own, "small", "noop", CASE).attempt(1)
     line = next(told)
     assert "paused: " in line and f"{own} has " in line and "MiB of disk left and a run needs 256" in line
     assert not attempt.root.exists(), "nothing was started"
@@ -77,6 +82,7 @@ def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
     assert "paused: " in next(told)
     until(lambda: not any("c4s.engine" in command for command in below(run.pid).values()))
     filler.unlink()
+    assert run.stderr
     rest = run.stderr.read()
     assert run.wait() == 0, rest
     (row,) = rows(own / "warehouse", "SELECT * FROM outcomes")
@@ -85,12 +91,8 @@ def test_a_full_disk_is_nobodys_zero(home: Path, disk: Path) -> None:
 
 @pytest.mark.parametrize("when", ["before anything", "after the attempt"])
 def test_a_run_that_waits_for_room_ends_when_asked(home: Path, disk: Path, when: str) -> None:
-    own = apart(disk / "home", home)
+    own, filler, run, told = on_a_full_disk(home, disk)
     attempt = trial_in(own, "small", "noop", CASE).attempt(1)
-    filler = filled(disk, DISK_MIB - 100)
-    run = noop_run(own)
-    assert run.stderr
-    told = (line for line in run.stderr if "c4s: " in line)
     assert "paused: " in next(told)
     if when == "after the attempt":
         filler.unlink()
@@ -99,6 +101,7 @@ def test_a_run_that_waits_for_room_ends_when_asked(home: Path, disk: Path, when:
         filler = filled(disk, DISK_MIB)
         assert "paused: " in next(told)
     run.send_signal(signal.SIGINT)
+    assert run.stderr
     rest = run.stderr.read()
     assert run.wait() not in (0, -signal.SIGINT) and "Traceback" not in rest, rest
     assert attempt.root.exists() == (when == "after the attempt")
