@@ -371,7 +371,7 @@ def test_kept_code_in_a_read_only_folder_is_used_and_not_touched(tmp_path: Path)
         "from c4s.render import *\n"
         "from c4s import compiled as shared\n"
         "from c4s.render import compiled\n"
-        "shared._writable = lambda folder: False\n"
+        "shared.writable = lambda folder: False\n"
         "Renderer([], [], Lights(), 1).render(Camera((0, 0, 0), width=4, height=4))\n"
         "from c4s.render.develop import combine_rows as kernel\n"
         "print(compiled.code_folder(), sum(kernel.stats.cache_hits.values()))"
