@@ -21,9 +21,10 @@ from scipy.optimize import linear_sum_assignment
 
 from bench.repair_scene import scenes
 from bench.row import Row
+from c4s.garbage import put_off
 from c4s.geometry.transform import quat_from_rotator
 from c4s.verify.repair import RepairResult, repair, verify_repair
-from c4s.verify.repair.reading import read_snapshots, without_cycle_search
+from c4s.verify.repair.reading import read_snapshots
 
 _ACTORS, _EDITS, _REPEATS = 6700, 40, 5
 
@@ -33,7 +34,7 @@ def _load(paths: dict[str, Path]) -> dict[str, Any]:
 
 
 def _repair(snapshots: dict[str, Any]) -> RepairResult:
-    with without_cycle_search():
+    with put_off():
         return repair(snapshots["input"], snapshots["truth"], snapshots["candidate"])
 
 

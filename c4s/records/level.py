@@ -23,6 +23,8 @@ LARGEST_PROPERTY = 1e15
 
 def _bounded(properties: dict[str, Any]) -> dict[str, Any]:
     """Properties within their size and nesting, with finite numbers; ``ValueError`` says what is beyond."""
+    if not properties:
+        return properties
     waiting: list[tuple[Any, int]] = [(properties, 0)]
     size = 0
     while waiting:

@@ -5,10 +5,7 @@ Files that hold the NaN and Infinity tokens that exporters write, or anything el
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -26,18 +23,6 @@ class _Document(msgspec.Struct):
 
 
 _DOCUMENT = msgspec.json.Decoder(_Document)
-
-
-@contextmanager
-def without_cycle_search() -> Iterator[None]:
-    """Many new containers and no garbage: searching for cycles meanwhile only costs time."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
 
 
 def _as_text(data: bytes, known: dict[bytes, bytes]) -> RepairScene | None:

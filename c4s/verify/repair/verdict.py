@@ -6,13 +6,14 @@ from pathlib import Path
 from typing import Any, Literal
 
 from c4s.errors import BadInput
+from c4s.garbage import put_off
 from c4s.protocol.repair import NOMINAL, PROFILES, REPAIR_POLICY
 from c4s.records.verdict import Verdict
 from c4s.verify.repair.actors import scene_actors
 from c4s.verify.repair.advisories import advisories
 from c4s.verify.repair.counts import RepairResult, count, prepare_case
 from c4s.verify.repair.explanation import false_positive_rows, target_rows
-from c4s.verify.repair.reading import read_snapshots, without_cycle_search
+from c4s.verify.repair.reading import read_snapshots
 
 
 def counts_record(result: RepairResult) -> dict[str, Any]:
@@ -78,7 +79,7 @@ def verify_repair(input_path: Path, truth_path: Path, candidate_path: Path, poli
     ``error`` when its export failed (the evaluator's fault), ``not_evaluated`` when the saved scene itself is
     ambiguous, such as two actors under one identity.
     """
-    with without_cycle_search():
+    with put_off():
         values, inputs = read_snapshots({"input": input_path, "truth": truth_path, "candidate": candidate_path})
         try:
             return repair_verdict(values["input"], values["truth"], values["candidate"], policy=policy, inputs=inputs)
