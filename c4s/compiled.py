@@ -11,14 +11,17 @@ from __future__ import annotations
 import atexit
 import functools
 import hashlib
+import importlib
 import os
 import shutil
+import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
+from numba.np import linalg
 
 from c4s.folders import remove_tree
 from c4s.home import cache_root
@@ -64,6 +67,7 @@ class Kernels:
 
     def _kept(self, compile_: Callable[..., Any]) -> Any:
         """What ``compile_(cache=...)`` makes, with its machine code in the folder."""
+        _leave_out_linear_algebra()
         config: Any = numba.config
         if self.code_folder is None:
             return compile_(cache=False)
@@ -83,6 +87,24 @@ class Kernels:
         """Compile a function that a C library calls, and keep the machine code; the library gets its ``address``."""
         compile_: Any = numba.cfunc
         return self._kept(lambda cache: compile_(signature, cache=cache, error_model="numpy")(function))
+
+
+@functools.cache
+def _leave_out_linear_algebra() -> None:
+    """Load numba's array functions as where there is no BLAS: no kernel here uses it, and looking for it loads
+    scipy.linalg, which takes as long as all the rest that the first kernel needs."""
+    if "scipy.linalg" in sys.modules:
+        return
+    looked: Any = linalg.ensure_blas
+    linalg.ensure_blas = _without
+    try:
+        importlib.import_module("numba.np.arraymath")
+    finally:
+        linalg.ensure_blas = looked
+
+
+def _without() -> None:
+    raise ImportError("kernels use no linear algebra")
 
 
 def inner(function: _Kernel) -> _Kernel:

@@ -10,15 +10,16 @@ that are turned by next to nothing, is read from the faces of the Minkowski diff
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator, Sequence
+from typing import Any
 
-import coal
-import fcl
 import numpy as np
 from numpy.typing import NDArray
 
 from c4s.collision.boxes import box_depths
+from c4s.collision.libraries import coal, fcl
 from c4s.collision.mesh_body import Array
 from c4s.collision.shapes import Body
 
@@ -191,7 +192,9 @@ def _least_face(a: Array, b: Array) -> Iterator[tuple[float, Array]]:
 
 def _touch(a: Body, b: Body) -> bool:
     """Whether python-fcl finds the two bodies in touch."""
-    return bool(fcl.collide(a.fcl_object, b.fcl_object, _TOUCH, fcl.CollisionResult()))
+    return bool(fcl.collide(a.fcl_object, b.fcl_object, _touch_request(), fcl.CollisionResult()))
 
 
-_TOUCH = fcl.CollisionRequest(num_max_contacts=1, enable_contact=False)
+@functools.cache
+def _touch_request() -> Any:
+    return fcl.CollisionRequest(num_max_contacts=1, enable_contact=False)

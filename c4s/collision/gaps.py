@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Any
 
-import coal
 import numpy as np
 import shapely
 
+from c4s.collision.libraries import coal
 from c4s.collision.scene import SceneBodies
 from c4s.collision.shapes import Body
 

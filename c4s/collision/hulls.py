@@ -11,11 +11,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
 
-import coal
-import fcl
 import numpy as np
 from numpy.typing import NDArray
 
+from c4s.collision.libraries import coal, fcl
 from c4s.collision.mesh_body import Array
 
 Triangles: TypeAlias = NDArray[np.int64]

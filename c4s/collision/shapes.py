@@ -11,11 +11,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-import coal
-import fcl
 import numpy as np
 
 from c4s.collision.hulls import FLAT, Hull, Triangles, convex_hull
+from c4s.collision.libraries import coal, fcl
 from c4s.collision.mesh_body import Array as Array
 from c4s.collision.mesh_body import MeshBody
 from c4s.geometry.transform import rotation_matrix

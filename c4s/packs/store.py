@@ -50,6 +50,8 @@ class PackStore:
         self._assets: dict[str, Asset] = {**basic_shapes.assets(), **engine_content.assets()}
         self._materials: dict[str, Material] = {m.path: m for m in (basic_shapes.MATERIAL, *engine_content.MATERIALS)}
         self._home: dict[str, Path] = {}
+        self._files: dict[tuple[Path, str], Path] = {}
+        """Files of packs that were found to lie in their pack: packs are frozen, so each is looked at once."""
         self._meshes: dict[str, Mesh] = {**basic_shapes.meshes(), **engine_content.meshes()}
         there = None if offered is None else Offered(offered)
         if there is not None:
@@ -85,7 +87,7 @@ class PackStore:
 
     def pack_file(self, material: Material, name: str | None) -> Path | None:
         """A file that a material of a pack names; ``None`` when it names none."""
-        return file_in(self._home[material.path], name) if name else None
+        return self._file_in(self._home[material.path], name) if name else None
 
     def mesh(self, path: str) -> Mesh:
         """The mesh of a static mesh asset (cached); ``BadInput`` when there is no such asset or mesh."""
@@ -111,7 +113,12 @@ class PackStore:
     def mesh_file(self, path: str) -> Path | None:
         """File of a static mesh asset's mesh; ``None`` for a shape of the engine's own, or where there is none."""
         asset = self.asset(path)
-        return file_in(self._home[asset.path], asset.mesh) if asset is not None and asset.mesh is not None else None
+        return self._file_in(self._home[asset.path], asset.mesh) if asset is not None and asset.mesh else None
+
+    def _file_in(self, home: Path, name: str) -> Path:
+        if (home, name) not in self._files:
+            self._files[home, name] = file_in(home, name)
+        return self._files[home, name]
 
     def file(self, path: str) -> Path | None:
         """The file that holds an asset or material of a pack, a mesh or the manifest; ``None`` where no pack has it."""

@@ -12,6 +12,7 @@ from c4s.errors import BadInput
 from c4s.packs.meshes import load_mesh, read_parts
 from c4s.packs.store import PackStore, object_path
 from c4s.records.pack import Asset, MaterialSlot, Pack
+from tests.work import calls_in
 
 
 @pytest.mark.parametrize("name", ["Cube", "Sphere", "Cylinder", "Cone", "Plane"])
@@ -83,3 +84,11 @@ def test_missing_truncated_and_doubled_packs_are_refused(tmp_path: Path) -> None
         pack.write(tmp_path / name / "pack.json")
     with pytest.raises(BadInput, match="twice, or in two packs"):
         PackStore([tmp_path / "a", tmp_path / "b"])
+
+
+def test_a_file_of_a_pack_is_looked_for_once(tmp_path: Path) -> None:
+    asset = asset_of("m.glb", [])
+    Pack(pack_id="p", content_folder="P", title="", license="", assets=[asset]).write(tmp_path / "pack.json")
+    store = PackStore([tmp_path])
+    assert calls_in(lambda: store.mesh_file(asset.path))["file_in"] == 1
+    assert calls_in(lambda: store.mesh_file(asset.path))["file_in"] == 0

@@ -10,7 +10,7 @@ from typing import Any
 
 from c4s.engine.headless.editor import install
 from c4s.engine.headless.unreal import build, libraries
-from c4s.engine.headless.world.world import World, known_levels
+from c4s.engine.headless.world.world import World, read_levels
 from c4s.errors import BadInput
 from c4s.packs.store import PackStore
 
@@ -37,11 +37,13 @@ def boot(
         BadInput: a pack or level is missing or wrong, or there is no such start map.
     """
     content.mkdir(parents=True, exist_ok=True)
-    world = World(PackStore(pack_folders, offered), content, known_levels(levels), _paint)
+    read = read_levels(levels)
+    known = {level.package: path for path, level in read.items()}
+    world = World(PackStore(pack_folders, offered), content, known, _paint)
     world.scratch = scratch if scratch is not None else content / "Saved"
     install(world)
     module = build()  # before any level: it declares the classes that a level names
-    if start_map is not None and world.load_map(start_map) is None:
+    if start_map is not None and world.load_map(start_map, read) is None:
         raise BadInput("no such start map", where=start_map, todo="give its level document in `levels`")
     sys.modules["unreal"] = module
     return module

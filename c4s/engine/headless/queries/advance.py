@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import coal
 import numpy as np
 
 from c4s.collision.depth import NUDGES_CM, DepthMeter
+from c4s.collision.libraries import coal
 from c4s.collision.shapes import Body, Shape
 from c4s.engine.headless.queries.solids import Array, surface_normal
 from c4s.engine.headless.queries.triangles import facing, segment_meets

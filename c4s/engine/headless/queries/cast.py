@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
@@ -17,7 +18,6 @@ from c4s.engine.headless.queries.triangles import Rows, Triangles, facing, first
 
 SHORTEST_CM = 1e-4
 """Rays and shapes smaller than this are nothing, as in Unreal."""
-_advance = Advance()
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,7 @@ def _sweep_bodies(
 ) -> Hit | None:
     best: Hit | None = None
     for number, body in enumerate(index.bodies(target)):
-        found = _advance.sweep(moving, body, direction, length)
+        found = _advance().sweep(moving, body, direction, length)
         if found is not None:
             hit = _swept(target, moving, direction, found, number, -1)
             best = hit if best is None or hit.rank < best.rank else best
@@ -210,7 +210,7 @@ def _sweep_triangles(
         return None
     corners = _world_corners(triangles, rows, matrix)
     corners, rows = _not_flattened(corners, rows)
-    found = _advance.sweep_triangles(moving, corners, direction, length)
+    found = _advance().sweep_triangles(moving, corners, direction, length)
     return (
         None if found is None else _swept(target, moving, direction, found[0], -1, int(triangles.faces[rows[found[1]]]))
     )
@@ -241,11 +241,16 @@ def overlaps(bodies: list[Body], wanted: Wanted) -> list[QueryTarget]:
         target
         for target in index.meeting(low, high)
         if wanted.sees(target) is not Response.IGNORE
-        and any(_advance.overlap(mine, other) > SHORTEST_CM for mine in bodies for other in index.bodies(target))
+        and any(_advance().overlap(mine, other) > SHORTEST_CM for mine in bodies for other in index.bodies(target))
     ]
 
 
 def gap(a: Body, b: Body) -> tuple[float, Array]:
     """Signed distance of two bodies (cm) and the point of the second that is nearest."""
-    distance, _, point = _advance.distance(a, b, np.zeros(3))
+    distance, _, point = _advance().distance(a, b, np.zeros(3))
     return distance, point
+
+
+@functools.cache
+def _advance() -> Advance:
+    return Advance()

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypeAlias
 
-import coal
 import numpy as np
 from numpy.typing import NDArray
 
+from c4s.collision.libraries import coal
 from c4s.collision.shapes import Body, Shape
 
 Array: TypeAlias = NDArray[np.float64]

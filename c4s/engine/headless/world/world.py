@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from c4s.engine.headless.log import EngineLog
@@ -141,14 +142,17 @@ class World(AssetLibrary):
             return saved
         return self.levels.get(package)
 
-    def load_map(self, package: str) -> MapObject | None:
-        """Close the level without saving and open another; None (and the old one stays) when there is none."""
+    def load_map(self, package: str, read: Mapping[Path, Level] = MappingProxyType({})) -> MapObject | None:
+        """Close the level without saving and open another; None (and the old one stays) when there is none.
+
+        ``read``: documents that were read already, each for this one time.
+        """
         package = package_of(package)
         path = self.level_file(package)
         if path is None:
             self.log.error(f"LoadMap: failed to find level '{package}'")
             return None
-        level = Level.read(path)
+        level = read.get(path) or Level.read(path)
         if level.package != package:
             raise BadInput(f"the document calls itself {level.package}, not {package}", where=str(path))
         return self._open(package, documents.build(self, level, package))
@@ -363,12 +367,13 @@ class World(AssetLibrary):
                 yield LightSource(actor, type(source).__name__, pose, properties, source.get_name())
 
 
-def known_levels(paths: Sequence[Path]) -> dict[str, Path]:
-    """Level documents by the package name that they carry."""
+def read_levels(paths: Sequence[Path]) -> dict[Path, Level]:
+    """Level documents by their files; ``BadInput`` where two carry one package name."""
+    read: dict[Path, Level] = {}
     found: dict[str, Path] = {}
     for path in paths:
-        level = Level.read(path)
+        read[path] = level = Level.read(path)
         if level.package in found:
             raise BadInput(f"{level.package} is also {found[level.package]}", where=str(path))
         found[level.package] = path
-    return found
+    return read

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from c4s.engine.headless.unreal.levels import World as MapObject
 from c4s.engine.headless.world.world import UNTITLED, Painter, World
 from c4s.engine.unreal.standin.log import EditorLog
 from c4s.packs.store import PackStore
+from c4s.records.level import Level
 
 _SUFFIXES = {".level.json": ".umap", ".asset.json": ".uasset"}
 IN_TICK = "Assertion failed: !GIsSlateTicking [File:Editor/EditorServer.cpp] a level was opened from a Slate tick"
@@ -35,10 +37,10 @@ class EditorWorld(World):
         file = self.content / f"{name.removesuffix(suffix)}{_SUFFIXES.get(suffix, suffix)}"
         return None if file.is_symlink() else file
 
-    def load_map(self, package: str) -> MapObject | None:
+    def load_map(self, package: str, read: Mapping[Path, Level] = MappingProxyType({})) -> MapObject | None:
         """Open a level; from a tick that is the end."""
         self._not_in_tick()
-        return super().load_map(package)
+        return super().load_map(package, read)
 
     def new_map(self, package: str = UNTITLED) -> MapObject:
         """Open an empty level; from a tick that is the end."""
