@@ -18,6 +18,15 @@ def test_stages_are_known_without_what_they_work_with() -> None:
     assert done.stdout.split() == []
 
 
+def test_a_small_matching_loads_no_compiled_code() -> None:
+    code = (
+        "import sys, numpy; from c4s.verify.repair.assignment import minimum_cost; "
+        "minimum_cost(numpy.eye(20)); print('numba' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout.split() == ["False"]
+
+
 def test_checking_calls_makes_no_grammar_of_web_addresses() -> None:
     code = "import sys, c4s.toolbox.arguments; print('rfc3987_syntax' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
