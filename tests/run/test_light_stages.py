@@ -18,6 +18,12 @@ def test_stages_are_known_without_what_they_work_with() -> None:
     assert done.stdout.split() == []
 
 
+def test_walks_are_judged_without_a_library_of_trees() -> None:
+    code = "import sys, c4s.verify.navigation.verdict; print('scipy.spatial' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout.split() == ["False"]
+
+
 def test_a_small_matching_loads_no_compiled_code() -> None:
     code = (
         "import sys, numpy; from c4s.verify.repair.assignment import minimum_cost; "
