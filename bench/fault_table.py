@@ -141,7 +141,7 @@ def _kill(process: subprocess.Popen[str], who: str) -> None:
             os.kill(one, signal.SIGKILL)
 
 
-WHO = {"workers": "c4s.run.worker", "engine": "c4s.engine", "Prefect server": "uvicorn"}
+WHO = {"workers": "c4s.run.template", "engine": "c4s.engine", "Prefect server": "uvicorn"}
 
 
 def _killed(who: str, moment: str, *program: str) -> Fault:

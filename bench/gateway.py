@@ -41,8 +41,9 @@ from c4s.records.folder import AttemptFolder
 from c4s.records.suite import AgentCase, Budget
 from c4s.toolbox.catalog import CaseCatalog
 from c4s.toolbox.client import GatewayClient
-from c4s.toolbox.gateway import MAX_BODY_BYTES, Endpoint, Gateway
+from c4s.toolbox.gateway import Endpoint, Gateway
 from c4s.toolbox.gateway_run import Run
+from c4s.toolbox.size import MAX_BODY_BYTES
 from c4s.toolbox.workbench import Workbench
 
 RUNS = 32

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import ctypes
 import os
-import signal
 import tempfile
 from typing import Final
 
-from c4s.run.worker import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG
+from c4s.run.worker import PR_SET_CHILD_SUBREAPER, die_with
 
 WORKER: Final = "C4S_WORKER"
 """Process id of the worker that started this process's flow run."""
@@ -26,13 +25,6 @@ def die_with_the_worker() -> None:
         die_with(int(worker))
     if TEMPORARY in os.environ:
         os.environ["TMPDIR"] = tempfile.tempdir = os.environ.pop(TEMPORARY)
-
-
-def die_with(parent: int) -> None:
-    """Let the kernel end this process with its parent; at once where that has ended already."""
-    ctypes.CDLL(None, use_errno=True).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-    if os.getppid() != parent:
-        os._exit(1)
 
 
 def adopt() -> None:

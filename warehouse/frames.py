@@ -13,7 +13,6 @@ from c4s.errors import BadInput
 from c4s.files import write_bytes
 from c4s.folders import check_out
 from warehouse.database import ask
-from warehouse.workbook import workbook
 
 ENDINGS = (".csv", ".parquet", ".xlsx")
 FORMULA = ("=", "+", "-", "@", "\t", "\r")
@@ -42,6 +41,8 @@ def export(root: Path, sql: str, out: Path, *, replace: bool = False, where: str
     if twice:
         raise BadInput(f"two columns are called {twice[0]!r}", where=str(out), todo="name them apart with AS")
     if out.suffix == ".xlsx":
+        from warehouse.workbook import workbook
+
         write_bytes(out, workbook(columns, rows, where=out, name=name))
         return len(rows)
     found, made = pd.DataFrame(rows, columns=columns), io.BytesIO()

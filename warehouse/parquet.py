@@ -19,6 +19,7 @@ from c4s.files import write_bytes
 from c4s.home import warehouse_root
 from c4s.records.base import Record
 from c4s.run.store import open_store
+from warehouse.columns import columns
 from warehouse.records import TABLES
 
 _ARROW = {str: pa.string(), int: pa.int64(), float: pa.float64(), bool: pa.bool_(), bytes: pa.binary()}
@@ -70,9 +71,9 @@ def is_whole(path: Path) -> bool:
 def write_part(root: Path, table: str, rows: Sequence[Record], *, suite: str, configuration: str, key: str) -> Path:
     """Write one trial's rows of one table. The same rows give the same bytes, so a repeated write changes nothing."""
     schema = arrow_schema(table, partitions=False)
-    columns = {name: [getattr(row, name) for row in rows] for name in schema.names}
+    values = {name: [getattr(row, name) for row in rows] for name in schema.names}
     buffer = io.BytesIO()
-    pq.write_table(pa.table(columns, schema=schema), buffer, compression="zstd")
+    pq.write_table(columns(values, schema), buffer, compression="zstd")
     path = part_path(root, table, suite, configuration, key)
     write_bytes(path, buffer.getvalue())
     if path.is_relative_to(warehouse_root()):

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pyarrow as pa
 
+from warehouse.columns import column, columns
 from warehouse.damage import UNHELD, read_part
 from warehouse.parquet import PARTITIONS, arrow_schema
 from warehouse.records import TABLES
@@ -48,7 +49,7 @@ class Look:
 def look(root: Path, known: Mapping[str, int]) -> Look:
     """Find the parts; folders that have the time of change that is ``known`` of them are not listed again."""
     folders, listed, now_ns = {}, [], time.time_ns()
-    columns: dict[str, list[str | int]] = {name: [] for name in LISTED.names}
+    told_of: dict[str, list[str | int]] = {name: [] for name in LISTED.names}
     for folder, path in _folders(root):
         changed = path.stat().st_mtime_ns
         young_ns = YOUNG_NS if changed % 1_000_000_000 else YOUNG_COARSE_NS
@@ -63,9 +64,9 @@ def look(root: Path, known: Mapping[str, int]) -> Look:
                 except FileNotFoundError:
                     continue
                 told: tuple[str | int, ...] = (folder, entry.name, found.st_size, found.st_mtime_ns, found.st_ino)
-                for name, value in zip(columns, told, strict=True):
-                    columns[name].append(value)
-    return Look(folders, listed, pa.table(columns, schema=LISTED))
+                for name, value in zip(told_of, told, strict=True):
+                    told_of[name].append(value)
+    return Look(folders, listed, columns(told_of, LISTED))
 
 
 def _folders(root: Path) -> Iterator[tuple[str, Path]]:
@@ -105,11 +106,11 @@ def rows_of(root: Path, folder: str, parts: list[tuple[int, str]]) -> pa.Table:
         number, name = part
         rows = read_part(table, root / folder / name)
         given = {"part": number, **place}
-        columns = [
-            pa.repeat(pa.scalar(given[field.name], field.type), len(rows)) if field.name in given else rows[field.name]
+        cells = [
+            column([given[field.name]] * len(rows), field.type) if field.name in given else rows[field.name]
             for field in schema
         ]
-        return pa.table(columns, schema=schema)
+        return pa.Table.from_arrays(cells, schema=schema)
 
     with ThreadPoolExecutor(_READERS) as readers:
         return pa.concat_tables(list(readers.map(read, parts)))

@@ -21,6 +21,7 @@ import pyarrow as pa
 
 from c4s.errors import BadInput
 from c4s.files import digest, no_place
+from warehouse.columns import column, columns, no_rows
 from warehouse.damage import broken_rows
 from warehouse.parts import HELD, LISTED, Look, look, rows_of, table_of
 from warehouse.tables import KEPT, ROWS, question_text, table_statements, view_statements
@@ -39,7 +40,7 @@ LIMITS: dict[str, str | bool | int | float | list[str]] = {
 }
 AT_ONCE = 500
 """Parts whose rows are in memory at once."""
-_NONE = pa.schema([pa.field("part", pa.int64()), *LISTED]).empty_table()
+_NONE = no_rows(pa.schema([pa.field("part", pa.int64()), *LISTED]))
 _FOLDERS = pa.schema([("folder", pa.string()), ("mtime_ns", pa.int64())])
 _SAME = " AND ".join(f"p.{name} = f.{name}" for name in LISTED.names)
 
@@ -242,7 +243,7 @@ def _take_in(connection: duckdb.DuckDBPyConnection, root: Path, due: _Due) -> No
             names = parts["name"].to_pylist()
             connection.register("fresh", rows_of(root, folder, list(zip(numbers, names, strict=True))))
             connection.execute(f"INSERT INTO {ROWS}.{table_of(folder)} FROM fresh")
-            connection.register("fresh", parts.add_column(0, "part", pa.array(numbers, pa.int64())))
+            connection.register("fresh", parts.add_column(0, "part", column(numbers, pa.int64())))
             connection.execute(f"INSERT INTO {ROWS}.parts FROM fresh")
         start = end
 
@@ -272,7 +273,7 @@ def _note(connection: duckdb.DuckDBPyConnection, root: Path, found: Look) -> Non
     connection.execute(f"INSERT INTO {ROWS}.made VALUES (?, ?, ?)", made)
     connection.execute(f"DELETE FROM {ROWS}.folders")
     connection.register(
-        "folders", pa.table({"folder": list(found.folders), "mtime_ns": list(found.folders.values())}, _FOLDERS)
+        "folders", columns({"folder": [*found.folders], "mtime_ns": [*found.folders.values()]}, _FOLDERS)
     )
     connection.execute(f"INSERT INTO {ROWS}.folders FROM folders")
 

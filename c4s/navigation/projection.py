@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.spatial import cKDTree
+from numpy.typing import NDArray
 
 from c4s.collision.mesh_body import Array
 from c4s.navigation.targets import WalkTarget
 from c4s.protocol.navigation import ABOVE_CM, BELOW_CM, REACH_CM, SAMPLES
 
+_SLACK = 1e-6
+"""Wider than the rounding of a distance."""
 Level = Literal["storey", "raised", "buried", "none"]
 
 
@@ -34,18 +36,33 @@ def project(targets: Sequence[WalkTarget], cells: Array) -> list[Projection]:
     """
     if not len(cells):
         return [Projection("none") for _ in targets]
-    tree = cKDTree(cells[:, :2])
-    return [_project(target, cells, tree) for target in targets]
+    near = Near(cells[:, :2])
+    return [_project(target, cells, near) for target in targets]
 
 
-def _project(target: WalkTarget, cells: Array, tree: cKDTree) -> Projection:
+class Near:
+    """Points (n, 2) in order of their first coordinate, to find those near a place."""
+
+    def __init__(self, points: Array) -> None:
+        self._order = np.argsort(points[:, 0], kind="stable")
+        self._sorted = points[self._order]
+
+    def within(self, place: Array, reach: float) -> NDArray[np.intp]:
+        """Indices of the points within reach of a place, in ascending order."""
+        first, last = np.searchsorted(self._sorted[:, 0], [place[0] - reach - _SLACK, place[0] + reach + _SLACK])
+        away = self._sorted[first:last] - place
+        found = away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1] <= reach * reach
+        return np.sort(self._order[first:last][found])
+
+
+def _project(target: WalkTarget, cells: Array, near: Near) -> Projection:
     middle, half = (target.low + target.high) / 2, (target.high - target.low) / 2
     points = middle[:2] + np.array(SAMPLES) * half[:2]
     met: Level = "none"
-    for number, near in enumerate(tree.query_ball_point(points, REACH_CM, return_sorted=True)):
-        if not near:
+    for number, point in enumerate(points):
+        rows = near.within(point, REACH_CM)
+        if not len(rows):
             continue
-        rows = np.array(near)
         above = target.base_cm - cells[rows, 2]
         if met == "none":
             met = "raised" if above[np.abs(above).argmin()] > 0 else "buried"

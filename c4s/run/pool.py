@@ -21,6 +21,7 @@ from c4s.judge.registry import is_online
 from c4s.records.plan import Plan
 from c4s.records.suite import SuiteFolder
 from c4s.run.faults import SceneFault, may_be_the_scenes, of_scene
+from c4s.run.forking import Template
 from c4s.run.headroom import Headroom, raise_descriptors
 from c4s.run.leftovers import sweep
 from c4s.run.limits import LIMITS, ONLINE_JUDGE, Kind, Limit, Stage
@@ -81,6 +82,7 @@ class Pool:
         self._limits = limits
         self._idle: list[Process] = []
         self._all: set[Process] = set()
+        self._template: Template | None = None
 
     @property
     def in_flight(self) -> int:
@@ -98,6 +100,9 @@ class Pool:
         while self._all:
             self._all.pop().end()
         self._idle.clear()
+        if self._template is not None:
+            self._template.end()
+            self._template = None
 
     def limit(self, stage: Stage, trial: Trial, plan: Plan) -> Limit:
         """What a stage of a trial occupies, and where it is ended."""
@@ -161,7 +166,11 @@ class Pool:
                 return process
             self._all.discard(process)
             process.end()
-        process = await Process.start()
+        if self._template is None or not self._template.alive:
+            if self._template is not None:
+                self._template.end()
+            self._template = Template.start()
+        process = await Process.start(self._template)
         self._all.add(process)
         return process
 

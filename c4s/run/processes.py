@@ -1,15 +1,13 @@
-"""A worker process as its parent sees it: started, given a job, watched, and ended with all its children."""
+"""A worker process as its operator sees it: forked, given a job, watched, and ended with all its children."""
 
 from __future__ import annotations
 
 import asyncio
-import json
 import os
 import pickle
+import select
 import signal
 import socket
-import subprocess
-import sys
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -19,6 +17,7 @@ from typing import Any
 
 from c4s.errors import MachineryFault, OverLimit
 from c4s.folders import remove_tree
+from c4s.run.forking import Template
 from c4s.run.leftovers import owned_folder
 from c4s.run.worker import HEADER
 
@@ -26,10 +25,6 @@ POLL_S = 0.25
 START_TIMEOUT_S = 120.0
 _END_S = 2.0
 _PAGE = os.sysconf("SC_PAGE_SIZE")
-_BOOTSTRAP = (
-    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); from c4s.run.worker import serve; "
-    "serve(int(sys.argv[2]), int(sys.argv[3]))"
-)
 
 
 class WorkerDied(MachineryFault):
@@ -40,40 +35,40 @@ class WorkerDied(MachineryFault):
 class Process:
     """A worker process with the channel to it and a temporary folder of its own. One job at a time."""
 
-    process: subprocess.Popen[bytes]
+    template: Template
+    pid: int
+    handle: int
+    """An open file of the process, by which it is known whatever else gets its number."""
     reader: asyncio.StreamReader
     writer: asyncio.StreamWriter
     folder: Path
 
     @classmethod
-    async def start(cls) -> Process:
-        """Start one and wait until it serves. It dies with the thread that runs this."""
+    async def start(cls, template: Template) -> Process:
+        """Have one forked and wait until it serves. It dies with the template."""
         near, far = socket.socketpair()
         folder = owned_folder()
-        with far:
-            process = subprocess.Popen(
-                [sys.executable, "-c", _BOOTSTRAP, json.dumps(sys.path), str(far.fileno()), str(os.getpid())],
-                stdin=subprocess.DEVNULL,
-                stdout=2,
-                pass_fds=(far.fileno(),),
-                env={**os.environ, "TMPDIR": str(folder)},
-            )
-        made = cls(process, *await asyncio.open_connection(sock=near), folder)
+        reader, writer = await asyncio.open_connection(sock=near)
         try:
+            with far:
+                template.fork(far)
+            _write(writer, pickle.dumps(({**os.environ, "TMPDIR": str(folder)}, str(Path.cwd()))))
             async with asyncio.timeout(START_TIMEOUT_S):
-                await made.reader.readexactly(HEADER.size)
-        except (asyncio.IncompleteReadError, TimeoutError):
-            made.end()
-            raise MachineryFault("a worker process did not start", todo="read what it printed") from None
-        except BaseException:
-            made.end()
+                pid = pickle.loads(await _message(reader))
+            if isinstance(pid, OSError):
+                raise pid
+            return cls(template, pid, os.pidfd_open(pid), reader, writer, folder)
+        except BaseException as error:
+            writer.close()
+            remove_tree(folder, inside=folder.parent, at_best=True)
+            if isinstance(error, asyncio.IncompleteReadError | ConnectionError | ProcessLookupError | TimeoutError):
+                raise MachineryFault("a worker process did not start", todo="read what it printed") from None
             raise
-        return made
 
     @property
     def alive(self) -> bool:
         """Whether the process runs."""
-        return self.process.poll() is None
+        return self.handle >= 0 and not _is_over(self.handle, 0)
 
     async def run(self, function: Callable[..., Any], arguments: tuple[Any, ...], seconds: float, memory: int) -> Any:
         """What the function returns, and the seconds that it took; what it raises is raised.
@@ -83,7 +78,7 @@ class Process:
         """
         job = pickle.dumps((pickle.dumps(function), pickle.dumps(arguments)))
         try:
-            self.writer.write(HEADER.pack(len(job)) + job)
+            _write(self.writer, job)
             answer = await self._answer(seconds, memory)
         except (asyncio.IncompleteReadError, ConnectionError):
             raise WorkerDied(
@@ -98,7 +93,7 @@ class Process:
         return value, took
 
     async def _answer(self, seconds: float, memory: int) -> bytes:
-        reading = asyncio.ensure_future(self._message())
+        reading = asyncio.ensure_future(_message(self.reader))
         deadline = time.monotonic() + seconds
         try:
             while not reading.done():
@@ -113,14 +108,10 @@ class Process:
         finally:
             reading.cancel()
 
-    async def _message(self) -> bytes:
-        header = await self.reader.readexactly(HEADER.size)
-        return await self.reader.readexactly(HEADER.unpack(header)[0])
-
     def _resident(self) -> int:
         """Resident memory in bytes; none for a process that has just ended."""
         try:
-            return int(Path("/proc", str(self.process.pid), "statm").read_text().split()[1]) * _PAGE
+            return int(Path("/proc", str(self.pid), "statm").read_text().split()[1]) * _PAGE
         except (OSError, IndexError):
             return 0
 
@@ -130,18 +121,43 @@ class Process:
         while self.alive and time.monotonic() < deadline:
             await asyncio.sleep(0.01)
         self.end()
-        code = self.process.returncode
+        while (code := self.template.exit_code(self.pid)) is None and time.monotonic() < deadline:
+            await asyncio.sleep(0.01)
+        if code is None:
+            return "nobody was told how"
         return signal.Signals(-code).name if code < 0 else f"exit code {code}"
 
     def end(self) -> None:
         """End the process and all below it, and remove its temporary folder."""
-        family = _family(self.process.pid) if self.alive else []
-        for member in family:
+        if self.handle < 0:
+            return
+        family = _family(self.pid) if self.alive else []
+        with suppress(ProcessLookupError):
+            signal.pidfd_send_signal(self.handle, signal.SIGKILL)
+        for member in family[1:]:
             with suppress(ProcessLookupError):
                 os.kill(member, signal.SIGKILL)
-        self.process.wait()
+        _is_over(self.handle, None)
+        os.close(self.handle)
+        self.handle = -1
         self.writer.close()
         remove_tree(self.folder, inside=self.folder.parent, at_best=True)
+
+
+def _is_over(handle: int, wait_ms: int | None) -> bool:
+    """Whether a process has ended, once so long was waited for it."""
+    waiting = select.poll()
+    waiting.register(handle, select.POLLIN)
+    return bool(waiting.poll(wait_ms))
+
+
+def _write(writer: asyncio.StreamWriter, message: bytes) -> None:
+    writer.write(HEADER.pack(len(message)) + message)
+
+
+async def _message(reader: asyncio.StreamReader) -> bytes:
+    header = await reader.readexactly(HEADER.size)
+    return await reader.readexactly(HEADER.unpack(header)[0])
 
 
 def _read(answer: bytes) -> Any:

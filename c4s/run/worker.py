@@ -26,23 +26,36 @@ PR_SET_CHILD_SUBREAPER = 36
 
 
 def serve(channel: int, parent: int) -> None:
-    """Work off jobs until the parent closes the channel. Die with the parent, and leave Ctrl-C to it.
+    """Work off jobs until the channel is closed. Die with the parent, which leaves Ctrl-C to whoever started it.
 
-    What a job starts stays this process's, also where its own parent has ended, so that all of it can be ended.
+    The first message is the environment to work in, and is answered with the process id. What a job starts stays this
+    process's, also where its own parent has ended, so that all of it can be ended.
     """
-    libc = ctypes.CDLL(None, use_errno=True)
-    libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-    libc.prctl(PR_SET_CHILD_SUBREAPER, 1)
+    die_with(parent)
+    ctypes.CDLL(None, use_errno=True).prctl(PR_SET_CHILD_SUBREAPER, 1)
+    with socket.socket(fileno=channel) as connection, connection.makefile("rb") as jobs:
+        if header := jobs.read(HEADER.size):
+            _work_in(*pickle.loads(jobs.read(HEADER.unpack(header)[0])))
+            send(connection, pickle.dumps(os.getpid()))
+        while header := jobs.read(HEADER.size):
+            send(connection, _done(jobs.read(HEADER.unpack(header)[0])))
+
+
+def die_with(parent: int) -> None:
+    """Let the kernel end this process with its parent; at once where that has ended already."""
+    ctypes.CDLL(None, use_errno=True).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
     if os.getppid() != parent:
         os._exit(1)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    with socket.socket(fileno=channel) as connection, connection.makefile("rb") as jobs:
-        _send(connection, b"")
-        while header := jobs.read(HEADER.size):
-            _send(connection, _done(jobs.read(HEADER.unpack(header)[0])))
 
 
-def _send(connection: socket.socket, message: bytes) -> None:
+def _work_in(environment: dict[str, str], folder: str) -> None:
+    os.environ.clear()
+    os.environ.update(environment)
+    tempfile.tempdir = None
+    os.chdir(folder)
+
+
+def send(connection: socket.socket, message: bytes) -> None:
     connection.sendall(HEADER.pack(len(message)) + message)
 
 

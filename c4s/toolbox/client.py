@@ -1,4 +1,7 @@
-"""A plain client of the gateway for agents that run in this process: the SDK's MCP client behind blocking calls."""
+"""A plain client of the gateway for agents that run in this process: the SDK's MCP client behind blocking calls.
+
+The SDK is loaded when a client connects: whoever only asks which agents there are needs none.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +12,17 @@ import uuid
 from contextlib import AsyncExitStack, ExitStack
 from dataclasses import dataclass
 from types import TracebackType
-from typing import Any, Literal, Self
-
-import httpx2
-import mcp_types as wire
-from anyio.from_thread import BlockingPortal, start_blocking_portal
-from mcp import Client
-from mcp.client.streamable_http import streamable_http_client
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 from c4s.errors import AgentFault, MachineryFault
-from c4s.toolbox.gateway import MAX_BODY_BYTES, Endpoint
+from c4s.toolbox.size import MAX_BODY_BYTES
+
+if TYPE_CHECKING:
+    import mcp_types as wire
+    from anyio.from_thread import BlockingPortal
+    from mcp import Client
+
+    from c4s.toolbox.gateway import Endpoint
 
 CONNECT_TIMEOUT_S = 30.0
 ACTORS_A_CALL = 1000
@@ -56,6 +60,8 @@ class GatewayClient:
         self._client: Client | None = None
 
     def __enter__(self) -> Self:
+        from anyio.from_thread import start_blocking_portal
+
         try:
             self._portal = self._stack.enter_context(start_blocking_portal())
             self._client = self._stack.enter_context(
@@ -83,6 +89,8 @@ class GatewayClient:
 
     def prompt(self, name: str) -> str:
         """Text of a prompt that the server offers."""
+        import mcp_types as wire
+
         portal, client = self._opened()
         found = portal.call(client.get_prompt, name)
         return "".join(
@@ -107,6 +115,8 @@ class GatewayClient:
 
     def call(self, name: str, /, **arguments: Any) -> ToolAnswer:
         """Call a tool. ``CallRefused`` when it failed, ``RunStopped`` when the run takes no more calls."""
+        import mcp_types as wire
+
         answer = self.answer(name, arguments)
         payload = json.loads(next(block.text for block in answer.content if isinstance(block, wire.TextContent)))
         if "stop" in payload:
@@ -156,6 +166,10 @@ class GatewayConnection:
         self._stack = AsyncExitStack()
 
     async def __aenter__(self) -> Client:
+        import httpx2
+        from mcp import Client
+        from mcp.client.streamable_http import streamable_http_client
+
         http = await self._stack.enter_async_context(
             httpx2.AsyncClient(
                 headers={"Authorization": f"Bearer {self._endpoint.token}"},

@@ -31,13 +31,13 @@ from c4s.files import parse_json
 from c4s.toolbox.gateway_run import CallAnswer, Run
 from c4s.toolbox.protocol_server import protocol_server
 from c4s.toolbox.registry import ALL_TOOLS
+from c4s.toolbox.size import MAX_BODY_BYTES
 from c4s.toolbox.skill import skill_text
 
 START_TIMEOUT_S = 20.0
 SKILL = "skill"
 """Name of the MCP prompt that gives the skill text."""
 PATH = "/mcp"
-MAX_BODY_BYTES = 4 << 20
 MOST_SESSIONS = 256
 """Sessions that a run may open in all."""
 CLOSE = {"Connection": "close"}

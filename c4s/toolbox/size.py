@@ -13,6 +13,8 @@ from typing import Any
 
 from c4s.toolbox.refusal import ToolRefused
 
+MAX_BODY_BYTES = 4 << 20
+"""Of one request to the gateway."""
 ANSWER_SIZE = 20_000
 """Most text of an answer."""
 ASKED_SIZE = 200_000

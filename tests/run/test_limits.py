@@ -92,7 +92,7 @@ def test_what_the_scene_causes_is_an_outcome_after_a_second_fresh_worker(
 ) -> None:
     async def work(pool: Pool) -> None:
         await asyncio.gather(*(pool.run(LONG, pow, number, 2) for number in range(3)))
-        idle = {process.process.pid for process in pool._idle}
+        idle = {process.pid for process in pool._idle}
         with pytest.raises(SceneFault, match=reason):
             await pool.run(limit, note_process, tmp_path / "pids", how)
         first, second = map(int, (tmp_path / "pids").read_text().split())

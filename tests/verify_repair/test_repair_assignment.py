@@ -10,7 +10,8 @@ from scipy.optimize import linear_sum_assignment
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
-from c4s.verify.repair.assignment import maximum_matching, minimum_cost
+from c4s.verify.repair import compiled
+from c4s.verify.repair.assignment import assigned, maximum_matching, minimum_cost
 
 SHAPES = st.tuples(st.integers(1, 9), st.integers(1, 9), st.integers(0, 2**32 - 1))
 
@@ -63,6 +64,7 @@ def test_equal_costs_are_settled_as_published(shape: tuple[int, int, int], unit:
     cost = rng.integers(0, 4, (rows, rows + columns)) * unit + rng.integers(0, 2, (rows, rows + columns)) * 0.1
     cost[(cost == 0) & (rng.random(cost.shape) < 0.5)] = -0.0
     assert minimum_cost(cost) == list(enumerate(_one_by_one(cost)))
+    assert assigned(cost.tolist()) == compiled.assigned(cost).tolist()
 
 
 @settings(max_examples=150, deadline=None)
@@ -78,6 +80,14 @@ def test_maximum_matching_is_maximal_and_keeps_what_others_hold(shape: tuple[int
     head = maximum_matching(range(rows // 2), edges.__getitem__)
     rest = maximum_matching(range(rows // 2, rows), edges.__getitem__, {c: r for r, c in head.items()})
     assert not set(head.values()) & set(rest.values())
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(1, 40), st.integers(0, 40), st.integers(0, 2**32 - 1))
+def test_a_table_has_the_same_answer_with_and_without_compiled_code(rows: int, more: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    cost = rng.integers(-3, 9, (rows, rows + more)) / 7 + rng.random((rows, rows + more)) * (seed % 2)
+    assert assigned(cost.tolist()) == compiled.assigned(cost).tolist()
 
 
 def test_equal_costs_fall_to_the_lower_column() -> None:

@@ -28,7 +28,6 @@ from c4s.files import digest_file, write_json
 from c4s.records.plan import Plan
 from c4s.records.schemas import write_schemas
 from c4s.records.suite import DIGESTS, SuiteFolder
-from c4s.toolbox.registry import ALL_TOOLS
 from c4s.toolbox.skill import skill_text
 from warehouse.release.leaks import refuse_leaks
 from warehouse.release.secrets import PRIVATE, Secrets
@@ -66,6 +65,8 @@ def pack_release(
             shutil.copyfile(root / name, folder / "code" / name)
     for run, plan in runs.items():
         write_json(_place(folder / "runs" / f"{run}.json"), _of_run(plan))
+    from c4s.toolbox.registry import ALL_TOOLS
+
     _place(folder / "agents" / "skill.md").write_text(skill_text(), encoding="utf-8")
     write_json(
         folder / "agents" / "tools.json",

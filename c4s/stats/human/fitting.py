@@ -15,7 +15,6 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import log1p
 
 from c4s.protocol.criteria import SPLIT_SEED
 from c4s.stats.bootstrap import Floats, Integers
@@ -111,6 +110,8 @@ class Objective:
         scores = policy_scores(self.scenes, policies)
         gap = scores[:, self._first] - scores[:, self._second]
         agreement = (gap > TIE) @ self._won + (gap < -TIE) @ self._lost
+        from scipy.special import log1p
+
         loss = log1p(np.exp(-LOSS_SCALE * gap)) @ self._won + log1p(np.exp(LOSS_SCALE * gap)) @ self._lost
         apart = as_shares(policies) - as_shares(self.comparison)
         return np.round(np.column_stack([agreement, loss, (apart**2).sum(axis=1)]), _DIGITS)

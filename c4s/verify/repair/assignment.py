@@ -6,10 +6,15 @@ one by one, and among columns of equal reduced cost the lower index wins. SciPy'
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+
+MOST_PLAIN: Final = 100_000
+"""Steps of a table, at worst, up to which it is solved without compiled code."""
 
 
 def maximum_matching(
@@ -55,6 +60,41 @@ def minimum_cost(cost: NDArray[np.float64]) -> list[tuple[int, int]]:
         return []
     if cost.shape[0] > cost.shape[1]:
         return sorted((row, column) for column, row in minimum_cost(np.ascontiguousarray(cost.T)))
-    from c4s.verify.repair.compiled import assigned
+    if cost.shape[0] * cost.size <= MOST_PLAIN:
+        return list(enumerate(assigned(cost.tolist())))
+    from c4s.verify.repair import compiled
 
-    return list(enumerate(assigned(np.ascontiguousarray(cost)).tolist()))
+    return list(enumerate(compiled.assigned(np.ascontiguousarray(cost)).tolist()))
+
+
+def assigned(cost: list[list[float]]) -> list[int]:
+    """``compiled.assigned`` step for step in plain Python: to load compiled code takes longer than a small table."""
+    rows, columns = len(cost), range(len(cost[0]))
+    row_dual, column_dual = [0.0] * rows, [0.0 for _ in columns]
+    row_of, previous = [-1 for _ in columns], [0 for _ in columns]
+    for row in range(rows):
+        current, column, step = row, -1, 0.0
+        slack = [math.inf for _ in columns]
+        met: list[tuple[int, float, float]] = []
+        while True:
+            for other in columns:
+                reduced = (cost[current][other] - row_dual[current]) - column_dual[other] + 0.0
+                slack[other] -= step
+                if reduced < slack[other]:
+                    slack[other], previous[other] = reduced, column
+            column = min((other for other in columns if not math.isnan(slack[other])), key=slack.__getitem__)
+            step = slack[column]
+            row_dual[row] += step
+            met = [(place, up + step, down - step) for place, up, down in met]
+            if row_of[column] == -1:
+                break
+            current = row_of[column]
+            met.append((column, row_dual[current], column_dual[column]))
+            slack[column] = math.nan
+        for place, up, down in met:
+            column_dual[place], row_dual[row_of[place]] = down, up
+        while column != -1:
+            before = previous[column]
+            row_of[column] = row if before == -1 else row_of[before]
+            column = before
+    return [row_of.index(row) for row in range(rows)]
