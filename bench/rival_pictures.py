@@ -216,7 +216,7 @@ def rivals(mitsuba: str | None, blender: str | None, scene: Path) -> list[tuple[
     if blender is None or shutil.which(blender) is None:
         print("blender is not on the search path: not compared (--blender PROGRAM)", file=sys.stderr)
         return found
-    script = scene / "cycles.py"
+    script = scene / "in_blender.py"
     script.write_text(CYCLES)
     words = blender_words(blender, script)
     return [*found, *((f"cycles {variant}", [*words, str(scene), variant]) for variant in ("plain", "denoised"))]

@@ -85,5 +85,5 @@ def test_a_rival_that_is_there_is_started_with_the_scene(tmp_path: Path) -> None
     found = rivals(None, sys.executable, tmp_path)
     names = [name for name, _ in found if name.startswith("cycles")]
     assert names == ["cycles plain", "cycles denoised"]
-    assert found[-1][1] == [sys.executable, str(tmp_path / "cycles.py"), "--", str(tmp_path), "denoised"]
-    assert "CYCLES" in (tmp_path / "cycles.py").read_text()
+    assert found[-1][1] == [sys.executable, str(tmp_path / "in_blender.py"), "--", str(tmp_path), "denoised"]
+    assert "CYCLES" in (tmp_path / "in_blender.py").read_text()
