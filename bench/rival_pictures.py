@@ -1,7 +1,7 @@
 """Our pictures beside those of other renderers on the processor: the time that each takes to be equally like itself.
 
 ``python -m bench.rival_pictures LEVEL --out FOLDER [--mitsuba PYTHON] [--blender PROGRAM]
-[--view X,Y,Z,PITCH,YAW,FOV]``
+[--view X,Y,Z,PITCH,YAW,FOV] [--many SAMPLES] [--only RIVAL ...]``
 
 PYTHON has the package ``mitsuba``; PROGRAM is Blender itself, or a Python with the package ``bpy``. All draw the same
 triangles with the same textures in the light of the level's sun, with its shadows, under a sky. Each renderer's picture
@@ -49,7 +49,7 @@ WIDTH, HEIGHT = 1280, 720
 COUNTS = (1, 2, 4, 8, 16, 32, 64, 128)
 """Samples a pixel that a rival is tried with."""
 MANY = 256
-"""Samples a pixel of a rival's own reference."""
+"""Samples a pixel of a rival's own reference, unless told otherwise."""
 _FINER = 4
 """Our reference is so many times wider and higher, of 16 samples a pixel."""
 
@@ -238,8 +238,16 @@ def ours(
     return found, picture, middle(reference)
 
 
-def run(level: Path, out: Path, view: Sequence[float], mitsuba: str | None, blender: str | None) -> list[Trial]:
-    """Ours and the rivals that are installed; pictures go to ``out``."""
+def run(
+    level: Path,
+    out: Path,
+    view: Sequence[float],
+    mitsuba: str | None,
+    blender: str | None,
+    many: int = MANY,
+    only: Sequence[str] = (),
+) -> list[Trial]:
+    """Ours and the rivals that are installed, or those of them that are named; pictures go to ``out``."""
     from c4s.engine.headless.pictures import take
     from c4s.engine.headless.pictures.lights import lights_of
 
@@ -247,7 +255,7 @@ def run(level: Path, out: Path, view: Sequence[float], mitsuba: str | None, blen
     camera = Camera((view[0], view[1], view[2]), (view[3], view[4], 0.0), view[5], WIDTH, HEIGHT)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        found = rivals(mitsuba, blender, folder)
+        found = [one for one in rivals(mitsuba, blender, folder) if not only or one[0] in only]
         if not found:
             raise SystemExit("no rival is installed")
         boot(
@@ -264,7 +272,7 @@ def run(level: Path, out: Path, view: Sequence[float], mitsuba: str | None, blen
         trials = [own]
         for title, words in found:
             rival = Rival(title, words)
-            reference, _ = rival.take(MANY, folder / "many.npy")
+            reference, _ = rival.take(many, folder / "many.npy")
             trial, picture = fewest(
                 title, own.similarity, partial(rival.take, file=folder / "few.npy"), reference, mean
             )
@@ -296,11 +304,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--mitsuba", help="a Python with the package mitsuba")
     parser.add_argument("--blender", default=shutil.which("blender"), help="Blender, or a Python with bpy")
     parser.add_argument("--view", default="-1200,-1200,700,-20,45,60", help="X,Y,Z cm, PITCH, YAW, FOV degrees")
+    parser.add_argument("--many", type=int, default=MANY, help="samples a pixel of a rival's own reference")
+    parser.add_argument("--only", nargs="+", default=[], help="rivals by name")
     given = parser.parse_args(arguments)
     view = [float(part) for part in given.view.split(",")]
     if len(view) != 6:
         parser.error("--view takes six numbers")
-    print(table(run(given.level, given.out, view, given.mitsuba, given.blender)))
+    print(table(run(given.level, given.out, view, given.mitsuba, given.blender, given.many, given.only)))
     return 0
 
 

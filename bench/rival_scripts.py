@@ -129,7 +129,6 @@ for line in sys.stdin:
     cycles.samples = 1
     bpy.ops.render.render()
     cycles.samples, cycles.seed = int(samples), cycles.seed + 1
-    cycles.use_denoising = variant == "denoised" and int(samples) < 256
     before = time.process_time()
     bpy.ops.render.render()
     spent = time.process_time() - before
