@@ -55,7 +55,7 @@ _FINER = 4
 
 
 @dataclass(frozen=True)
-class Trial:
+class RivalTrial:
     """One renderer at the fewest samples that are like its own reference."""
 
     renderer: str
@@ -93,20 +93,20 @@ def shrunk(picture: NDArray[np.uint8], times: int) -> Linear:
 
 def fewest(
     name: str, least: float, take: Callable[[int], tuple[Linear, float]], reference: Linear, mean: float
-) -> tuple[Trial, NDArray[np.uint8]]:
+) -> tuple[RivalTrial, NDArray[np.uint8]]:
     """The first of ``COUNTS`` at which a renderer is as like its reference as ``least``, else the last.
 
     More samples are taken to be more alike.
     """
     gain = mean / max(middle(reference), 1e-9)
     wanted = developed(reference, gain)
-    tried: dict[int, tuple[Trial, NDArray[np.uint8]]] = {}
+    tried: dict[int, tuple[RivalTrial, NDArray[np.uint8]]] = {}
 
     def reaches(count: int) -> bool:
         linear, seconds = take(count)
         picture = developed(linear, gain)
         like = round(similarity(picture, wanted), 4)
-        tried[count] = Trial(name, count, round(seconds, 3), like, like >= least), picture
+        tried[count] = RivalTrial(name, count, round(seconds, 3), like, like >= least), picture
         return like >= least
 
     place = min(bisect_left(COUNTS, True, key=reaches), len(COUNTS) - 1)
@@ -224,7 +224,7 @@ def rivals(mitsuba: str | None, blender: str | None, scene: Path) -> list[tuple[
 
 def ours(
     meshes: Sequence[Mesh], instances: Sequence[Instance], lights: Lights, camera: Camera
-) -> tuple[Trial, NDArray[np.uint8], float]:
+) -> tuple[RivalTrial, NDArray[np.uint8], float]:
     """Our picture at its usual samples, its likeness to a finer one, and the mean brightness of that."""
     renderer = Renderer(meshes, instances, lights)
     grade = Grade(exposure_ev=-0.5)
@@ -234,7 +234,7 @@ def ours(
     picture = renderer.render(camera, grade=grade).rgb
     seconds = time.process_time() - before
     renderer.close()
-    found = Trial("ours", 4, round(seconds, 3), round(similarity(picture, developed(reference, 1.0)), 4), True)
+    found = RivalTrial("ours", 4, round(seconds, 3), round(similarity(picture, developed(reference, 1.0)), 4), True)
     return found, picture, middle(reference)
 
 
@@ -246,7 +246,7 @@ def run(
     blender: str | None,
     many: int = MANY,
     only: Sequence[str] = (),
-) -> list[Trial]:
+) -> list[RivalTrial]:
     """Ours and the rivals that are installed, or those of them that are named; pictures go to ``out``."""
     from c4s.engine.headless.pictures import take
     from c4s.engine.headless.pictures.lights import lights_of
@@ -283,7 +283,7 @@ def run(
     return trials
 
 
-def table(trials: Sequence[Trial]) -> str:
+def table(trials: Sequence[RivalTrial]) -> str:
     """The result as Markdown."""
     lines = ["| Renderer | Samples a pixel | SSIM with its own reference | Processor seconds | Times ours |"]
     lines.append("|---|---|---|---|---|")

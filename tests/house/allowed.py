@@ -58,7 +58,6 @@ BACKENDS: dict[str, set[str]] = {
     },
     "bench/rival_pictures.py": {
         "c4s.engine.headless.pictures",
-        "c4s.engine.headless.pictures.lights",
         "c4s.engine.headless.process.boot",
         "c4s.engine.headless.world.state",
     },
