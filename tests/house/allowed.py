@@ -56,6 +56,11 @@ BACKENDS: dict[str, set[str]] = {
         "c4s.engine.headless.process.boot",
         "c4s.engine.headless.world.state",
     },
+    "bench/rival_pictures.py": {
+        "c4s.engine.headless.pictures",
+        "c4s.engine.headless.process.boot",
+        "c4s.engine.headless.world.state",
+    },
     "bench/queries.py": {"c4s.engine.headless.process.boot", "c4s.engine.headless.world"},
     "bench/session.py": {"c4s.engine.headless.host.session"},
 }

@@ -106,6 +106,18 @@ def open_level() -> DrawnScene:
     from c4s.engine.headless.world.state import world
 
     level = world()
+    actors = level.actor_list()
+    sources = tuple(level.light_sources())
+    return DrawnScene(
+        Renderer(*placed(level), lights_of(sources)),
+        tuple(actor.get_name() for actor in actors),
+        tuple(actor.get_actor_label() for actor in actors),
+        sources,
+    )
+
+
+def placed(level: World) -> tuple[list[Mesh], list[Instance]]:
+    """What a level shows: its meshes, and where they stand with which surfaces."""
     meshes: dict[str, int] = {}
     loaded: list[Mesh] = []
     instances: list[Instance] = []
@@ -115,14 +127,7 @@ def open_level() -> DrawnScene:
             meshes[shown.mesh] = len(loaded)
             loaded.append(level.store.mesh(shown.mesh))
         instances.append(Instance(meshes[shown.mesh], shown.matrix, surfaces.of(shown.component), shown.actor_index))
-    actors = level.actor_list()
-    sources = tuple(level.light_sources())
-    return DrawnScene(
-        Renderer(loaded, instances, lights_of(sources)),
-        tuple(actor.get_name() for actor in actors),
-        tuple(actor.get_actor_label() for actor in actors),
-        sources,
-    )
+    return loaded, instances
 
 
 def drawn(level: World) -> Iterator[Drawable]:
