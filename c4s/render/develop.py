@@ -19,22 +19,6 @@ _KEY = 0.30
 _HIGHLIGHT = 3.0
 _LOWEST_EV, _HIGHEST_EV = -17.0, 5.0
 _OCCLUSION_FLOOR = 0.12
-_SAME = 0.02
-"""Half the relative difference between two lights that look the same."""
-
-
-@inner
-def _unlike(buffers: Buffers, here: int, there: int) -> bool:
-    """Whether the light of two pixels differs so much that the line between them shows."""
-    direct, ambient = buffers.direct, buffers.ambient
-    for channel in range(3):
-        one, other = direct[here, channel], direct[there, channel]
-        if abs(one - other) > _SAME * (one + other):
-            return True
-        one, other = ambient[here, channel], ambient[there, channel]
-        if abs(one - other) > _SAME * (one + other):
-            return True
-    return False
 
 
 @kernel
@@ -51,16 +35,15 @@ def mark_edges(first: int, last: int, width: int, height: int, buffers: Buffers,
             for j in range(max(y - 1, 0), min(y + 2, height)):
                 for i in range(max(x - 1, 0), min(x + 2, width)):
                     there = j * width + i
-                    apart = buffers.identity[there] != buffers.identity[here]
-                    if not apart and seen:
-                        other, point = buffers.normal, buffers.point
-                        away = n0 * (point[there, 0] - p0) + n1 * (point[there, 1] - p1) + n2 * (point[there, 2] - p2)
-                        apart = (
-                            n0 * other[there, 0] + n1 * other[there, 1] + n2 * other[there, 2] < 0.97
-                            or abs(away) > near
-                        )
-                    if apart and _unlike(buffers, here, there):
+                    if buffers.identity[there] != buffers.identity[here]:
                         found = True
+                    elif seen:
+                        other, point = buffers.normal, buffers.point
+                        if n0 * other[there, 0] + n1 * other[there, 1] + n2 * other[there, 2] < 0.97:
+                            found = True
+                        away = n0 * (point[there, 0] - p0) + n1 * (point[there, 1] - p1) + n2 * (point[there, 2] - p2)
+                        if abs(away) > near:
+                            found = True
             edge[here] = found
 
 

@@ -16,8 +16,6 @@ from c4s.engine.headless.process.boot import boot
 from c4s.geometry.transform import affine
 from c4s.packs.meshes import Mesh
 from c4s.render import Camera, Fog, Grade, Instance, Lights, LocalLight, Picture, Renderer, Sky, Sun, SurfaceMaterial
-from c4s.render.develop import mark_edges
-from c4s.render.packets import Buffers
 
 DARK = {"sky": Sky(intensity=0.0), "ambient": (0.0, 0.0, 0.0), "camera_fill": 0.0, "exposure_ev": 0.0}
 OVERHEAD = Lights(sun=Sun((0.0, 0.0, -1.0), (1.0, 1.0, 1.0), 2.0), **DARK)
@@ -237,27 +235,3 @@ def test_three_processes_at_once_write_the_same_bytes(tmp_path: Path) -> None:
     masks = [np.load(tmp_path / str(number) / "a.actors.npz") for number in range(3)]
     for key in ("actor", "depth_cm", "names"):
         assert len({mask[key].tobytes() for mask in masks}) == 1
-
-
-def test_a_line_between_surfaces_takes_more_samples_only_where_their_light_differs() -> None:
-    def edges(right: float) -> list[bool]:
-        """Edges of a row of four pixels, two of either surface; the left one has a light of 1."""
-        width = 4
-        buffers = Buffers(
-            np.array([[1.0] * 3, [1.0] * 3, [right] * 3, [right] * 3], np.float32),
-            np.full((width, 3), 0.5, np.float32),
-            np.zeros((width, 2), np.float32),
-            np.ones(width, np.int32),
-            np.tile(np.array([0, 0, 1], np.float32), (width, 1)),
-            np.zeros((width, 3), np.float32),
-            np.array([1, 1, 2, 2], np.int64),
-            np.zeros(width, np.int32),
-            np.full(width, 100.0, np.float32),
-        )
-        edge = np.zeros(width, np.bool_)
-        mark_edges(0, 1, width, 1, buffers, edge)
-        return edge.tolist()
-
-    assert edges(1.0) == edges(1.03) == [False] * 4
-    assert edges(1.1) == [False, True, True, False]
-    assert edges(0.0) == [False, True, True, False]
