@@ -8,14 +8,17 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import prefect
-from prefect.server.api.server import SubprocessASGIServer
 from prefect.settings import get_current_settings
+
+if TYPE_CHECKING:
+    from prefect.server.api.server import SubprocessASGIServer
 
 _TIED: Final = """
 import os, runpy, sys, threading
+import flows
 def watch(line):
     os.read(line, 1)
     os._exit(1)
@@ -28,7 +31,12 @@ _lines: list[int] = []
 
 
 def tie() -> None:
-    """From now on a server that Prefect starts in this process is tied to it."""
+    """From now on a server that Prefect starts in this process is tied to it. Where one is named it starts none, and
+    its code, which takes longer to load than a flow, is left out."""
+    if get_current_settings().api.url is not None:
+        return
+    from prefect.server.api.server import SubprocessASGIServer
+
     SubprocessASGIServer._run_uvicorn_command = _run  # type: ignore[method-assign, assignment]
 
 

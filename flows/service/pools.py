@@ -42,7 +42,7 @@ def deploy(url: str) -> None:
     """Deploy every flow of ``prefect.yaml``. ``MachineryFault`` with what Prefect said where it refuses."""
     declared = prefect_yaml()
     told = subprocess.run(
-        [sys.executable, "-m", "prefect", "--no-prompt", "deploy", "--all"],
+        [sys.executable, "-m", "flows.program", "prefect", "--no-prompt", "deploy", "--all"],
         cwd=declared.parent,
         env=environment(url),
         stdin=subprocess.DEVNULL,

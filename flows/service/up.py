@@ -168,8 +168,8 @@ def _start_server(database: str | None, service: Service) -> Owner:
     if database is not None:
         _, _, rest = database.partition("://")
         made["PREFECT_SERVER_DATABASE_CONNECTION_URL"] = f"postgresql+asyncpg://{rest}"
-    command = [sys.executable, "-m", "prefect", "server", "start", "--host", str(at.hostname), "--port", str(at.port)]
-    return _start(command, made, "server")
+    command = [sys.executable, "-m", "flows.program", "prefect", "server", "start"]
+    return _start([*command, "--host", str(at.hostname), "--port", str(at.port)], made, "server")
 
 
 def _start_worker(pool: str, slots: int, url: str) -> Owner:

@@ -31,8 +31,8 @@ _GPUS: Final = Path("/proc/driver/nvidia/gpus")
 _PROGRAM: Final = (
     "import asyncio, os, sys; from flows.family import die_with; die_with(int(sys.argv[1]))\n"
     "os.environ['C4S_WORKER'] = str(os.getpid())\n"
-    "from prefect.workers.process import ProcessWorker\n"
-    "asyncio.run(ProcessWorker(work_pool_name=sys.argv[2], name=sys.argv[3], limit=int(sys.argv[4])).start())\n"
+    "from flows.service.taking import taker\n"
+    "asyncio.run(taker(sys.argv[2], sys.argv[3], int(sys.argv[4])).start())\n"
 )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 
@@ -62,4 +63,13 @@ def test_agents_are_known_without_what_they_connect_with(name: str) -> None:
         f"agent_of(configuration({name!r})); print(*(name for name in {makers} if name in sys.modules))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout.split() == []
+
+
+@pytest.mark.parametrize("flow", ["flows.trial", "flows.evaluate"])
+def test_a_flow_whose_server_is_named_loads_no_server_and_no_grammar(flow: str) -> None:
+    makers = ("prefect.server.api.server", "prefect.server.database", "rfc3987_syntax.syntax_helpers")
+    code = f"import sys, {flow}; print(*(name for name in {makers} if name in sys.modules))"
+    named = {**os.environ, "PREFECT_API_URL": "http://127.0.0.1:9/api"}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=named, check=True)
     assert done.stdout.split() == []
