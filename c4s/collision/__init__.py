@@ -13,7 +13,6 @@ __all__ = [
     "contacts",
     "depth",
     "gaps_below",
-    "libraries",
     "lines",
     "mesh_body",
     "scene",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -37,68 +36,35 @@ class DrawnScene:
     """Lights, fog and post-process volumes."""
 
 
-_kept: DrawnScene | None = None
+def take(cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool) -> list[dict[str, Any]]:
+    """Render the open level from ``cameras`` into PNG files, with ``masks`` into ``<stem>.actors.npz`` too."""
+    scene = open_level()
+    records = []
+    for view, name in zip(cameras, files, strict=True):
+        camera = camera_of(view)
+        picture = scene.renderer.render(
+            camera,
+            mode="base_color" if mode == "base_color" else "lit",
+            exposure_bias_ev=float(view.get("exposure_bias_ev") or 0.0),
+            grade=grade_at(scene.sources, camera.location_cm),
+        )
+        path = Path(name)
+        write_png(path, picture.rgb)
+        if masks:
+            write_mask(path.with_name(mask_name(path.stem)), picture, scene.names, scene.labels)
+        records.append({"visible": visible(picture, scene.names)})
+    scene.renderer.close()
+    return records
 
 
-def take(
-    cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool, keep: bool = False
-) -> list[dict[str, Any]]:
-    """Render the open level from ``cameras`` into PNG files, with ``masks`` into ``<stem>.actors.npz`` too.
-
-    ``keep``: nothing changes the level from now until ``drop`` is called, so what is drawn may be drawn again.
-    """
-    with _opened(keep) as scene:
-        return [_taken(scene, view, Path(name), mode, masks) for view, name in zip(cameras, files, strict=True)]
-
-
-def _taken(scene: DrawnScene, view: Mapping[str, Any], path: Path, mode: str, masks: bool) -> dict[str, Any]:
-    camera = camera_of(view)
-    picture = scene.renderer.render(
-        camera,
-        mode="base_color" if mode == "base_color" else "lit",
-        exposure_bias_ev=float(view.get("exposure_bias_ev") or 0.0),
-        grade=grade_at(scene.sources, camera.location_cm),
-    )
-    write_png(path, picture.rgb)
-    if masks:
-        write_mask(path.with_name(mask_name(path.stem)), picture, scene.names, scene.labels)
-    return {"visible": visible(picture, scene.names)}
-
-
-def probe(cameras: Sequence[Mapping[str, Any]], keep: bool = False) -> list[dict[str, Any]]:
-    """What each camera would see of the open level (``glimpse``), by one ray a pixel, without light; ``keep`` as in
-    ``take``."""
-    with _opened(keep) as scene:
-        return [
-            glimpse(scene.renderer.render(camera_of(view), mode="base_color", samples=1), scene.names)
-            for view in cameras
-        ]
-
-
-def drop() -> None:
-    """Give back what is kept: the level may change."""
-    global _kept
-    scene, _kept = _kept, None
-    if scene is not None:
-        scene.renderer.close()
-
-
-@contextmanager
-def _opened(keep: bool) -> Iterator[DrawnScene]:
-    """The current level: what is kept of it, else made now, and kept if it may be and nothing failed."""
-    global _kept
-    if not keep:
-        drop()
-    scene, _kept = _kept or open_level(), None
-    try:
-        yield scene
-    except BaseException:
-        scene.renderer.close()
-        raise
-    if keep:
-        _kept = scene
-    else:
-        scene.renderer.close()
+def probe(cameras: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """What each camera would see of the open level (``glimpse``), by one ray a pixel, without light."""
+    scene = open_level()
+    seen = [
+        glimpse(scene.renderer.render(camera_of(view), mode="base_color", samples=1), scene.names) for view in cameras
+    ]
+    scene.renderer.close()
+    return seen
 
 
 def open_level() -> DrawnScene:

@@ -10,7 +10,7 @@ from c4s.editor.facts import Reader
 from c4s.engine.headless.pictures.keys import picture_keys
 from c4s.engine.headless.pictures.take import probe, take
 from c4s.engine.headless.process.facts import DirectReader
-from c4s.engine.headless.process.revision import reads_only, revision
+from c4s.engine.headless.process.revision import revision
 
 
 class HeadlessPictures:
@@ -20,11 +20,11 @@ class HeadlessPictures:
         self, cameras: Sequence[Mapping[str, Any]], files: Sequence[str], mode: str, masks: bool
     ) -> list[dict[str, Any]]:
         """Render the open level from ``cameras`` into PNG files."""
-        return take(cameras, files, mode, masks, keep=reads_only())
+        return take(cameras, files, mode, masks)
 
     def probe(self, cameras: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
         """What each camera would see of the open level."""
-        return probe(cameras, keep=reads_only())
+        return probe(cameras)
 
     def keys(self, cameras: Sequence[Mapping[str, Any]], mode: str) -> list[str]:
         """A digest of all that the picture of each camera depends on."""

@@ -10,14 +10,11 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-from c4s.engine.headless.pictures.take import drop
 from c4s.engine.headless.unreal.libraries import ticking
 
 READERS = frozenset(
     {
         "capture.capture_views",
-        "capture.plan_views",
-        "capture.probe_views",
         "capture.take_screenshots",
         "capture.viewport_camera",
         "dependencies.export_dependencies",
@@ -34,21 +31,13 @@ OWN_THREADS = 2
 """The one that runs jobs, and the one that hears the host."""
 
 _jobs = 0
-_reads = False
 
 
 def begin(order: Mapping[str, Any]) -> None:
-    """Note that a job begins. One that may change the level finds no drawn scene of it kept."""
-    global _jobs, _reads
-    _reads = order.get("function") in READERS
-    if not _reads:
+    """Note that a job begins."""
+    global _jobs
+    if order.get("function") not in READERS:
         _jobs += 1
-        drop()
-
-
-def reads_only() -> bool:
-    """Whether the job at hand, and all that may run beside and after it until another begins, changes nothing."""
-    return _reads and revision() is not None
 
 
 def revision() -> int | None:
