@@ -13,6 +13,7 @@ __all__ = [
     "contacts",
     "depth",
     "gaps_below",
+    "libraries",
     "lines",
     "mesh_body",
     "scene",

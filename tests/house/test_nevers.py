@@ -205,6 +205,13 @@ def test_no_two_public_classes_have_one_name_but_those_that_are_listed() -> None
     assert public_classes(twice) == {"Scene": {"c4s/a.py", "c4s/b.py"}}
 
 
+def test_no_two_test_modules_have_one_name() -> None:
+    """pytest takes the second for the first and collects none of it."""
+    modules = [file.path for file in sources() if file.within("tests") and re.search(r"/test_[^/]*\.py$", file.path)]
+    names = [path.rsplit("/", 1)[1] for path in modules]
+    assert len(names) > 300 and sorted(names) == sorted(set(names))
+
+
 def test_the_whole_tree_is_read() -> None:
     assert {"bench", "c4s", "cases", "catalog", "flows", "reports", "tasks", "tests", "warehouse"} <= set(packages())
     assert {file.path.split("/")[0] for file in sources()} == set(packages())
