@@ -8,6 +8,7 @@ __all__ = [
     "pictures",
     "refusal",
     "registry",
+    "schemas",
     "skill",
     "stdio",
     "workbench",
