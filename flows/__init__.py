@@ -1,7 +1,9 @@
 """Flows of Prefect, and where they run.
 
-Prefect loads jsonschema. Loaded first without its grammar of IRIs, which no flow names, it saves each process of a flow
-over a second.
+No flow names an IRI; the grammar of IRIs, which jsonschema and so Prefect load where it is installed, would take each
+process of a flow over a second to make.
 """
 
-from c4s.toolbox import schemas as schemas
+import sys
+
+sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]

@@ -8,7 +8,6 @@ __all__ = [
     "pictures",
     "refusal",
     "registry",
-    "schemas",
     "skill",
     "stdio",
     "workbench",
