@@ -245,6 +245,23 @@ def test_files_of_a_suite_tell_more_of_its_private_cases(root: Path, tmp_path: P
         assert leaks_in(published, both) == []
 
 
+@pytest.mark.parametrize(
+    ("text", "leaks"),
+    [
+        ("<td>SM_Lighthouse_Crimson</td><td>07.2 cm</td>", False),
+        ("sm_lighthouse_crimson, 07", False),
+        ("SM_Lighthouse_Crimson | 07", False),
+        ("<td>SM_Lighthouse_Crimson_07</td>", True),
+        ("sm-lighthouse-crimson-07", True),
+        ("SM_Light\u200bhouse_Crimson_0\u00ad7", True),
+    ],
+)
+def test_a_number_beside_a_name_is_no_label(text: str, leaks: bool, secrets: Secrets, tmp_path: Path) -> None:
+    """A public page tells an asset and, in the next cell, by how much it is off."""
+    (tmp_path / "file").write_text(text)
+    assert bool(leaks_in(tmp_path, secrets)) is leaks
+
+
 def test_pages_are_not_made_of_a_damaged_warehouse(tmp_path: Path) -> None:
     """A leaderboard whose study cannot be asked is told, and not shown as one without intervals."""
     made = MadeWarehouse(tmp_path / "warehouse", (0.7, 0.5))

@@ -18,8 +18,8 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from c4s.errors import MachineryFault
-from warehouse.release.secrets import CORE, NAMES, Secrets
-from warehouse.release.words import found_in, stands, strings_of
+from warehouse.release.secrets import CORE, Secrets
+from warehouse.release.words import found_in, strings_of
 
 _PICTURE = re.compile(rb"\xff\xd8\xff|\x89PNG\r\n")
 _BASE64 = re.compile(rb"[A-Za-z0-9+/_-]{64,}={0,2}")
@@ -99,12 +99,8 @@ def kinds_in(data: bytes, secrets: Secrets, depth: int = 0) -> set[str]:
 
 
 def _in_text(text: str, secrets: Secrets) -> set[str]:
-    found = set()
-    for piece in found_in(text, secrets.pieces, secrets.lengths):
-        kind = secrets.pieces[piece]
-        if kind not in NAMES or stands(piece, text):
-            found.add(kind)
-    return found
+    found = found_in(text, secrets.pieces, secrets.lengths, secrets.joined)
+    return {secrets.pieces[piece] for piece in found}
 
 
 def _texts(data: bytes) -> Iterator[str]:

@@ -13,7 +13,7 @@ from pathlib import Path
 from c4s.files import digest, read_json
 from c4s.records.suite import SuiteFolder
 from warehouse.database import ask, rows
-from warehouse.release.words import found_in, lengths_of, pieces, stands, strings_of
+from warehouse.release.words import found_in, lengths_of, pieces, strings_of, words
 
 SOURCES = ("warehouse", "reports", "c4s/verify", "c4s/protocol", "c4s/records")
 """Packages whose own words are no secret: field names, reasons, what pages say."""
@@ -38,6 +38,8 @@ class Secrets:
     """SHA-256 of each picture's bytes."""
     cores: frozenset[bytes] = frozenset()
     """``CORE`` of each picture that is long enough."""
+    joined: frozenset[str] = frozenset()
+    """Pieces that are looked for as they are written: names, and what is one word with a number in it."""
     known: int = 0
     """Pieces that are not looked for, because public cases or c4s itself say the same."""
 
@@ -49,7 +51,7 @@ class Secrets:
     def digest(self) -> str:
         """Digest of what is looked for."""
         cores = sorted(core.hex() for core in self.cores)
-        return digest([self.pieces, sorted(self.pictures), cores])
+        return digest([self.pieces, sorted(self.joined), sorted(self.pictures), cores])
 
     def __bool__(self) -> bool:
         return bool(self.pieces or self.pictures)
@@ -71,12 +73,16 @@ def secrets_of(warehouse: Path, suites: Path | None = None, libraries: Sequence[
     if not rows(warehouse, f"SELECT 1 FROM schedule WHERE visibility = '{PRIVATE}' LIMIT 1"):
         return Secrets()
     wanted: dict[str, str] = {}
+    apart: set[str] = set()
     pictures: set[str] = set()
     cores: set[bytes] = set()
     for kind, text in dict.fromkeys(_texts(warehouse, suites, PRIVATE)):
         for piece in pieces(text):
             if _tells(kind, piece):
                 wanted.setdefault(piece, kind)
+                if not _is_joined(kind, text):
+                    apart.add(piece)
+    joined = frozenset(wanted.keys() - apart)
     for data in _pictures(warehouse, suites, PRIVATE):
         pictures.add(hashlib.sha256(data).hexdigest())
         if len(data) >= 2 * CORE.stop:
@@ -85,16 +91,22 @@ def secrets_of(warehouse: Path, suites: Path | None = None, libraries: Sequence[
     others = {text for _, text in _texts(warehouse, suites, PUBLIC)}
     lengths = lengths_of(wanted)
     for text in itertools.chain([_own_words(), *libraries], _names_of_what_ran(warehouse), others):
-        known |= {
-            piece for piece in found_in(text, wanted, lengths) if wanted[piece] not in NAMES or stands(piece, text)
-        }
+        known |= found_in(text, wanted, lengths, joined)
     for text in _answers(warehouse):
         known |= {piece for piece in found_in(text, wanted, lengths) if wanted[piece] in OF_CONTENT}
     for data in _pictures(warehouse, suites, PUBLIC):
         pictures.discard(hashlib.sha256(data).hexdigest())
         cores.discard(data[CORE])
     kept = {piece: kind for piece, kind in wanted.items() if piece not in known}
-    return Secrets(kept, frozenset(pictures), frozenset(cores), len(known))
+    return Secrets(kept, frozenset(pictures), frozenset(cores), joined & kept.keys(), len(known))
+
+
+def _is_joined(kind: str, text: str) -> bool:
+    """Whether a text tells something only as it is written: a name, or one word with a number, such as a label.
+
+    Apart from each other, as the cells of a table, word and number are another thing's.
+    """
+    return kind in NAMES or (len(text.split()) == 1 and any(word.isdecimal() for word in words(text)))
 
 
 def _tells(kind: str, piece: str) -> bool:

@@ -11,6 +11,7 @@ from urllib.parse import unquote
 PIECE: int = 6
 """Words of a longer text that tell it: every run of so many is looked for."""
 _BETWEEN = re.compile(r"[\W_]+")
+_JOINT = re.compile(r"(?:[^\w\s<>|,;]|_){1,3}")
 _UNSEEN = re.compile("[\u00ad\u200b-\u200f\u2060\ufeff]")
 _ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|x([0-9a-fA-F]{2})|([\"'\\/bfnrt]))")
 _TAG = re.compile(r"<[^<>]*>")
@@ -48,22 +49,33 @@ def lengths_of(wanted: Collection[str]) -> tuple[int, ...]:
     return tuple(sorted({piece.count(" ") + 1 for piece in wanted}))
 
 
-def found_in(text: str, wanted: Collection[str], lengths: Sequence[int]) -> set[str]:
-    """Which of some pieces, of these lengths, stand in a text, in any of its readings."""
+def found_in(text: str, wanted: Collection[str], lengths: Sequence[int], joined: Collection[str] = ()) -> set[str]:
+    """Which of some pieces, of these lengths, stand in a text, in any of its readings.
+
+    Those that are ``joined`` stand there only as a name does: a number in a table beside a word is none.
+    """
     found: set[str] = set()
     for reading in readings(text):
         there = words(reading)
+        close: list[bool] = []
         for length in lengths:
             runs = map(" ".join, zip(*(there[first:] for first in range(length)), strict=False))
-            found.update(run for run in runs if run in wanted)
+            for first, run in enumerate(runs):
+                if run not in wanted or run in found:
+                    continue
+                if run in joined:
+                    close = close or _close(reading)
+                    if not all(close[first : first + length - 1]):
+                        continue
+                found.add(run)
     return found
 
 
-def stands(name: str, text: str) -> bool:
-    """Whether a name stands in a text as one: a number in a table beside a word is no name."""
-    between = r"(?:[^\w\s<>|,;]|_){1,3}"
-    whole = re.compile(rf"(?<![^\W_]){between.join(map(re.escape, name.split()))}(?![^\W_])")
-    return any(whole.search(reading.casefold()) for reading in readings(text))
+def _close(text: str) -> list[bool]:
+    """Of each word of a text, whether it is written together with the next one."""
+    plain = _UNSEEN.sub("", text).casefold()
+    between = _BETWEEN.finditer(plain)
+    return [_JOINT.fullmatch(one[0]) is not None for one in between if one.start()]
 
 
 def strings_of(value: Any) -> Iterator[str]:
