@@ -99,7 +99,7 @@ def kinds_in(data: bytes, secrets: Secrets, depth: int = 0) -> set[str]:
 
 
 def _in_text(text: str, secrets: Secrets) -> set[str]:
-    found = found_in(text, secrets.pieces, secrets.lengths, secrets.joined)
+    found = found_in(text, secrets.pieces, secrets.beginnings, secrets.joined)
     return {secrets.pieces[piece] for piece in found}
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from c4s.files import digest, read_json
 from c4s.records.suite import SuiteFolder
 from warehouse.database import ask, rows
-from warehouse.release.words import found_in, lengths_of, pieces, strings_of, words
+from warehouse.release.words import beginnings_of, found_in, pieces, strings_of, words
 
 SOURCES = ("warehouse", "reports", "c4s/verify", "c4s/protocol", "c4s/records")
 """Packages whose own words are no secret: field names, reasons, what pages say."""
@@ -44,9 +44,9 @@ class Secrets:
     """Pieces that are not looked for, because public cases or c4s itself say the same."""
 
     @cached_property
-    def lengths(self) -> tuple[int, ...]:
-        """How many words the pieces have."""
-        return lengths_of(self.pieces)
+    def beginnings(self) -> dict[str, tuple[int, ...]]:
+        """How many words the pieces have, by their first."""
+        return beginnings_of(self.pieces)
 
     def digest(self) -> str:
         """Digest of what is looked for."""
@@ -77,11 +77,10 @@ def secrets_of(warehouse: Path, suites: Path | None = None, libraries: Sequence[
     pictures: set[str] = set()
     cores: set[bytes] = set()
     for kind, text in dict.fromkeys(_texts(warehouse, suites, PRIVATE)):
-        for piece in pieces(text):
-            if _tells(kind, piece):
-                wanted.setdefault(piece, kind)
-                if not _is_joined(kind, text):
-                    apart.add(piece)
+        found = [piece for piece in pieces(text) if _tells(kind, piece)]
+        wanted.update((piece, kind) for piece in found if piece not in wanted)
+        if kind not in NAMES and not (len(found) == 1 and _is_label(text)):
+            apart.update(found)
     joined = frozenset(wanted.keys() - apart)
     for data in _pictures(warehouse, suites, PRIVATE):
         pictures.add(hashlib.sha256(data).hexdigest())
@@ -89,11 +88,11 @@ def secrets_of(warehouse: Path, suites: Path | None = None, libraries: Sequence[
             cores.add(data[CORE])
     known: set[str] = set()
     others = {text for _, text in _texts(warehouse, suites, PUBLIC)}
-    lengths = lengths_of(wanted)
+    beginnings = beginnings_of(wanted)
     for text in itertools.chain([_own_words(), *libraries], _names_of_what_ran(warehouse), others):
-        known |= found_in(text, wanted, lengths, joined)
+        known |= found_in(text, wanted, beginnings, joined)
     for text in _answers(warehouse):
-        known |= {piece for piece in found_in(text, wanted, lengths) if wanted[piece] in OF_CONTENT}
+        known |= {piece for piece in found_in(text, wanted, beginnings) if wanted[piece] in OF_CONTENT}
     for data in _pictures(warehouse, suites, PUBLIC):
         pictures.discard(hashlib.sha256(data).hexdigest())
         cores.discard(data[CORE])
@@ -101,12 +100,9 @@ def secrets_of(warehouse: Path, suites: Path | None = None, libraries: Sequence[
     return Secrets(kept, frozenset(pictures), frozenset(cores), joined & kept.keys(), len(known))
 
 
-def _is_joined(kind: str, text: str) -> bool:
-    """Whether a text tells something only as it is written: a name, or one word with a number, such as a label.
-
-    Apart from each other, as the cells of a table, word and number are another thing's.
-    """
-    return kind in NAMES or (len(text.split()) == 1 and any(word.isdecimal() for word in words(text)))
+def _is_label(text: str) -> bool:
+    """Whether a text is one word with a number: apart, as in the cells of a table, both are another thing's."""
+    return len(text.split()) == 1 and any(word.isdecimal() for word in words(text))
 
 
 def _tells(kind: str, piece: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 from urllib.parse import unquote
 
@@ -44,13 +44,18 @@ def readings(text: str) -> Iterator[str]:
         yield unquote(text)
 
 
-def lengths_of(wanted: Collection[str]) -> tuple[int, ...]:
-    """How many words pieces have."""
-    return tuple(sorted({piece.count(" ") + 1 for piece in wanted}))
+def beginnings_of(wanted: Collection[str]) -> dict[str, tuple[int, ...]]:
+    """By the first word of pieces, how many words they have."""
+    found: dict[str, set[int]] = {}
+    for piece in wanted:
+        found.setdefault(piece.partition(" ")[0], set()).add(piece.count(" ") + 1)
+    return {word: tuple(sorted(lengths)) for word, lengths in found.items()}
 
 
-def found_in(text: str, wanted: Collection[str], lengths: Sequence[int], joined: Collection[str] = ()) -> set[str]:
-    """Which of some pieces, of these lengths, stand in a text, in any of its readings.
+def found_in(
+    text: str, wanted: Collection[str], beginnings: Mapping[str, tuple[int, ...]], joined: Collection[str] = ()
+) -> set[str]:
+    """Which of some pieces, which begin so, stand in a text, in any of its readings.
 
     Those that are ``joined`` stand there only as a name does: a number in a table beside a word is none.
     """
@@ -58,16 +63,16 @@ def found_in(text: str, wanted: Collection[str], lengths: Sequence[int], joined:
     for reading in readings(text):
         there = words(reading)
         close: list[bool] = []
-        for length in lengths:
-            runs = map(" ".join, zip(*(there[first:] for first in range(length)), strict=False))
-            for first, run in enumerate(runs):
-                if run not in wanted or run in found:
+        for first, word in enumerate(there):
+            for length in beginnings.get(word, ()):
+                piece = " ".join(there[first : first + length])
+                if piece not in wanted or piece in found:
                     continue
-                if run in joined:
+                if piece in joined:
                     close = close or _close(reading)
                     if not all(close[first : first + length - 1]):
                         continue
-                found.add(run)
+                found.add(piece)
     return found
 
 
