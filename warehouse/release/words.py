@@ -11,10 +11,11 @@ from urllib.parse import unquote
 PIECE: int = 6
 """Words of a longer text that tell it: every run of so many is looked for."""
 _BETWEEN = re.compile(r"[\W_]+")
-_JOINT = re.compile(r"(?:[^\w\s<>|,;]|_){1,3}")
+_JOINT = re.compile(r"(?:(?!&#)[^\w\s<>|,;]|_){1,3}")
 _UNSEEN = re.compile("[\u00ad\u200b-\u200f\u2060\ufeff]")
 _ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|x([0-9a-fA-F]{2})|([\"'\\/bfnrt]))")
 _TAG = re.compile(r"<[^<>]*>")
+_NAME_OF_TAG = re.compile(r"</[a-zA-Z][\w-]*\s*>|<[a-zA-Z][\w-]*(?=\s+[\w-]+=)")
 
 
 def words(text: str) -> list[str]:
@@ -30,14 +31,12 @@ def pieces(text: str) -> Iterator[str]:
 
 
 def readings(text: str) -> Iterator[str]:
-    """A text as it stands there, and as it reads without the escapes of HTML, JSON and addresses, and without tags."""
-    yield text
+    """A text as it stands there but for the names of tags, and without escapes of HTML, JSON, addresses, and tags."""
     plain = _unescaped(text) if "\\" in text else text
-    if plain != text:
-        yield plain
-    for one in {text, plain}:
+    for one in dict.fromkeys((text, plain)):
+        yield _NAME_OF_TAG.sub("<>", one) if "<" in one else one
         if "&" in one:
-            yield html.unescape(one)
+            yield html.unescape(_NAME_OF_TAG.sub("<>", one))
         if "<" in one:
             yield html.unescape(_TAG.sub(" ", one))
     if "%" in text:
