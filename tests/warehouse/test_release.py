@@ -245,34 +245,20 @@ def test_files_of_a_suite_tell_more_of_its_private_cases(root: Path, tmp_path: P
         assert leaks_in(published, both) == []
 
 
-@pytest.mark.parametrize(
-    ("text", "leaks"),
-    [
-        ("<td>SM_Lighthouse_Crimson</td><td>07.2 cm</td>", False),
-        ("sm_lighthouse_crimson, 07", False),
-        ("SM_Lighthouse_Crimson | 07", False),
-        ("SM_Lighthouse_Crimson&#07;", False),
-        ("<td>SM_Lighthouse_Crimson_07</td>", True),
-        ("sm-lighthouse-crimson-07", True),
-        ("SM_Light\u200bhouse_Crimson_0\u00ad7", True),
-    ],
+LABELS = ("<td>SM_Lighthouse_Crimson_07</td>", "sm-lighthouse-crimson-07", "SM_Light\u200bhouse_Crimson_0\u00ad7")
+NO_LABELS = (
+    "<td>SM_Lighthouse_Crimson</td><td>07.2 cm</td>",
+    "sm_lighthouse_crimson, 07",
+    "SM_Lighthouse_Crimson&#07;",
 )
-def test_a_number_beside_a_name_is_no_label(text: str, leaks: bool, secrets: Secrets, tmp_path: Path) -> None:
-    """A public page tells an asset and, in the next cell, by how much it is off."""
+WORDS = ("the lighthouse stands north of <a href='x'>a</a>", "<img alt='the lighthouse stands north of a'>")
+NO_WORDS = ("<a>the lighthouse stands north of</a>", r"\u0061 &amp; lighthouse stands north of a <quay id='x'>")
+
+
+@pytest.mark.parametrize("text", LABELS + NO_LABELS + WORDS + NO_WORDS)
+def test_neither_a_number_in_the_next_cell_nor_a_tag_is_a_word(text: str, secrets: Secrets, tmp_path: Path) -> None:
     (tmp_path / "file").write_text(text)
-    assert bool(leaks_in(tmp_path, secrets)) is leaks
-
-
-def test_the_name_of_a_tag_is_no_word(secrets: Secrets, tmp_path: Path) -> None:
-    for text, leaks in (
-        ("<a href='x'>the lighthouse stands north of</a>", False),
-        ("the lighthouse stands north of <a href='x'>it</a>", False),
-        (r"\u0061 &amp; <a href='x'>the lighthouse stands north of</a>", False),
-        ("the lighthouse stands north of <a href='x'>a</a>", True),
-        ("<img alt='the lighthouse stands north of a'>", True),
-    ):
-        (tmp_path / "file").write_text(text)
-        assert bool(leaks_in(tmp_path, secrets)) is leaks, text
+    assert bool(leaks_in(tmp_path, secrets)) is (text in LABELS + WORDS)
 
 
 def test_pages_are_not_made_of_a_damaged_warehouse(tmp_path: Path) -> None:
