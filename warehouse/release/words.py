@@ -15,7 +15,13 @@ _JOINT = re.compile(r"(?:(?!&#)[^\w\s<>|,;]|_){1,3}")
 _UNSEEN = re.compile("[\u00ad\u200b-\u200f\u2060\ufeff]")
 _ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|x([0-9a-fA-F]{2})|([\"'\\/bfnrt]))")
 _TAG = re.compile(r"<[^<>]*>")
-_NAME_OF_TAG = re.compile(r"</[a-zA-Z][\w-]*\s*>|<[a-zA-Z][\w-]*(?=\s+[\w-]+=)")
+_HTML = (
+    "a|article|aside|b|body|button|caption|circle|code|details|dialog|figure|footer|form|g|head|header|i|image|label|legend"
+    "|line|link|main|map|mark|menu|nav|object|option|output|p|path|pattern|picture|q|s|script|section|select|small|source"
+    "|strong|style|summary|table|template|text|time|title|u|use|video"
+)
+"""Elements of HTML and SVG that are words too; what else is written as a tag is read."""
+_NAME_OF_TAG = re.compile(rf"</(?:{_HTML})\s*>|<(?:{_HTML})(?=\s+[\w-]+=)")
 
 
 def words(text: str) -> list[str]:
@@ -31,7 +37,7 @@ def pieces(text: str) -> Iterator[str]:
 
 
 def readings(text: str) -> Iterator[str]:
-    """A text as it stands there but for the names of tags, and without escapes of HTML, JSON, addresses, and tags."""
+    """A text as it stands there but for HTML's tag names, and without escapes of HTML, JSON, addresses, and tags."""
     plain = _unescaped(text) if "\\" in text else text
     for one in dict.fromkeys((text, plain)):
         yield _NAME_OF_TAG.sub("<>", one) if "<" in one else one
